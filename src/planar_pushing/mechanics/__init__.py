@@ -1,0 +1,1 @@
+"""The mechanics of pushing: numpy and scipy, nothing more."""

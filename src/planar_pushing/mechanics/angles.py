@@ -1,0 +1,51 @@
+"""Angle intervals with open or closed ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.mechanics.errors import InvalidValue
+
+#: Directions closer than this (radians) are one direction: a few ulp of pi.
+RESOLUTION = 8 * np.finfo(float).eps
+
+
+@dataclass(frozen=True, slots=True)
+class AngleInterval:
+    """Directions from `right` counter-clockwise to `left`, radians, unwrapped: right <= left.
+
+    Parameters
+    ----------
+    right, left : float
+        The edges as seen when looking along the interval's middle.
+    closed : bool
+        Whether the edges belong to the interval.
+    """
+
+    right: float
+    left: float
+    closed: bool = True
+
+    def __post_init__(self) -> None:
+        if not self.right <= self.left:
+            raise InvalidValue(
+                "AngleInterval", (self.right, self.left), "right <= left", "unwrap the edges first"
+            )
+
+    @property
+    def span(self) -> float:
+        """Angle between the edges, radians."""
+        return self.left - self.right
+
+    def contains(self, angle: npt.ArrayLike) -> npt.NDArray[np.bool_]:
+        """Whether each angle, taken modulo a full turn, lies in the interval.
+
+        An edge counts as reached within `RESOLUTION`.
+        """
+        middle = (self.right + self.left) / 2
+        offset = np.abs(np.remainder(np.subtract(angle, middle) + np.pi, 2 * np.pi) - np.pi)
+        margin = RESOLUTION if self.closed else -RESOLUTION
+        return np.asarray(offset <= self.span / 2 + margin)

@@ -1,0 +1,18 @@
+"""What the contact between fence and rod can transmit."""
+
+from planar_pushing.mechanics.contact.laws import (
+    ContactLaw,
+    Coulomb,
+    InfiniteFriction,
+    PerfectlyRough,
+)
+from planar_pushing.mechanics.contact.modes import ContactMode, Outcome
+
+__all__ = [
+    "ContactLaw",
+    "ContactMode",
+    "Coulomb",
+    "InfiniteFriction",
+    "Outcome",
+    "PerfectlyRough",
+]

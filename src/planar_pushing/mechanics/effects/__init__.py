@@ -1,0 +1,7 @@
+"""What resists the motion: each effect is a convex potential of the slider's twist."""
+
+from planar_pushing.mechanics.effects.base import Effect
+from planar_pushing.mechanics.effects.inertia import Inertia
+from planar_pushing.mechanics.effects.ring_friction import RingFriction
+
+__all__ = ["Effect", "Inertia", "RingFriction"]

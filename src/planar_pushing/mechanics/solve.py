@@ -1,0 +1,238 @@
+"""Contact modes of a pushed slider: every consistent solution, and the outcome (Secs. 2-5)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.mechanics import response
+from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.errors import require_number
+from planar_pushing.mechanics.planar import Array, direction, motion_center
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slipping import slip_motions
+
+#: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
+COINCIDENCE = 1e-12
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Candidates:
+    """Motions that one contact mode admits, for pusher motions of shape S.
+
+    Attributes
+    ----------
+    mode : ContactMode
+    consistent : ndarray of bool, shape S + (branches,)
+    twist : ndarray, shape S + (branches, 3)
+        (v_x, v_y, R omega) at the ring centre.
+    force : ndarray, shape S + (branches, 2)
+        Force of the pusher on the slider.
+    """
+
+    mode: ContactMode
+    consistent: npt.NDArray[np.bool_]
+    twist: Array
+    force: Array
+
+    @property
+    def spin_ratio(self) -> Array:
+        """k = R omega / v with v along the force, shape S + (branches,); 0 at rest."""
+        speed = np.hypot(self.twist[..., 0], self.twist[..., 1])
+        spin = self.twist[..., 2]
+        with np.errstate(divide="ignore", over="ignore"):
+            ratio = np.divide(spin, speed, out=np.asarray(np.copysign(np.inf, spin)), where=speed > 0)
+        return np.where(spin == 0, 0.0, ratio)
+
+    @property
+    def force_angle(self) -> Array:
+        """phi in (-pi, pi], shape S + (branches,)."""
+        return np.arctan2(self.force[..., 1], self.force[..., 0] + 0.0)
+
+
+def contact_motion(scene: Scene, twist: Array) -> Array:
+    """Contact motions, shape S + (2,), of twists (v_x, v_y, R omega) of shape S + (3,)."""
+    arm = scene.slider.length_ratio * direction(scene.slider.rod_angle)
+    turned = twist[..., 2:] * np.array([arm[1], -arm[0]])
+    return np.asarray(twist[..., :2] + turned)
+
+
+def _force(scene: Scene, twist: Array) -> Array:
+    """Force that sustains each twist."""
+    return np.asarray(np.sum([effect.wrench(twist) for effect in scene.scaled_effects], axis=0)[..., :2])
+
+
+def _separate(scene: Scene, pusher: Array) -> Candidates:
+    rest = np.zeros((*pusher.shape[:-1], 1, 3))
+    return Candidates(
+        mode=ContactMode.SEPARATE,
+        consistent=pusher[..., 1:] <= 0,
+        twist=rest,
+        force=rest[..., :2],
+    )
+
+
+def _stick(scene: Scene, pusher: Array) -> Candidates:
+    slider, speed = scene.slider, np.hypot(pusher[..., 0], pusher[..., 1])
+    lean = slider.rod_angle - np.arctan2(pusher[..., 1], pusher[..., 0])
+    moving = np.where(speed > 0, speed, 1.0)
+    along_rod = response.sustained_twist(
+        scene.scaled_effects, np.asarray(slider.length_ratio), lean, moving
+    )
+    e = direction(slider.rod_angle)
+    axes = np.array([[e[0], e[1], 0.0], [e[1], -e[0], 0.0], [0.0, 0.0, 1.0]])
+    twist = (along_rod @ axes)[..., None, :]
+    force = _force(scene, twist)
+    angle = np.arctan2(force[..., 1], force[..., 0])
+    admitted = scene.contact.force_angles.contains(angle) & (speed > 0)[..., None]
+    return Candidates(mode=ContactMode.STICK, consistent=admitted, twist=twist, force=force)
+
+
+def _slip(scene: Scene, pusher: Array, mode: ContactMode) -> Candidates:
+    rightward = mode is ContactMode.SLIP_RIGHT
+    angles = scene.contact.force_angles
+    edge = angles.left if rightward else angles.right
+    slider = scene.slider
+    speed, ratio, exists = slip_motions(
+        scene.scaled_effects, slider.length_ratio, slider.rod_angle, edge, pusher[..., 1]
+    )
+    heading = np.broadcast_to(direction(edge), (*ratio.shape, 2))
+    twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
+    slip = (contact_motion(scene, twist)[..., 0] - pusher[..., :1]) * (1 if rightward else -1)
+    tolerance = COINCIDENCE * np.hypot(pusher[..., :1], pusher[..., 1:])
+    forces = np.linalg.norm(_force(scene, twist), axis=-1)[..., None] * heading
+    return Candidates(
+        mode=mode, consistent=exists & (slip > tolerance), twist=twist, force=forces
+    ), exists & (np.abs(slip) <= tolerance)
+
+
+def candidates(scene: Scene, pusher_motion: npt.ArrayLike) -> tuple[Candidates, ...]:
+    """Enumerate the contact modes for pusher motions of shape S + (2,), elementwise.
+
+    A slip that vanishes at an edge of the motion cone is the sticking solution and counts as that.
+    """
+    pusher = np.asarray(pusher_motion, dtype=float)
+    stick = _stick(scene, pusher)
+    if not scene.contact.slips:
+        return _separate(scene, pusher), stick
+    (right, stuck_left), (left, stuck_right) = (
+        _slip(scene, pusher, mode) for mode in (ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
+    )
+    at_edge = (stuck_left.any(axis=-1) | stuck_right.any(axis=-1))[..., None]
+    stick = Candidates(
+        mode=stick.mode, consistent=stick.consistent | at_edge, twist=stick.twist, force=stick.force
+    )
+    return _separate(scene, pusher), stick, right, left
+
+
+def outcomes(found: tuple[Candidates, ...]) -> npt.NDArray[np.int8]:
+    """Outcome (values of `Outcome`) for each pusher motion, shape S."""
+    count = sum(each.consistent.sum(axis=-1) for each in found)
+    return np.minimum(count, Outcome.AMBIGUOUS).astype(np.int8)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Solution:
+    """One consistent solution.
+
+    Attributes
+    ----------
+    mode : ContactMode
+    force : ndarray, shape (2,)
+        Force of the pusher on the slider.
+    contact_motion : ndarray, shape (2,)
+        Velocity or initial acceleration of the slider at the contact.
+    twist : ndarray, shape (3,)
+        (v_x, v_y, omega) at the ring centre.
+    spin_ratio : float
+        k = R omega / v; 0 at rest.
+    center : ndarray, shape (2,)
+        Motion centre relative to the contact; infinite for a translation and at rest.
+    """
+
+    mode: ContactMode
+    force: Array
+    contact_motion: Array
+    twist: Array
+    spin_ratio: float
+    center: Array
+
+    @property
+    def adhesive(self) -> bool:
+        """Whether the fence pulls on the slider, as only a perfectly rough contact can."""
+        return bool(self.force[1] < 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Solutions:
+    """All consistent solutions of one pushing problem, in the order of `ContactMode`."""
+
+    solutions: tuple[Solution, ...]
+
+    @property
+    def outcome(self) -> Outcome:
+        return Outcome(min(len(self.solutions), 2))
+
+    @property
+    def modes(self) -> tuple[ContactMode, ...]:
+        return tuple(solution.mode for solution in self.solutions)
+
+    def __iter__(self) -> Iterator[Solution]:
+        return iter(self.solutions)
+
+    def __len__(self) -> int:
+        return len(self.solutions)
+
+
+def _solution(scene: Scene, found: Candidates, branch: int) -> Solution:
+    slider, twist = scene.slider, found.twist[branch]
+    ratio = float(found.spin_ratio[branch])
+    angle = float(found.force_angle[branch])
+    return Solution(
+        mode=found.mode,
+        force=found.force[branch],
+        contact_motion=contact_motion(scene, twist),
+        twist=twist / np.array([1.0, 1.0, slider.radius]),
+        spin_ratio=ratio,
+        center=motion_center(angle, ratio, slider.rod_length, slider.rod_angle, slider.radius),
+    )
+
+
+def solve(scene: Scene, pusher_angle: float, pusher_magnitude: float = 1.0) -> Solutions:
+    """Every solution of the pushing problem from rest that is consistent (Sec. 2).
+
+    Parameters
+    ----------
+    scene : Scene
+    pusher_angle : float
+        Angle of the pusher's velocity or initial acceleration, radians.
+    pusher_magnitude : float
+        Its magnitude, >= 0. It matters to the modes only where the scene has friction and inertia.
+
+    Returns
+    -------
+    Solutions
+
+    Raises
+    ------
+    InvalidValue
+        Where the angle is not finite, or the magnitude negative or not finite.
+    """
+    angle = require_number(
+        "pusher_angle", pusher_angle, np.isfinite, "a finite number of radians", "give one angle"
+    )
+    magnitude = require_number(
+        "pusher_magnitude", pusher_magnitude, lambda x: 0 <= x < np.inf,
+        "a finite number >= 0", "turn the pusher around by its angle, not by a sign",
+    )  # fmt: skip
+    found = candidates(scene, magnitude * direction(angle))
+    return Solutions(
+        tuple(
+            _solution(scene, each, branch)
+            for each in found
+            for branch in np.nonzero(each.consistent)[0]
+        )
+    )
