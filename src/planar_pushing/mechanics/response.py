@@ -20,8 +20,8 @@ from planar_pushing.mechanics.planar import Array
 
 Effects = Sequence[IsotropicEffect]
 
-#: Roots are refined to the resolution of their argument.
-TOLERANCES = {"xatol": 0.0, "xrtol": np.finfo(float).eps, "fatol": 0.0, "frtol": 0.0}
+#: Roots are refined to a few ulp; a bracket cannot shrink below one.
+TOLERANCES = {"xatol": 0.0, "xrtol": 4 * np.finfo(float).eps, "fatol": 0.0, "frtol": 0.0}
 
 
 def of_degree(effects: Effects, degree: int) -> Effects:

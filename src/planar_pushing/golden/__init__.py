@@ -1,0 +1,1 @@
+"""Golden data: enclosures by ball arithmetic, on a route that shares nothing with the mechanics."""

@@ -1,0 +1,139 @@
+"""Balls: precision, signs that are never guessed, angles in exact degrees, storage in doubles.
+
+A ball is an `arb`, a midpoint with a rigorous radius. Where a ball contains zero its sign is settled
+by exact arithmetic in a cyclotomic field, or not at all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache, wraps
+from typing import Any, ParamSpec, TypeVar
+
+from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
+
+#: Working precision in bits. Results keep at least 84 of them, a relative radius below 1e-25.
+PRECISION = 192
+
+#: Largest relative radius of a stored number.
+RESOLUTION = 1e-25
+
+#: The field of exact numbers is that of the roots of unity at multiples of half a degree.
+_TURN = 720
+_MODULUS = fmpq_poly(fmpz_poly.cyclotomic(_TURN))
+
+P = ParamSpec("P")
+T = TypeVar("T")
+Exact = Any  # fmpq_poly modulo the cyclotomic polynomial, or a rational
+
+
+class Undecided(ArithmeticError):
+    """A sign or an accuracy that neither the precision nor exact arithmetic settles."""
+
+
+def precise(function: Callable[P, T]) -> Callable[P, T]:
+    """Evaluate a function at the working precision, whatever the caller's is."""
+
+    @wraps(function)
+    def wrapped(*args: P.args, **kwargs: P.kwargs) -> T:
+        if ctx.prec == PRECISION:
+            return function(*args, **kwargs)
+        with ctx.workprec(PRECISION):
+            return function(*args, **kwargs)
+
+    return wrapped
+
+
+def rational(number: float | fmpq) -> fmpq:
+    """Return the exact value of a finite double."""
+    return number if isinstance(number, fmpq) else fmpq(*float(number).as_integer_ratio())
+
+
+def sign(ball: arb, exact: Callable[[], Exact] | None = None) -> int:
+    """Sign of a number, -1, 0 or 1.
+
+    Parameters
+    ----------
+    ball : arb
+        Encloses the number.
+    exact : callable, optional
+        Gives a number of the same sign, exactly; asked only where the ball contains zero.
+
+    Raises
+    ------
+    Undecided
+        Where the ball contains zero and the number is not known to be zero.
+    """
+    if ball > 0:
+        return 1
+    if ball < 0:
+        return -1
+    if ball.is_zero() or (exact is not None and _vanishes(exact())):
+        return 0
+    raise Undecided(f"the sign of {ball} is open")
+
+
+def settle(ball: arb, exact: Callable[[], Exact] | None = None) -> arb:
+    """Return the ball, or an exact zero where the number is known to vanish."""
+    return ball if not ball.contains(0) or sign(ball, exact) else arb(0)
+
+
+def _vanishes(number: Exact) -> bool:
+    return bool(fmpq_poly([number]) % _MODULUS == 0 if isinstance(number, fmpq) else number % _MODULUS == 0)
+
+
+@lru_cache(maxsize=4096)
+def exact_cosine(degrees: fmpq) -> fmpq_poly:
+    """Cosine of a multiple of half a degree, as an element of the cyclotomic field."""
+    steps = degrees * 2
+    if steps.q != 1:
+        raise Undecided(f"{degrees} degrees: exact only at multiples of half a degree")
+    power = int(steps.p) % _TURN
+    coefficients = [0] * (_TURN + 1)
+    coefficients[power] += 1
+    coefficients[_TURN - power] += 1
+    return fmpq_poly(coefficients, 2) % _MODULUS
+
+
+def exact_sine(degrees: fmpq) -> fmpq_poly:
+    """Sine of a multiple of half a degree, as an element of the cyclotomic field."""
+    return exact_cosine(90 - degrees)
+
+
+def cosine_sine(degrees: fmpq) -> tuple[arb, arb]:
+    """Cosine and sine of exact degrees; exact where they are rational."""
+    sine, cosine = arb.sin_cos_pi_fmpq(degrees / 180)
+    return cosine, sine
+
+
+def in_degrees(radians: arb) -> arb:
+    """Radians to degrees."""
+    return radians * 180 / arb.pi()
+
+
+def fold(degrees: fmpq) -> fmpq:
+    """Return the angle in [0, 90] degrees with the same absolute sine."""
+    half_turns = (degrees / 180).floor()
+    rest = degrees - 180 * half_turns
+    return min(rest, 180 - rest)
+
+
+def pack(ball: arb) -> tuple[float, float, float]:
+    """Midpoint as the sum of two doubles, high and low, and a rigorous radius, a power of two.
+
+    Raises
+    ------
+    Undecided
+        Where the radius exceeds `RESOLUTION` relative to the midpoint.
+    """
+    high = float(ball.mid())
+    if math.isinf(high) and not ball.is_finite():
+        return high, 0.0, 0.0
+    with ctx.workprec(4 * PRECISION):
+        low = float((ball - high).mid())
+        radius = float((ball - high - low).abs_upper())
+    bound = 2.0 ** math.frexp(radius)[1] if radius else 0.0
+    if not bound <= RESOLUTION * abs(high):
+        raise Undecided(f"{ball} is too wide to store")
+    return high, low, bound

@@ -1,0 +1,254 @@
+"""Motion of the slider under one line of force, enclosed: spin ratio, motion, limit force, centre.
+
+Lengths are in units of R and angles in exact degrees. Friction and inertia act together through the
+share sigma = s / (1 + s) of inertia, 0 for friction alone and 1 for inertia alone:
+``(1 - sigma) (t - h f) + sigma (g k - h) = 0`` with ``g = (rho / R)^2``, increasing in k.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import lru_cache
+
+from flint import arb, fmpq
+
+from planar_pushing.golden import ring
+from planar_pushing.golden.balls import (
+    Exact,
+    cosine_sine,
+    exact_cosine,
+    exact_sine,
+    fold,
+    in_degrees,
+    precise,
+    rational,
+    settle,
+    sign,
+)
+from planar_pushing.golden.roots import increasing_root
+
+FRICTION, INERTIA = fmpq(0), fmpq(1)  # shares of inertia
+
+
+class Effects(StrEnum):
+    """What resists the motion, by the names of the datasets."""
+
+    FRICTION = "support_friction"
+    INERTIA = "inertia"
+    BOTH = "support_friction+inertia"
+
+    @property
+    def shares(self) -> tuple[fmpq, ...]:
+        """Shares of inertia between which the effects leave the motion open."""
+        ends = {Effects.FRICTION: (FRICTION,), Effects.INERTIA: (INERTIA,)}
+        return ends.get(self, (FRICTION, INERTIA))
+
+
+@dataclass(frozen=True, slots=True)
+class Slider:
+    """Rod length in units of R, rod angle in degrees, ``gyration = (rho / R)^2``, W and m; all exact."""
+
+    rod_length: fmpq
+    rod_angle: fmpq
+    gyration: fmpq = fmpq(1)
+    weight: fmpq = fmpq(1)
+    mass: fmpq = fmpq(1)
+
+    @classmethod
+    def of(
+        cls,
+        rod_length: float,
+        rod_angle: float = 45.0,
+        *,
+        weight: float = 1.0,
+        mass: float = 1.0,
+        radius: float = 1.0,
+        gyration_radius: float = 1.0,
+    ) -> Slider:
+        """Slider with lengths in any one unit; doubles are taken as exact."""
+        size = rational(radius)
+        gyration = (rational(gyration_radius) / size) ** 2
+        length = rational(rod_length) / size
+        return cls(length, rational(rod_angle), gyration, rational(weight), rational(mass))
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """Direction of a force: its angle in degrees, unit vector, and the same exactly.
+
+    `rational` is the angle where it is rational, `exact` gives a positive multiple of the vector.
+    """
+
+    degrees: arb
+    x: arb
+    y: arb
+    exact: Callable[[], tuple[Exact, Exact]] | None
+    rational: fmpq | None = None
+
+
+@lru_cache(maxsize=4096)
+def heading(degrees: fmpq | float) -> Heading:
+    """Direction at an exact angle."""
+    angle = rational(degrees)
+    x, y = cosine_sine(angle)
+    return Heading(arb(angle), x, y, lambda: (exact_cosine(angle), exact_sine(angle)), angle)
+
+
+@lru_cache(maxsize=1024)
+def edge(friction_coefficient: float, side: int) -> Heading:
+    """Edge of the friction cone, side 1 for the right and -1 for the left one; exact also at infinity."""
+    if math.isinf(friction_coefficient):
+        return heading(fmpq(90 - 90 * side))
+    mu = rational(friction_coefficient)
+    norm = (1 + mu * mu).p, (1 + mu * mu).q
+    size = (arb(norm[0]) / norm[1]).sqrt()
+    degrees = 90 - side * in_degrees(arb(mu).atan())
+    return Heading(degrees, side * mu / size, 1 / size, lambda: (side * mu, fmpq(1)))
+
+
+def lean(slider: Slider, force: Heading) -> tuple[arb, arb]:
+    """Cosine and sine of the rod angle minus the force angle; an exact zero where the sine vanishes."""
+    if force.rational is not None:
+        return cosine_sine(slider.rod_angle - force.rational)
+    c, s = cosine_sine(slider.rod_angle)
+
+    def exact() -> Exact:
+        x, y = force.exact()  # type: ignore[misc]
+        return x * exact_sine(slider.rod_angle) - y * exact_cosine(slider.rod_angle)
+
+    return force.x * c + force.y * s, settle(force.x * s - force.y * c, exact)
+
+
+def spin_of_arm(arm: arb, gyration: fmpq, share: fmpq) -> arb:
+    """Spin ratio for a moment arm > 0 in units of R: Eqs. (7) and (10), or their mixture."""
+    if share == INERTIA:
+        return arm / gyration
+
+    def balance(k: arb) -> arb:
+        force, torque = ring.profile(k)
+        return (1 - share) * (torque - arm * force) + share * (gyration * k - arm)
+
+    # t / f lies between k / 2 and k below k = 1, and between k and 2 k above it.
+    ends = (arm / 3, arm * 3, arm / gyration * fmpq(2, 3), arm / gyration * fmpq(3, 2))
+    used = ends[:2] if share == FRICTION else ends
+    low = min(float(end.lower()) for end in used)
+    return increasing_root(balance, arb(low), arb(max(float(end.upper()) for end in used)))
+
+
+@lru_cache(maxsize=1 << 17)
+def _spin_of_lean(length: fmpq, gyration: fmpq, share: fmpq, degrees: fmpq) -> arb:
+    arm = length * arb.sin_pi_fmpq(degrees / 180)
+    return arb(0) if arm == 0 else spin_of_arm(arm, gyration, share)
+
+
+@precise
+def spin_ratio(slider: Slider, force: Heading, share: fmpq) -> arb:
+    """Spin ratio k = R omega / v under a line of force."""
+    _, sine = lean(slider, force)
+    if force.rational is not None:
+        folded = fold(slider.rod_angle - force.rational)
+        size = _spin_of_lean(slider.rod_length, slider.gyration, share, folded)
+    else:
+        arm = slider.rod_length * abs(sine)
+        size = arb(0) if arm == 0 else spin_of_arm(arm, slider.gyration, share)
+    return -size if sine < 0 else size
+
+
+def contact_motion(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]:
+    """Motion of the contact per speed of the centre."""
+    c, s = cosine_sine(slider.rod_angle)
+    pull = spin * slider.rod_length
+    return force.x + pull * s, force.y - pull * c
+
+
+def exact_contact_motion(slider: Slider, force: Heading, share: fmpq) -> tuple[Exact, Exact] | None:
+    """Positive multiple of the contact's motion where it is algebraic, else None.
+
+    It is so for inertia, Eqs. (11)-(12), and for a force along the rod or at the ring centre.
+    """
+    if force.exact is None:
+        return None
+    x, y = force.exact()
+    if slider.rod_length == 0 or lean(slider, force)[1] == 0:
+        return x, y
+    if share != INERTIA:
+        return None
+    c, s = exact_cosine(slider.rod_angle), exact_sine(slider.rod_angle)
+    turn = (x * s - y * c) * (slider.rod_length**2 / slider.gyration)
+    return x + turn * s, y - turn * c
+
+
+@precise
+def motion_degrees(slider: Slider, force: Heading, spin: arb) -> arb:
+    """Angle of the contact's motion in degrees, on the branch within 90 degrees of the force."""
+    cosine, sine = lean(slider, force)
+    pull = spin * slider.rod_length
+    return force.degrees - in_degrees((pull * cosine / (1 + pull * sine)).atan())
+
+
+@precise
+def motion_angle(slider: Slider, force: Heading, share: fmpq) -> arb:
+    """Angle of the contact's motion in degrees; an exact zero where the motion is along the fence."""
+    degrees = motion_degrees(slider, force, spin_ratio(slider, force, share))
+    if not degrees.contains(0):
+        return degrees
+    exact = exact_contact_motion(slider, force, share)
+    return settle(degrees, None if exact is None else lambda: exact[1])
+
+
+@precise
+def limit_point(slider: Slider, effects: Effects, force: Heading) -> tuple[arb, arb]:
+    """Force magnitude and spin ratio of the limit curve at a force angle.
+
+    The motion has the kinetic energy of a unit translation, ``v = 1 / sqrt(1 + g k^2)``.
+    """
+    if effects is not Effects.BOTH:
+        k = spin_ratio(slider, force, effects.shares[0])
+        if effects is Effects.FRICTION:
+            return slider.weight * ring.profile(abs(k))[0], k
+        return slider.mass * _energetic_speed(slider, k), k
+    _, sine = lean(slider, force)
+    if force.rational is not None:
+        size = _limit_spin(slider, fold(slider.rod_angle - force.rational))
+    else:
+        size = _limit_spin_of_arm(slider, slider.rod_length * abs(sine))
+    friction = slider.weight * ring.profile(size)[0]
+    return friction + slider.mass * _energetic_speed(slider, size), -size if sine < 0 else size
+
+
+def _energetic_speed(slider: Slider, k: arb) -> arb:
+    return (1 + slider.gyration * k * k).rsqrt()
+
+
+@lru_cache(maxsize=1 << 15)
+def _limit_spin(slider: Slider, degrees: fmpq) -> arb:
+    return _limit_spin_of_arm(slider, slider.rod_length * arb.sin_pi_fmpq(degrees / 180))
+
+
+def _limit_spin_of_arm(slider: Slider, arm: arb) -> arb:
+    if arm == 0:
+        return arb(0)
+
+    def balance(k: arb) -> arb:
+        force, torque = ring.profile(k)
+        inertial = slider.mass * _energetic_speed(slider, k) * (slider.gyration * k - arm)
+        return slider.weight * (torque - arm * force) + inertial
+
+    low, high = (float(arm.lower()) / 4, float(arm.upper()) * 4)
+    g = float(slider.gyration.p) / float(slider.gyration.q)
+    return increasing_root(balance, arb(low / max(1, g)), arb(high / min(1, g)))
+
+
+@precise
+def motion_center(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]:
+    """Motion centre relative to the ring centre in units of R, at -1/k along x'.
+
+    A translation is taken as the limit k -> 0+: infinite coordinates where x' has a component.
+    """
+    along = force.y, -force.x
+    if sign(spin) == 0:
+        return tuple(arb(0) if each == 0 else arb.neg_inf() * each.sgn() for each in along)  # type: ignore[return-value]
+    return -along[0] / spin, -along[1] / spin

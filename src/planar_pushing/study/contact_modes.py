@@ -1,0 +1,97 @@
+"""Builder of the contact-mode dataset: every consistent mode over laws, lengths and pusher motions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.contact import (
+    ContactLaw,
+    ContactMode,
+    Coulomb,
+    InfiniteFriction,
+    PerfectlyRough,
+)
+from planar_pushing.mechanics.contact.laws import friction_coefficient
+from planar_pushing.mechanics.planar import Array, direction
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solve import Candidates, candidates, outcomes
+from planar_pushing.study.describe import describe
+from planar_pushing.study.models import StudyFile
+
+DIMS = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode")
+VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
+
+
+def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
+    """Label: (type, law) along the contact axis; the label holds the coefficient of friction."""
+    coulomb = {
+        f"coulomb_{mu:g}": ("coulomb", Coulomb(mu))
+        for mu in study.grid.contact_friction_coefficient
+    }
+    return coulomb | {
+        "infinite_friction_free": ("infinite_friction", InfiniteFriction()),
+        "infinite_friction_none": ("infinite_friction", InfiniteFriction("none")),
+        "perfectly_rough": ("perfectly_rough", PerfectlyRough()),
+    }
+
+
+def _extremes(found: Candidates) -> dict[str, Array]:
+    """Spin ratio and force angle of the slowest and the fastest consistent motion; 0 where none."""
+    speed = np.linalg.norm(found.twist, axis=-1)
+    slow = np.where(found.consistent, speed, np.inf).argmin(axis=-1, keepdims=True)
+    fast = np.where(found.consistent, speed, -np.inf).argmax(axis=-1, keepdims=True)
+    moves = found.consistent.any(axis=-1) & (found.mode is not ContactMode.SEPARATE)
+
+    def pick(values: Array, branch: Any) -> Array:
+        return np.where(moves, np.take_along_axis(values, branch, axis=-1)[..., 0], 0.0)
+
+    angle = np.rad2deg(found.force_angle)
+    picks = (found.spin_ratio, slow), (angle, slow), (found.spin_ratio, fast), (angle, fast)
+    return dict(zip(VALUES, (pick(*each) for each in picks), strict=True))
+
+
+def contact_modes(study: StudyFile) -> xr.Dataset:
+    """Contact modes over effects, contact law, rod length and pusher motion (Secs. 2-5)."""
+    laws, grid = contacts(study), study.grid
+    coords: dict[str, Any] = {
+        "effects": list(grid.effects),
+        "contact": list(laws),
+        "rod_length": list(grid.rod_length),
+        "pusher_magnitude": list(grid.pusher_magnitude),
+        "pusher_angle": list(grid.pusher_angle),
+        "mode": [mode.name for mode in ContactMode],
+    }
+    shape = tuple(len(coords[dim]) for dim in DIMS)
+    consistent, outcome = np.zeros(shape, np.int8), np.zeros(shape[:-1], np.int8)
+    values = {name: np.zeros(shape) for name in VALUES}
+    heading = direction(np.deg2rad(grid.pusher_angle))
+    pusher = np.array(grid.pusher_magnitude)[:, None, None] * heading
+    for i, effects in enumerate(grid.effects):
+        for j, (_, law) in enumerate(laws.values()):
+            for m, length in enumerate(grid.rod_length):
+                scene = Scene(slider=study.ring(length), contact=law, effects=study.effects(effects))
+                found = candidates(scene, pusher)
+                outcome[i, j, m] = outcomes(found)
+                for each in found:
+                    consistent[i, j, m, ..., each.mode] = each.consistent.sum(axis=-1)
+                    for name, picked in _extremes(each).items():
+                        values[name][i, j, m, ..., each.mode] = picked
+    variables: dict[str, Any] = {"consistent": (DIMS, consistent), "outcome": (DIMS[:-1], outcome)}
+    variables |= {name: (DIMS, array) for name, array in values.items()}
+    dataset = xr.Dataset(variables, coords=coords).assign_coords(
+        law=("contact", [kind for kind, _ in laws.values()]),
+        friction_coefficient=("contact", [friction_coefficient(law) for _, law in laws.values()]),
+    )
+    return describe(
+        dataset,
+        title="Consistent contact modes: none, one or several for each pusher motion",
+        source="Secs. 2, 3.2, 4 and 5",
+        parameters={
+            "slider": study.slider,
+            "support_friction": study.support_friction,
+            "inertia": study.inertia,
+        },
+    )

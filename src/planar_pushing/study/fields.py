@@ -1,0 +1,118 @@
+"""Field types of scene and study files: each names what it allows, for errors and for the schema."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from typing import Annotated, Any
+
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    WithJsonSchema,
+    model_validator,
+)
+from pydantic_core import PydanticCustomError
+
+
+def refuse(allowed: str) -> PydanticCustomError:
+    """Error of a value that is not what `allowed` says."""
+    return PydanticCustomError("not_allowed", "{allowed}", {"allowed": allowed})
+
+
+class FileModel(BaseModel):
+    """A part of a file: frozen, and with no key that it does not know."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known_keys(cls, given: object) -> object:
+        if not isinstance(given, dict):
+            raise refuse(f"a mapping with the keys {', '.join(cls.model_fields)}")
+        for key in given:
+            if key not in cls.model_fields:
+                context = {"key": key, "known": list(cls.model_fields)}
+                raise PydanticCustomError("unknown_key", "unknown key", context)
+        return given
+
+
+def _not_empty(given: object) -> object:
+    if not isinstance(given, (list, tuple)) or not given:
+        raise refuse("a list with at least one entry")
+    return given
+
+
+#: Requires a list that is not empty.
+NotEmpty = BeforeValidator(_not_empty)
+
+
+def _number(given: object, allows: Callable[[float], bool], allowed: str) -> float:
+    number = math.inf if given == "inf" else given
+    if isinstance(number, bool) or not isinstance(number, (int, float)) or not allows(number):
+        raise refuse(allowed)
+    return float(number)
+
+
+def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
+    """Type of a number of which `allows` holds, described by `allowed`."""
+    return Annotated[
+        float,
+        BeforeValidator(lambda given: _number(given, allows, allowed)),
+        WithJsonSchema({"description": allowed} | (schema or {"type": "number"})),
+    ]
+
+
+AXIS = "a list of increasing numbers, or {start, stop, step} with step > 0"
+
+
+def _expand(given: object) -> object:
+    if isinstance(given, dict):
+        if set(given) != {"start", "stop", "step"}:
+            raise refuse(AXIS)
+        given = _steps(*(_number(given[key], math.isfinite, AXIS) for key in ("start", "stop", "step")))
+    if not isinstance(given, (list, tuple)):
+        raise refuse(AXIS)
+    if not given:
+        raise refuse(f"{AXIS}, and at least one number")
+    return tuple(given)
+
+
+def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
+    if any(b <= a for a, b in itertools.pairwise(values)):
+        raise refuse(AXIS)
+    return values
+
+
+def _steps(start: float, stop: float, step: float) -> list[float]:
+    """Values from `start` to `stop` with both ends, free of accumulated rounding."""
+    if step <= 0 or stop < start:
+        return []
+    count = round((stop - start) / step)
+    return [round(start + i * (stop - start) / max(count, 1), 12) for i in range(count + 1)]
+
+
+def axis(item: Any) -> Any:
+    """Type of a grid axis: a list of numbers of type `item`, or a range."""
+    return Annotated[tuple[item, ...], BeforeValidator(_expand), AfterValidator(_increasing)]
+
+
+Positive = number("a finite number > 0", lambda x: 0 < x < math.inf, type="number", exclusiveMinimum=0)
+NonNegative = number("a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0)
+RodAngle = number(
+    "degrees in the open interval (0, 180)", lambda x: 0 < x < 180,
+    type="number", exclusiveMinimum=0, exclusiveMaximum=180,
+)  # fmt: skip
+Degrees = number("a finite number of degrees", math.isfinite)
+Share = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
+FrictionCoefficient = number(
+    "a number >= 0, or inf", lambda x: x >= 0,
+    anyOf=[{"type": "number", "minimum": 0}, {"const": "inf"}],
+)  # fmt: skip
+FiniteFrictionCoefficient = number(
+    "a finite number >= 0; infinite friction is a law of its own, law: infinite_friction",
+    lambda x: 0 <= x < math.inf, type="number", minimum=0,
+)  # fmt: skip

@@ -1,0 +1,189 @@
+"""Read and write scene and study files, with one clear error for what is wrong in them."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+from ruamel.yaml import YAML
+from ruamel.yaml.error import YAMLError
+
+from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction
+from planar_pushing.mechanics.effects import Inertia, RingFriction
+from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.fields import FileModel
+from planar_pushing.study.models import SceneFile, StudyFile
+
+Model = TypeVar("Model", bound=FileModel)
+PathLike = str | os.PathLike[str]
+
+
+def load_scene(path: PathLike) -> Scene:
+    """Read a scene file.
+
+    Raises
+    ------
+    InvalidFile
+        Naming the file, the key, the value, what is allowed and what to do.
+    """
+    return load_scene_file(path).build()
+
+
+def load_scene_file(path: PathLike) -> SceneFile:
+    """Read a scene file with its title; errors as in `load_scene`."""
+    return _load(path, SceneFile)
+
+
+def load_study(path: PathLike) -> StudyFile:
+    """Read a study file and check the scenes that it names; errors as in `load_scene`."""
+    study = _load(path, StudyFile)
+    for name, entry in study.scenes.items():
+        try:
+            load_scene_file(entry.file)
+        except InvalidFile as error:
+            raise InvalidFile(f"{path}: scenes.{name}.file: {error}") from None
+    for name, figure in study.figures.items():
+        for key, values, allowed in figure.grid_values(study.grid):
+            if not set(values) <= set(allowed):
+                raise InvalidFile(
+                    f"{path}: figures.{name}.{key}: {values!r} given; "
+                    f"allowed: values of the grid, {allowed!r}; change it or add it to the grid"
+                )
+    return study
+
+
+def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
+    """Write a scene file that `load_scene` reads back as the same scene.
+
+    Raises
+    ------
+    InvalidValue
+        Where the scene has a law or an effect that scene files have no name for.
+    """
+    slider = scene.slider
+    content = {
+        "title": title,
+        "slider": {
+            "rod_length": float(slider.rod_length),
+            "rod_angle": _degrees(slider.rod_angle),
+            "radius": float(slider.radius),
+        },
+        "contact": _contact_entry(scene),
+        "effects": [_effect_entry(effect) for effect in scene.effects],
+    }
+    SceneFile.model_validate(content)
+    with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
+        writer = YAML(typ="safe", pure=True)
+        writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]
+        writer.dump(content, stream)
+
+
+def _degrees(radians: float) -> float:
+    """Degrees that `np.deg2rad` turns back into the same radians, the shortest such number."""
+    degrees = float(np.rad2deg(radians))
+    short = (float(f"{degrees:.{digits}g}") for digits in range(1, 18))
+    return next((each for each in short if np.deg2rad(each) == radians), degrees)
+
+
+def _contact_entry(scene: Scene) -> dict[str, Any]:
+    match scene.contact:
+        case Coulomb(friction_coefficient=mu):
+            return {"law": "coulomb", "friction_coefficient": float(mu)}
+        case InfiniteFriction(at_zero_normal=kind):
+            return {"law": "infinite_friction", "at_zero_normal": kind}
+    return {"law": "perfectly_rough"}
+
+
+def _effect_entry(effect: object) -> dict[str, Any]:
+    match effect:
+        case RingFriction(weight=weight):
+            return {"type": "ring_friction", "weight": float(weight)}
+        case Inertia(mass=mass, gyration_radius=radius):
+            return {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
+    raise InvalidValue("effects", effect, "RingFriction and Inertia", "save a scene of these effects")
+
+
+@contextmanager
+def replacing(path: PathLike) -> Iterator[Path]:
+    """Path to write to that takes the place of `path` only once it is complete."""
+    target = Path(path)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.", suffix=".part")
+    os.close(handle)
+    temporary = Path(name)
+    try:
+        yield temporary
+        temporary.chmod(0o644)
+        temporary.replace(target)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _load(path: PathLike, model: type[Model]) -> Model:
+    path = Path(path)
+    try:
+        content = YAML(typ="safe", pure=True).load(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise InvalidFile(f"{path}: no such file; give the path of a YAML file") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise InvalidFile(f"{path}: cannot be read ({error}); give a YAML text file") from None
+    except YAMLError as error:
+        raise InvalidFile(f"{path}: not YAML: {_where(error)}; mend the line") from None
+    if not isinstance(content, dict):
+        raise InvalidFile(f"{path}: holds no keys; allowed: {', '.join(model.model_fields)}")
+    try:
+        return model.model_validate(content)
+    except ValidationError as error:
+        lines = [_explain(path, each) for each in error.errors()]
+        more = [f"{path}: and {len(lines) - 5} more"] if len(lines) > 5 else []
+        raise InvalidFile("\n".join(lines[:5] + more)) from None
+
+
+def _where(error: YAMLError) -> str:
+    mark = getattr(error, "problem_mark", None)
+    problem = getattr(error, "problem", None) or str(error).splitlines()[0]
+    return f"line {mark.line + 1}, column {mark.column + 1}: {problem}" if mark else problem
+
+
+def _key(location: tuple[int | str, ...]) -> str:
+    """Location as written in the file: without the tags that tell laws and effects apart."""
+    key, previous = "", None
+    for part in location:
+        tag = isinstance(part, str) and (isinstance(previous, int) or previous == "contact")
+        if isinstance(part, int):
+            key += f"[{part}]"
+        elif not tag:
+            key += f".{part}" if key else part
+        previous = part
+    return key
+
+
+def _explain(path: Path, error: ErrorDetails) -> str:
+    """One line: file, key, value, what is allowed, what to do."""
+    key, given, context = _key(error["loc"]), error["input"], error.get("ctx", {})
+    allowed, remedy = error["msg"], "change the value"
+    match error["type"]:
+        case "missing":
+            return f"{path}: {key}: missing; allowed: a value for this key; add it"
+        case "unknown_key":
+            unknown, known = context["key"], context["known"]
+            near = difflib.get_close_matches(str(unknown), known, n=1)
+            key, given = (f"{key}.{unknown}" if key else str(unknown)), given[unknown]
+            allowed = f"the keys {', '.join(known)}"
+            remedy = f"did you mean {near[0]}?" if near else "remove the key"
+        case "union_tag_invalid":
+            allowed = f"{context['discriminator']} one of {context['expected_tags']}"
+        case "union_tag_not_found":
+            allowed = f"a mapping with the key {context['discriminator']}"
+        case "literal_error":
+            allowed = context["expected"]
+    return f"{path}: {key or 'the file'}: {given!r} given; allowed: {allowed}; {remedy}"

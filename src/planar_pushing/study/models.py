@@ -1,0 +1,227 @@
+"""What a scene file and a study file hold."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, Literal, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from planar_pushing.mechanics.contact import (
+    ContactLaw,
+    Coulomb,
+    InfiniteFriction,
+    PerfectlyRough,
+)
+from planar_pushing.mechanics.effects import Inertia, RingFriction
+from planar_pushing.mechanics.effects.base import IsotropicEffect
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.study.fields import (
+    Degrees,
+    FileModel,
+    FiniteFrictionCoefficient,
+    FrictionCoefficient,
+    NonNegative,
+    NotEmpty,
+    Positive,
+    RodAngle,
+    Share,
+    axis,
+    refuse,
+)
+
+Axis = tuple[float, ...]
+EffectsName = Literal["support_friction", "inertia", "support_friction+inertia"]
+
+
+class SliderEntry(FileModel):
+    """The ring and its rod; lengths in any one unit, the angle in degrees."""
+
+    rod_length: NonNegative
+    rod_angle: RodAngle
+    radius: Positive = 1.0
+
+    def build(self) -> Slider:
+        return Slider(
+            rod_length=self.rod_length, rod_angle=np.deg2rad(self.rod_angle), radius=self.radius
+        )
+
+
+class CoulombEntry(FileModel):
+    """Coulomb friction with a finite coefficient."""
+
+    law: Literal["coulomb"]
+    friction_coefficient: FiniteFrictionCoefficient
+
+    def build(self) -> ContactLaw:
+        return Coulomb(self.friction_coefficient)
+
+
+class InfiniteFrictionEntry(FileModel):
+    """Infinite friction; at zero normal force the tangential force is free, or there is none."""
+
+    law: Literal["infinite_friction"]
+    at_zero_normal: Literal["free", "none"] = "free"
+
+    def build(self) -> ContactLaw:
+        return InfiniteFriction(self.at_zero_normal)
+
+
+class PerfectlyRoughEntry(FileModel):
+    """Kinematic no-slip."""
+
+    law: Literal["perfectly_rough"]
+
+    def build(self) -> ContactLaw:
+        return PerfectlyRough()
+
+
+class RingFrictionEntry(FileModel):
+    """Support friction of the ring: weight is W, the weight times the coefficient of friction."""
+
+    type: Literal["ring_friction"]
+    weight: Positive = 1.0
+
+    def build(self) -> IsotropicEffect:
+        return RingFriction(weight=self.weight)
+
+
+class InertiaEntry(FileModel):
+    """Inertia of the slider about its centre."""
+
+    type: Literal["inertia"]
+    mass: Positive = 1.0
+    gyration_radius: Positive = 1.0
+
+    def build(self) -> IsotropicEffect:
+        return Inertia(mass=self.mass, gyration_radius=self.gyration_radius)
+
+
+ContactEntry = Annotated[
+    CoulombEntry | InfiniteFrictionEntry | PerfectlyRoughEntry, Field(discriminator="law")
+]
+EffectEntry = Annotated[RingFrictionEntry | InertiaEntry, Field(discriminator="type")]
+
+
+class SceneFile(FileModel):
+    """A scene: the slider, the law of its contact with the fence, and what resists its motion."""
+
+    title: str = ""
+    slider: SliderEntry
+    contact: ContactEntry
+    effects: Annotated[tuple[EffectEntry, ...], NotEmpty]
+
+    def build(self) -> Scene:
+        return Scene(
+            slider=self.slider.build(),
+            contact=self.contact.build(),
+            effects=tuple(effect.build() for effect in self.effects),
+        )
+
+
+class RingEntry(FileModel):
+    """The paper's ring: its radius, and the rod angle where a dataset has no axis for it."""
+
+    radius: Positive
+    rod_angle: RodAngle
+
+
+class FrictionParameters(FileModel):
+    """Parameters of the support friction."""
+
+    weight: Positive
+
+
+class InertiaParameters(FileModel):
+    """Parameters of the inertia."""
+
+    mass: Positive
+    gyration_radius: Positive
+
+
+class Grid(FileModel):
+    """The axes of the datasets; angles in degrees."""
+
+    effects: Annotated[tuple[EffectsName, ...], NotEmpty]
+    rod_length: axis(NonNegative)
+    rod_angle: axis(RodAngle)
+    friction_coefficient: axis(FrictionCoefficient)
+    force_angle: axis(Degrees)
+    inertia_share: axis(Share)
+    pusher_angle: axis(Degrees)
+    pusher_magnitude: axis(Positive)
+    contact_friction_coefficient: axis(FiniteFrictionCoefficient)
+
+
+class PushEntry(FileModel):
+    """A scene of the study and how the fence moves: in a direction, or as a force angle asks for."""
+
+    file: str
+    pusher_angle: Degrees | None = None
+    force_angle: Degrees | None = None
+    pusher_magnitude: Positive = 1.0
+
+    @model_validator(mode="after")
+    def _one_motion(self) -> Self:
+        if (self.pusher_angle is None) == (self.force_angle is None):
+            raise refuse("exactly one of pusher_angle and force_angle")
+        return self
+
+
+class FigureEntry(FileModel):
+    """Values that a figure takes from the grid."""
+
+    rod_length: NonNegative | tuple[NonNegative, ...] | None = None
+    mapped_rod_length: NonNegative | None = None
+    friction_coefficient: FrictionCoefficient | None = None
+    pusher_magnitude: Positive | None = None
+
+    def grid_values(self, grid: Grid) -> Iterator[tuple[str, Axis, Axis]]:
+        """Key, given values and allowed values of what the figure takes from the grid."""
+        for key, allowed in (
+            ("rod_length", grid.rod_length),
+            ("mapped_rod_length", grid.rod_length),
+            ("friction_coefficient", grid.friction_coefficient),
+            ("pusher_magnitude", grid.pusher_magnitude),
+        ):
+            given = getattr(self, key)
+            if given is not None:
+                yield key, given if isinstance(given, tuple) else (given,), allowed
+
+
+class StudyFile(FileModel):
+    """The grid of every dataset, the scenes, and the values that the paper leaves open."""
+
+    title: str
+    slider: RingEntry
+    support_friction: FrictionParameters
+    inertia: InertiaParameters
+    grid: Grid
+    scenes: dict[str, PushEntry]
+    figures: dict[str, FigureEntry]
+
+    def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:
+        """Build the effects that a value of the effects axis stands for."""
+        built: dict[str, IsotropicEffect] = {
+            "support_friction": RingFriction(weight=self.support_friction.weight),
+            "inertia": Inertia(
+                mass=self.inertia.mass, gyration_radius=self.inertia.gyration_radius
+            ),
+        }
+        return tuple(built[part] for part in name.split("+"))
+
+    def ring(self, rod_length: float, rod_angle: float | None = None) -> Slider:
+        """Build the study's slider with this rod; the angle in degrees."""
+        return Slider(
+            rod_length=rod_length,
+            rod_angle=np.deg2rad(self.slider.rod_angle if rod_angle is None else rod_angle),
+            radius=self.slider.radius,
+        )
+
+
+def contact_law(friction_coefficient: float) -> ContactLaw:
+    """Law of a value of the friction_coefficient axis."""
+    finite = math.isfinite(friction_coefficient)
+    return Coulomb(friction_coefficient) if finite else InfiniteFriction()

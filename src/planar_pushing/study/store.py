@@ -1,0 +1,112 @@
+"""Write and open the datasets, netCDF4 files in results/data."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import h5netcdf
+import xarray as xr
+
+from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
+from planar_pushing.study.files import replacing
+
+#: What each dataset holds.
+DATASETS = {
+    "limit_curves": "force and motion along the limit curves",
+    "motion_cones": "friction cones and motion cones",
+    "contact_modes": "consistent contact modes over the pusher's motion",
+    "acceleration_centers": "motion centres with friction and inertia, exact and conservative",
+    "scenes": "the scenes of the figures, one group each",
+}
+PathLike = str | os.PathLike[str]
+#: Values along a chunk's longest axis, small enough that a chunk fits a cache.
+CHUNK = 512
+
+
+def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, object]]:
+    return {
+        str(name): {
+            "zlib": True,
+            "complevel": 4,
+            "shuffle": True,
+            "chunksizes": tuple(min(size, CHUNK) for size in variable.shape),
+        }
+        for name, variable in dataset.data_vars.items()
+        if variable.ndim and variable.dtype.kind in "fiu"
+    }
+
+
+def write_dataset(dataset: xr.Dataset, path: PathLike) -> None:
+    """Write a dataset, whole or not at all; the bytes depend on its content alone."""
+    with replacing(path) as temporary:
+        dataset.to_netcdf(temporary, engine="h5netcdf", encoding=_encoding(dataset))
+
+
+def write_groups(groups: dict[str, xr.Dataset], path: PathLike, attributes: dict[str, str]) -> None:
+    """Write one group for each dataset, whole or not at all."""
+    with replacing(path) as temporary:
+        xr.Dataset(attrs=attributes).to_netcdf(temporary, engine="h5netcdf")
+        for name, group in groups.items():
+            group.to_netcdf(
+                temporary, engine="h5netcdf", mode="a", group=name, encoding=_encoding(group)
+            )
+
+
+def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
+    """Read a dataset into memory, and close its file.
+
+    Raises
+    ------
+    InvalidFile
+        Where the file is missing, is not netCDF4 or has no such group.
+    """
+    try:
+        with xr.open_dataset(path, engine="h5netcdf", group=group) as dataset:
+            return dataset.load()
+    except FileNotFoundError:
+        raise InvalidFile(f"{path}: no such dataset; build it with make or snakemake") from None
+    except (OSError, KeyError) as error:
+        what = f"group {group!r} of a netCDF4 file" if group else "a netCDF4 file"
+        raise InvalidFile(f"{path}: is not {what} ({error}); build it anew") from None
+
+
+def group_names(path: PathLike) -> list[str]:
+    """Names of a file's groups, in order."""
+    with h5netcdf.File(path, "r") as file:
+        return sorted(file.groups)
+
+
+def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
+    """Open a dataset of the study by name.
+
+    Parameters
+    ----------
+    name : str
+        limit_curves, motion_cones, contact_modes, acceleration_centers, or a scene as
+        "scenes/figure_08".
+    results : path
+        The folder that the pipeline filled.
+
+    Returns
+    -------
+    xarray.Dataset
+        In memory; angles are degrees.
+
+    Raises
+    ------
+    InvalidValue
+        Where there is no dataset of this name.
+    InvalidFile
+        Where the dataset has not been built.
+    """
+    stem, _, group = name.partition("/")
+    if stem not in DATASETS:
+        raise InvalidValue("name", name, ", ".join(DATASETS), "name one of these datasets")
+    path = Path(results) / "data" / f"{stem}.nc"
+    if stem == "scenes" and path.is_file():
+        names = group_names(path)
+        if group not in names:
+            allowed = ", ".join(f"scenes/{each}" for each in names)
+            raise InvalidValue("name", name, allowed, "name one of these scenes")
+    return read_dataset(path, group or None)

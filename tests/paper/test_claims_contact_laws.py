@@ -1,0 +1,168 @@
+"""Claims of Secs. 2 and 5: contact modes, infinite friction and perfectly rough contact."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from unit.builders import BOTH, DEFINITION_2, EFFECT_SETS, FRICTION, INFINITE, make_scene, names
+
+import planar_pushing as pp
+
+EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
+DIRECTIONS = np.deg2rad(np.arange(-179.5, 180, 4.0))
+
+
+def test_definition_1_is_the_closed_interval():
+    """Sec. 5: f_n = 0 leaves f_t unrestricted, force angles [0, 180] degrees."""
+    cone = pp.friction_cone(make_scene(2.0, INFINITE))
+    assert (cone.right, cone.left, cone.closed) == (0.0, np.pi, True)
+    assert np.all(cone.contains([0.0, np.pi, -np.pi, 2 * np.pi]))
+
+
+def test_definition_2_is_the_open_interval():
+    """Sec. 5: f_n = 0 => f_t = 0, force angles (0, 180) degrees."""
+    cone = pp.friction_cone(make_scene(2.0, DEFINITION_2))
+    assert (cone.right, cone.left, cone.closed) == (0.0, np.pi, False)
+    assert not np.any(cone.contains([0.0, np.pi]))
+    assert np.all(cone.contains([1e-9, np.pi - 1e-9]))
+
+
+@EVERY_EFFECT
+def test_slip_under_definition_1_has_no_normal_force(effects):
+    """Sec. 5: zero normal force allows a finite tangential force, against the slip."""
+    (slip,) = pp.solve(make_scene(2.0, INFINITE, effects), np.deg2rad(170))
+    assert slip.mode is pp.ContactMode.SLIP_RIGHT
+    assert slip.force[1] == 0
+    assert slip.force[0] * (slip.contact_motion[0] - np.cos(np.deg2rad(170))) < 0
+
+
+@EVERY_EFFECT
+@pytest.mark.parametrize("length", [0.5, 2.0, 5.0])
+def test_where_definition_1_prevents_sticking_so_does_definition_2(effects, length):
+    """Sec. 5."""
+    first, second = (make_scene(length, law, effects) for law in (INFINITE, DEFINITION_2))
+    for angle in DIRECTIONS:
+        if pp.ContactMode.STICK not in pp.solve(first, angle).modes:
+            assert pp.ContactMode.STICK not in pp.solve(second, angle).modes
+
+
+@EVERY_EFFECT
+def test_definition_2_never_slips(effects):
+    """Sec. 5: definition 2 also disallows slipping contact."""
+    scene = make_scene(2.0, DEFINITION_2, effects)
+    for angle in DIRECTIONS:
+        assert set(pp.solve(scene, angle).modes) <= {pp.ContactMode.SEPARATE, pp.ContactMode.STICK}
+    assert not pp.slips_while_pushing(scene)
+
+
+@EVERY_EFFECT
+def test_slipping_examples_have_no_solution_under_definition_2(effects):
+    """Sec. 5: l = 2, w at 165 degrees."""
+    solutions = pp.solve(make_scene(2.0, DEFINITION_2, effects), np.deg2rad(165))
+    assert len(solutions) == 0
+    assert solutions.outcome is pp.Outcome.INCONSISTENT
+
+
+@EVERY_EFFECT
+@pytest.mark.parametrize("length", [0.0, 0.5, 2.0, 5.0])
+def test_perfectly_rough_always_sticks(effects, length):
+    """Sec. 5: perfectly rough is a kinematic constraint that prevents slip."""
+    scene = make_scene(length, pp.PerfectlyRough(), effects)
+    for angle in DIRECTIONS:
+        expected = ["STICK"] if np.sin(angle) > 0 else ["SEPARATE", "STICK"]
+        assert names(pp.solve(scene, angle)) == expected
+
+
+@EVERY_EFFECT
+def test_perfectly_rough_sometimes_implies_adhesion(effects):
+    """Secs. 3.2 and 5: sticking would need a force away from the slider."""
+    scene = make_scene(2.0, pp.PerfectlyRough(), effects)
+    (stick,) = pp.solve(scene, np.deg2rad(165))
+    assert stick.adhesive
+    assert stick.force[1] < 0
+    (stick,) = pp.solve(scene, np.deg2rad(90))
+    assert not stick.adhesive
+
+
+@EVERY_EFFECT
+@pytest.mark.parametrize("length", [0.5, 2.0, 5.0])
+def test_infinite_friction_and_perfectly_rough_are_not_equivalent(effects, length):
+    """Secs. 1 and 5: they agree where the rough contact is not adhesive, and only there."""
+    rough, infinite = (make_scene(length, law, effects) for law in (pp.PerfectlyRough(), INFINITE))
+    disagree = 0
+    for angle in DIRECTIONS[np.sin(DIRECTIONS) > 0]:
+        (stick,) = pp.solve(rough, angle)
+        (found,) = pp.solve(infinite, angle)
+        assert (found.mode is pp.ContactMode.STICK) == (not stick.adhesive)
+        if not stick.adhesive:
+            assert found.force == pytest.approx(stick.force, rel=1e-12)
+        disagree += stick.adhesive
+    assert disagree > 0
+
+
+@EVERY_EFFECT
+@pytest.mark.parametrize("law", [pp.Coulomb(2.0), INFINITE, DEFINITION_2], ids=str)
+@pytest.mark.parametrize("length", [0.5, 2.0])
+def test_only_a_perfectly_rough_contact_is_adhesive(effects, law, length):
+    """Sec. 5, at directions that include both edges of the motion cone exactly."""
+    scene = make_scene(length, law, effects)
+    cone = pp.motion_cone(scene)
+    for angle in [*DIRECTIONS[::3], cone.right, cone.left]:
+        assert not any(solution.adhesive for solution in pp.solve(scene, angle))
+
+
+def test_separation_is_consistent_exactly_when_the_pusher_does_not_approach():
+    """Sec. 2 and 3: w_y < 0 breaks contact, w_y = 0 grazes."""
+    scene = make_scene(2.0, 0.5)
+    for angle in [*DIRECTIONS, 0.0, np.pi, -np.pi]:
+        separate = [s for s in pp.solve(scene, angle) if s.mode is pp.ContactMode.SEPARATE]
+        assert len(separate) == (np.sin(angle) <= 1e-15)
+        for solution in separate:
+            assert not np.any(solution.force)
+            assert not np.any(solution.contact_motion)
+
+
+def test_outcomes_are_named_by_the_number_of_solutions():
+    """Sec. 2: several solutions are ambiguous, none is inconsistent."""
+    scene = make_scene(2.0, 2.0)
+    assert pp.solve(scene, np.deg2rad(90)).outcome is pp.Outcome.UNIQUE
+    assert pp.solve(scene, np.deg2rad(-10)).outcome is pp.Outcome.AMBIGUOUS
+    none = pp.solve(make_scene(2.0, DEFINITION_2), np.deg2rad(165))
+    assert none.outcome is pp.Outcome.INCONSISTENT
+
+
+def test_pulling_while_slipping_is_a_third_solution():
+    """l = 2, mu = 2, w at -10 degrees: separate, stick and slip-left are all consistent."""
+    solutions = pp.solve(make_scene(2.0, 2.0, FRICTION), np.deg2rad(-10))
+    assert names(solutions) == ["SEPARATE", "STICK", "SLIP_LEFT"]
+
+
+def test_two_slipping_solutions_with_both_effects():
+    """l = 2, mu = 1.4, f on the right edge: n . u(|f|) falls to -0.040 and comes back to 0."""
+    scene = make_scene(2.0, 1.4, BOTH)
+    edge = pp.friction_cone(scene).right
+
+    def slips(normal_motion):
+        pusher = np.array([10.0, normal_motion])
+        found = pp.solve(scene, np.arctan2(*pusher[::-1]), np.hypot(*pusher))
+        return [s for s in found if s.mode is pp.ContactMode.SLIP_LEFT]
+
+    both = slips(-0.03)
+    assert len(both) == 2
+    for solution in both:
+        assert solution.contact_motion[1] == pytest.approx(-0.03, rel=1e-12)
+        assert np.arctan2(*solution.force[::-1]) == pytest.approx(edge, rel=1e-14)
+    assert [np.hypot(*s.force) for s in slips(-1e-9)] == pytest.approx([0.72, 2.21], abs=0.01)
+    lowest = -0.0395
+    assert len(slips(lowest)) == 2
+    assert [np.hypot(*s.force) for s in slips(lowest)] == pytest.approx([1.42, 1.42], abs=0.15)
+    assert slips(-0.041) == []
+    assert [np.hypot(*s.force) for s in slips(1e-9)] == pytest.approx([2.21], abs=0.005)
+
+
+def test_slow_pulling_exists_and_fast_pulling_does_not():
+    """l = 2, 1.27 < mu < 1.5: friction alone pulls, inertia alone does not."""
+    scene = make_scene(2.0, 1.4, BOTH)
+    angle = np.deg2rad(-0.5)
+    assert pp.ContactMode.STICK in pp.solve(scene, angle, 0.1).modes
+    assert pp.ContactMode.STICK not in pp.solve(scene, angle, 10.0).modes

@@ -1,0 +1,28 @@
+"""Scenes in one line, for the tests."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import planar_pushing as pp
+
+PSI = np.pi / 4
+INFINITE = pp.InfiniteFriction()
+DEFINITION_2 = pp.InfiniteFriction(at_zero_normal="none")
+FRICTION = (pp.RingFriction(),)
+INERTIA = (pp.Inertia(),)
+BOTH = FRICTION + INERTIA
+EFFECT_SETS = {"friction": FRICTION, "inertia": INERTIA, "both": BOTH}
+
+
+def make_scene(length, contact=INFINITE, effects=FRICTION, psi=PSI, radius=1.0):
+    """A scene; a bare number as `contact` is a friction coefficient, inf included."""
+    if not isinstance(contact, (pp.Coulomb, pp.InfiniteFriction, pp.PerfectlyRough)):
+        contact = INFINITE if np.isinf(contact) else pp.Coulomb(contact)
+    slider = pp.Slider(rod_length=length, rod_angle=psi, radius=radius)
+    return pp.Scene(slider=slider, contact=contact, effects=tuple(effects))
+
+
+def names(solutions):
+    """Names of the modes that were found."""
+    return [mode.name for mode in solutions.modes]
