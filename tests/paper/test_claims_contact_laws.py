@@ -9,7 +9,7 @@ from unit.builders import BOTH, DEFINITION_2, EFFECT_SETS, FRICTION, INFINITE, m
 import planar_pushing as pp
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
-DIRECTIONS = np.deg2rad(np.arange(-179.5, 180, 4.0))
+DIRECTIONS = np.deg2rad(np.arange(-179.5, 180, 12.0))
 
 
 def test_definition_1_is_the_closed_interval():
@@ -137,27 +137,27 @@ def test_pulling_while_slipping_is_a_third_solution():
     assert names(solutions) == ["SEPARATE", "STICK", "SLIP_LEFT"]
 
 
+def slip_forces(normal_motion):
+    """Magnitudes of the slipping solutions at l = 2, mu = 1.4 with this normal pusher motion."""
+    pusher = np.array([10.0, normal_motion])
+    solutions = pp.solve(make_scene(2.0, 1.4, BOTH), np.arctan2(*pusher[::-1]), np.hypot(*pusher))
+    slips = [s for s in solutions if s.mode is pp.ContactMode.SLIP_LEFT]
+    for slip in slips:
+        assert slip.contact_motion[1] == pytest.approx(normal_motion, rel=1e-12)
+        assert slip.force[0] == pytest.approx(1.4 * slip.force[1], rel=1e-14)
+    return [np.hypot(*slip.force) for slip in slips]
+
+
 def test_two_slipping_solutions_with_both_effects():
-    """l = 2, mu = 1.4, f on the right edge: n . u(|f|) falls to -0.040 and comes back to 0."""
-    scene = make_scene(2.0, 1.4, BOTH)
-    edge = pp.friction_cone(scene).right
+    """l = 2, mu = 1.4, f on the right edge: n . u(|f|) falls to -0.040 and comes back to 0.
 
-    def slips(normal_motion):
-        pusher = np.array([10.0, normal_motion])
-        found = pp.solve(scene, np.arctan2(*pusher[::-1]), np.hypot(*pusher))
-        return [s for s in found if s.mode is pp.ContactMode.SLIP_LEFT]
-
-    both = slips(-0.03)
-    assert len(both) == 2
-    for solution in both:
-        assert solution.contact_motion[1] == pytest.approx(-0.03, rel=1e-12)
-        assert np.arctan2(*solution.force[::-1]) == pytest.approx(edge, rel=1e-14)
-    assert [np.hypot(*s.force) for s in slips(-1e-9)] == pytest.approx([0.72, 2.21], abs=0.01)
-    lowest = -0.0395
-    assert len(slips(lowest)) == 2
-    assert [np.hypot(*s.force) for s in slips(lowest)] == pytest.approx([1.42, 1.42], abs=0.15)
-    assert slips(-0.041) == []
-    assert [np.hypot(*s.force) for s in slips(1e-9)] == pytest.approx([2.21], abs=0.005)
+    It starts at |f| = 0.912, where friction alone is overcome.
+    """
+    assert slip_forces(-1e-9) == pytest.approx([0.91208766874, 2.22518486055], abs=1e-6)
+    assert len(slip_forces(-0.03)) == 2
+    assert slip_forces(-0.0400295) == pytest.approx([1.408, 1.408], abs=0.01)
+    assert slip_forces(-0.04003) == []
+    assert slip_forces(1e-9) == pytest.approx([2.22518486055], abs=1e-6)
 
 
 def test_slow_pulling_exists_and_fast_pulling_does_not():

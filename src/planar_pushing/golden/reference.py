@@ -119,7 +119,7 @@ def lean(slider: Slider, force: Heading) -> tuple[arb, arb]:
         x, y = force.exact()  # type: ignore[misc]
         return x * exact_sine(slider.rod_angle) - y * exact_cosine(slider.rod_angle)
 
-    return force.x * c + force.y * s, settle(force.x * s - force.y * c, exact)
+    return force.x * c + force.y * s, settle(force.x * s - force.y * c, force.exact and exact)
 
 
 def spin_of_arm(arm: arb, gyration: fmpq, share: fmpq) -> arb:

@@ -37,17 +37,17 @@ def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, object]]:
     }
 
 
-def write_dataset(dataset: xr.Dataset, path: PathLike) -> None:
-    """Write a dataset, whole or not at all; the bytes depend on its content alone."""
-    with replacing(path) as temporary:
-        dataset.to_netcdf(temporary, engine="h5netcdf", encoding=_encoding(dataset))
+def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> None:
+    """Write a dataset, or one group for each of several, whole or not at all.
 
-
-def write_groups(groups: dict[str, xr.Dataset], path: PathLike, attributes: dict[str, str]) -> None:
-    """Write one group for each dataset, whole or not at all."""
+    The bytes depend on the content alone.
+    """
     with replacing(path) as temporary:
-        xr.Dataset(attrs=attributes).to_netcdf(temporary, engine="h5netcdf")
-        for name, group in groups.items():
+        if isinstance(built, xr.Dataset):
+            built.to_netcdf(temporary, engine="h5netcdf", encoding=_encoding(built))
+            return
+        xr.Dataset().to_netcdf(temporary, engine="h5netcdf")
+        for name, group in built.items():
             group.to_netcdf(
                 temporary, engine="h5netcdf", mode="a", group=name, encoding=_encoding(group)
             )

@@ -1,4 +1,4 @@
-"""Builder of the scene datasets: everything that a picture of one pushing problem shows."""
+"""Scenes of the figures: everything that a picture of one pushing problem shows (Secs. 3 and 4)."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ from planar_pushing.mechanics.solve import Solutions, solve
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.models import PushEntry, SceneFile, StudyFile
+
+AXES = ()
 
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
@@ -119,8 +121,8 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     )
 
 
-def scenes(study: StudyFile) -> dict[str, xr.Dataset]:
-    """Datasets of the study's scenes by name, one group of scenes.nc each."""
+def build(study: StudyFile) -> dict[str, xr.Dataset]:
+    """Build the datasets of a study's scenes by name, one group of scenes.nc each."""
     return {
         name: scene_dataset(load_scene_file(push.file), push) for name, push in study.scenes.items()
     }

@@ -1,4 +1,4 @@
-"""Builder of the contact-mode dataset: every consistent mode over laws, lengths and pusher motions."""
+"""Consistent contact modes over effects, contact law, rod length and pusher motion (Secs. 2-5)."""
 
 from __future__ import annotations
 
@@ -18,9 +18,17 @@ from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import Candidates, candidates, outcomes
+from planar_pushing.study.datasets.base import parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
+AXES = (
+    "effects",
+    "contact_friction_coefficient",
+    "rod_length",
+    "pusher_magnitude",
+    "pusher_angle",
+)
 DIMS = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode")
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
 
@@ -53,8 +61,8 @@ def _extremes(found: Candidates) -> dict[str, Array]:
     return dict(zip(VALUES, (pick(*each) for each in picks), strict=True))
 
 
-def contact_modes(study: StudyFile) -> xr.Dataset:
-    """Contact modes over effects, contact law, rod length and pusher motion (Secs. 2-5)."""
+def build(study: StudyFile) -> xr.Dataset:
+    """Build the dataset of a study."""
     laws, grid = contacts(study), study.grid
     coords: dict[str, Any] = {
         "effects": list(grid.effects),
@@ -89,9 +97,5 @@ def contact_modes(study: StudyFile) -> xr.Dataset:
         dataset,
         title="Consistent contact modes: none, one or several for each pusher motion",
         source="Secs. 2, 3.2, 4 and 5",
-        parameters={
-            "slider": study.slider,
-            "support_friction": study.support_friction,
-            "inertia": study.inertia,
-        },
+        parameters=parameters(study),
     )

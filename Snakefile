@@ -1,0 +1,27 @@
+# Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
+# Surfaces. `snakemake` builds everything; `snakemake data`, `figures` and `golden` build parts.
+# Another study: snakemake --config study=workflow/config/smoke.yaml
+
+
+container: "docker://python:3.13-slim"
+
+
+include: "workflow/rules/common.smk"
+include: "workflow/rules/data.smk"
+include: "workflow/rules/figures.smk"
+include: "workflow/rules/golden.smk"
+
+
+localrules:
+    all,
+    data,
+    figures,
+    golden,
+
+
+rule all:
+    default_target: True
+    input:
+        rules.data.input,
+        rules.figures.input,
+        rules.golden.input,

@@ -1,0 +1,45 @@
+"""Limit curves over effects, rod length, rod angle and force angle (Eqs. 2-7, Figs. 5 and 10)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.contact import InfiniteFriction
+from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.datasets.base import Cell, assemble, axes, parameters
+from planar_pushing.study.describe import describe
+from planar_pushing.study.models import StudyFile
+
+AXES = ("effects", "rod_length", "rod_angle", "force_angle")
+
+
+def build(study: StudyFile) -> xr.Dataset:
+    """Build the dataset of a study."""
+    coords = axes(study, AXES)
+    phi = np.deg2rad(coords["force_angle"])
+
+    def cell(effects: Any, length: float, angle: float) -> Cell:
+        scene = Scene(
+            slider=study.ring(length, angle),
+            contact=InfiniteFriction(),
+            effects=study.effects(effects),
+        )
+        curve = limit_curve(scene, phi)
+        return {
+            "force": curve.magnitude,
+            "force_x": curve.force[:, 0],
+            "force_y": curve.force[:, 1],
+            "spin_ratio": curve.spin_ratio,
+            "motion_angle": np.rad2deg(curve.motion_angle),
+        }
+
+    return describe(
+        assemble(coords, AXES[:3], cell),
+        title="Limit curves: forces through the contact and the motions they cause",
+        source="Eqs. (2)-(7), Sec. 3, Fig. 5, and the ellipses of Sec. 4, Fig. 10",
+        parameters=parameters(study),
+    )

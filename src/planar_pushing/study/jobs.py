@@ -1,0 +1,66 @@
+"""What the workflow's jobs share: their log, and the modules whose change makes them stale."""
+
+from __future__ import annotations
+
+import logging
+import platform
+import time
+import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
+import grimp
+import numpy as np
+
+from planar_pushing.mechanics.errors import PlanarPushingError
+
+PACKAGE = "planar_pushing"
+
+
+@contextmanager
+def job_log(path: str) -> Iterator[logging.Logger]:
+    """Log a job to `path`, and an error with its traceback; an error of ours ends as one message."""
+    logger = logging.getLogger(PACKAGE)
+    handler = logging.FileHandler(path, mode="w", encoding="utf-8")
+    handler.setFormatter(logging.Formatter("%(levelname)s %(message)s"))
+    logger.addHandler(handler)
+    logger.setLevel(logging.INFO)
+    logger.info("Python %s, numpy %s", platform.python_version(), np.__version__)
+    start = time.perf_counter()
+    try:
+        yield logger
+        logger.info("done in %.1f s", time.perf_counter() - start)
+    except PlanarPushingError as error:
+        logger.error("%s", error)
+        raise SystemExit(1) from None
+    except Exception:
+        logger.error("%s", traceback.format_exc())
+        raise
+    finally:
+        logger.removeHandler(handler)
+        handler.close()
+
+
+@cache
+def _imports() -> grimp.ImportGraph:
+    return grimp.build_graph(PACKAGE, cache_dir=None)
+
+
+def modules(*names: str) -> list[str]:
+    """Source files of these modules of the package and of all that they import, sorted."""
+    graph = _imports()
+    reached = {f"{PACKAGE}.{name}" for name in names}
+    for name in tuple(reached):
+        reached |= graph.find_upstream_modules(name)
+    return sorted(_source(name) for name in reached)
+
+
+def _source(module: str) -> str:
+    spec = find_spec(module)
+    assert spec is not None and spec.origin is not None
+    path = Path(spec.origin)
+    here = Path.cwd()
+    return str(path.relative_to(here) if path.is_relative_to(here) else path)

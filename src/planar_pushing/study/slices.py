@@ -1,0 +1,42 @@
+"""Parts of a study: what one dataset reads of it, so that a change elsewhere leaves it alone."""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any
+
+import xarray as xr
+
+from planar_pushing.study.models import Grid, PushEntry, StudyFile
+
+COMMON = ("slider", "support_friction", "inertia")
+
+
+def _builder(name: str) -> Any:
+    return importlib.import_module(f"planar_pushing.study.datasets.{name}")
+
+
+def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
+    """Plain values of a study that the dataset `name` reads."""
+    if name == "scenes":
+        return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
+    grid = {axis: list(getattr(study.grid, axis)) for axis in _builder(name).AXES}
+    return {part: getattr(study, part).model_dump() for part in COMMON} | {"grid": grid}
+
+
+def build_dataset(name: str, values: dict[str, Any]) -> xr.Dataset | dict[str, xr.Dataset]:
+    """Build a dataset from a slice of a study; what the slice leaves out cannot be read."""
+    fields = StudyFile.model_fields
+    parts: dict[str, Any] = {
+        part: fields[part].annotation.model_validate(values[part])  # type: ignore[union-attr]
+        for part in COMMON
+        if part in values
+    }
+    if "scenes" in values:
+        parts["scenes"] = {k: PushEntry.model_validate(v) for k, v in values["scenes"].items()}
+    if "grid" in values:
+        parts["grid"] = Grid.model_construct(**values["grid"])
+    built: xr.Dataset | dict[str, xr.Dataset] = _builder(name).build(
+        StudyFile.model_construct(**parts)
+    )
+    return built

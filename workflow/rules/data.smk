@@ -1,0 +1,34 @@
+# The datasets, one job each: a grid is vectorised inside its job.
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import DATASETS
+
+
+rule data:
+    input:
+        expand("results/data/{dataset}.nc", dataset=DATASETS),
+
+
+def scene_files(wildcards):
+    return [push.file for push in STUDY.scenes.values()] if wildcards.dataset == "scenes" else []
+
+
+rule dataset:
+    input:
+        scenes=scene_files,
+        modules=lambda wildcards: modules(
+            f"study.datasets.{wildcards.dataset}", "study.slices", "study.store"
+        ),
+    output:
+        "results/data/{dataset}.nc",
+    wildcard_constraints:
+        dataset="|".join(DATASETS),
+    params:
+        study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
+    log:
+        "results/logs/data/{dataset}.log",
+    benchmark:
+        "results/benchmarks/data/{dataset}.tsv"
+    message:
+        "Computing {wildcards.dataset}"
+    script:
+        "../scripts/dataset.py"
