@@ -80,7 +80,9 @@ def settle(ball: arb, exact: Callable[[], Exact] | None = None) -> arb:
 
 
 def _vanishes(number: Exact) -> bool:
-    return bool(fmpq_poly([number]) % _MODULUS == 0 if isinstance(number, fmpq) else number % _MODULUS == 0)
+    return bool(
+        fmpq_poly([number]) % _MODULUS == 0 if isinstance(number, fmpq) else number % _MODULUS == 0
+    )
 
 
 @lru_cache(maxsize=4096)

@@ -101,7 +101,9 @@ def _tangents(slider: Slider, right: Heading, left: Heading) -> list[Heading]:
     if slider.rod_length <= 1:
         return []
     half = in_degrees((1 / arb(slider.rod_length)).asin())
-    found = [slider.rod_angle + turn + side * half for turn in (-360, -180, 0, 180) for side in (-1, 1)]
+    found = [
+        slider.rod_angle + turn + side * half for turn in (-360, -180, 0, 180) for side in (-1, 1)
+    ]
     inside = [each for each in found if sign(each - right.degrees) > 0 > sign(each - left.degrees)]
     return [_direction(degrees) for degrees in inside]
 

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from flint import arb, fmpq
 
@@ -90,6 +90,7 @@ class Heading:
 
 
 @lru_cache(maxsize=4096)
+@precise
 def heading(degrees: fmpq | float) -> Heading:
     """Direction at an exact angle."""
     angle = rational(degrees)
@@ -98,6 +99,7 @@ def heading(degrees: fmpq | float) -> Heading:
 
 
 @lru_cache(maxsize=1024)
+@precise
 def edge(friction_coefficient: float, side: int) -> Heading:
     """Edge of the friction cone, side 1 for the right and -1 for the left one; exact also at infinity."""
     if math.isinf(friction_coefficient):
@@ -109,23 +111,30 @@ def edge(friction_coefficient: float, side: int) -> Heading:
     return Heading(degrees, side * mu / size, 1 / size, lambda: (side * mu, fmpq(1)))
 
 
+@precise
 def lean(slider: Slider, force: Heading) -> tuple[arb, arb]:
-    """Cosine and sine of the rod angle minus the force angle; an exact zero where the sine vanishes."""
+    """Cosine and sine of the rod angle minus the force angle; zeros are exact."""
     if force.rational is not None:
         return cosine_sine(slider.rod_angle - force.rational)
     c, s = cosine_sine(slider.rod_angle)
 
-    def exact() -> Exact:
+    def exact(turn: int) -> Exact:
         x, y = force.exact()  # type: ignore[misc]
-        return x * exact_sine(slider.rod_angle) - y * exact_cosine(slider.rod_angle)
+        return x * exact_cosine(slider.rod_angle - turn) + y * exact_sine(slider.rod_angle - turn)
 
-    return force.x * c + force.y * s, settle(force.x * s - force.y * c, force.exact and exact)
+    known = partial(exact, 0), partial(exact, 90)
+    cosine = settle(force.x * c + force.y * s, force.exact and known[0])
+    sine = settle(force.x * s - force.y * c, force.exact and known[1])
+    return cosine, sine if cosine != 0 else sine.sgn()
 
 
+@precise
 def spin_of_arm(arm: arb, gyration: fmpq, share: fmpq) -> arb:
     """Spin ratio for a moment arm > 0 in units of R: Eqs. (7) and (10), or their mixture."""
     if share == INERTIA:
         return arm / gyration
+    if arm == 1 and (share == FRICTION or gyration == 1):  # tangent to the ring
+        return arb(1)
 
     def balance(k: arb) -> arb:
         force, torque = ring.profile(k)
@@ -157,6 +166,7 @@ def spin_ratio(slider: Slider, force: Heading, share: fmpq) -> arb:
     return -size if sine < 0 else size
 
 
+@precise
 def contact_motion(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]:
     """Motion of the contact per speed of the centre."""
     c, s = cosine_sine(slider.rod_angle)
@@ -167,18 +177,24 @@ def contact_motion(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]
 def exact_contact_motion(slider: Slider, force: Heading, share: fmpq) -> tuple[Exact, Exact] | None:
     """Positive multiple of the contact's motion where it is algebraic, else None.
 
-    It is so for inertia, Eqs. (11)-(12), and for a force along the rod or at the ring centre.
+    It is so for inertia, Eqs. (11)-(12), where friction agrees with inertia on the spin ratio, and for a
+    force across the rod, along which the contact then moves.
     """
     if force.exact is None:
         return None
     x, y = force.exact()
-    if slider.rod_length == 0 or lean(slider, force)[1] == 0:
+    if lean(slider, force)[0] == 0:
         return x, y
-    if share != INERTIA:
+    if share != INERTIA and not is_steady(slider, force):
         return None
     c, s = exact_cosine(slider.rod_angle), exact_sine(slider.rod_angle)
     turn = (x * s - y * c) * (slider.rod_length**2 / slider.gyration)
     return x + turn * s, y - turn * c
+
+
+def is_steady(slider: Slider, force: Heading) -> bool:
+    """Whether friction and inertia agree, exactly, on the spin ratio."""
+    return bool(spin_ratio(slider, force, FRICTION) == spin_ratio(slider, force, INERTIA))
 
 
 @precise

@@ -84,7 +84,9 @@ def _inside(k: arb) -> Profile:
     """Eqs. (2)-(3) for 0 < k < 1: f = 2/pi E, t = 2/pi (E - (1 - m) K) / k with m = k^2."""
     m = k * k
     if k < _SMALL:
-        return m.hypgeom_2f1(arb(-0.5), arb(0.5), arb(1)), k / 2 * m.hypgeom_2f1(arb(0.5), arb(0.5), arb(2))
+        return m.hypgeom_2f1(arb(-0.5), arb(0.5), arb(1)), k / 2 * m.hypgeom_2f1(
+            arb(0.5), arb(0.5), arb(2)
+        )
     first, second = acb(m).elliptic_k().real, acb(m).elliptic_e().real
     scale = 2 / arb.pi()
     return scale * second, scale * (second - (1 - k) * (1 + k) * first) / k

@@ -45,7 +45,9 @@ def increasing_root(function: Callable[[arb], arb], low: arb, high: arb) -> arb:
         raise Undecided(f"no change of sign between {low} and {high}: {below}, {above}")
     side = 0
     for step in range(_LIMIT):
-        guess = (low + high) / 2 if step % 5 == 4 else (low * above - high * below) / (above - below)
+        guess = (
+            (low + high) / 2 if step % 5 == 4 else (low * above - high * below) / (above - below)
+        )
         margin = (_WIDTH * guess).mid()
         if high - low <= 2 * margin:
             return low.union(high)

@@ -104,7 +104,9 @@ def parts(edge: Edge) -> list[Part]:
     friction, inertia = edge.ends
     low, high = (friction, inertia) if friction < inertia else (inertia, friction)
     if not low < high:
-        raise Undecided("friction and inertia agree on the spin ratio of a line of force off the centre")
+        raise Undecided(
+            "friction and inertia agree on the spin ratio of a line of force off the centre"
+        )
     cuts = [low.lower(), high.upper()]
     if low < 1 < high:
         cuts.insert(1, arb(1))

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics.errors import InvalidValue
 
 #: Directions closer than this (radians) are one direction: a few ulp of pi.
-RESOLUTION = 8 * np.finfo(float).eps
+RESOLUTION = 8 * float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True, slots=True)

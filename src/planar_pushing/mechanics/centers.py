@@ -70,7 +70,9 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
     motions = contact_motion_angle(edges, ends, *rod).ravel()
     if rod[0] > 1:
         lean = np.arcsin(1 / rod[0])
-        leans = np.add.outer([lean, -lean, np.pi - lean, lean - np.pi], 2 * np.pi * np.arange(-1, 2))
+        leans = np.add.outer(
+            [lean, -lean, np.pi - lean, lean - np.pi], 2 * np.pi * np.arange(-1, 2)
+        )
         tangents = rod[1] - leans[(rod[1] - leans > cone.right) & (rod[1] - leans < cone.left)]
         sides = np.sign(moment_arm(*rod, tangents)) * np.array([[0.0], [1.0], [np.inf]])
         motions = np.append(motions, contact_motion_angle(tangents, sides, *rod))

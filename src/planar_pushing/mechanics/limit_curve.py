@@ -62,10 +62,11 @@ def _speed(effects: response.Effects, spin_ratio: Array) -> Array:
 def _curve_force(effects: response.Effects, spin_ratio: Array) -> tuple[Array, Array]:
     """Force and torque on the curve at each spin ratio."""
     speed = _speed(effects, spin_ratio)
-    frictional, inertial = response.of_degree(effects, 1), response.of_degree(effects, 2)
-    parts = [response.profile(frictional, spin_ratio)] if frictional else []
-    parts += [tuple(speed * p for p in response.profile(inertial, spin_ratio))] if inertial else []
-    return np.sum([part[0] for part in parts], axis=0), np.sum([part[1] for part in parts], axis=0)
+    frictional, inertial = (response.of_degree(effects, degree) for degree in (1, 2))
+    weighted = [(kind, weight) for kind, weight in ((frictional, 1.0), (inertial, speed)) if kind]
+    parts = [weight * np.stack(response.profile(kind, spin_ratio)) for kind, weight in weighted]
+    force, torque = np.sum(parts, axis=0)
+    return force, torque
 
 
 def _curve_spin_ratio(effects: response.Effects, arm: Array) -> Array:
@@ -77,7 +78,9 @@ def _curve_spin_ratio(effects: response.Effects, arm: Array) -> Array:
         return torque - h * force
 
     size = np.abs(arm)
-    ends = np.stack([response.spin_ratio(response.of_degree(effects, d), size, None) for d in (1, 2)])
+    ends = np.stack(
+        [response.spin_ratio(response.of_degree(effects, d), size, None) for d in (1, 2)]
+    )
     return np.copysign(response.root(excess, ends.min(axis=0), ends.max(axis=0), (size,)), arm)
 
 

@@ -37,7 +37,9 @@ def is_homogeneous(effects: Effects) -> bool:
 def profile(effects: Effects, spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
     """Sum of the effects' forces and torques at unit centre speed."""
     parts = [effect.profile(spin_ratio) for effect in effects]
-    return np.sum([force for force, _ in parts], axis=0), np.sum([torque for _, torque in parts], axis=0)
+    return np.sum([force for force, _ in parts], axis=0), np.sum(
+        [torque for _, torque in parts], axis=0
+    )
 
 
 def translation_ratio(effects: Effects) -> float:
@@ -46,7 +48,9 @@ def translation_ratio(effects: Effects) -> float:
     return float(inertial / frictional)
 
 
-def root(function: Callable[..., Array], low: Array, high: Array, args: tuple[Any, ...] = ()) -> Array:
+def root(
+    function: Callable[..., Array], low: Array, high: Array, args: tuple[Any, ...] = ()
+) -> Array:
     """Root of an increasing elementwise function in [low, high]; an end where none lies inside."""
     low, high, *spread = np.broadcast_arrays(low, high, *args)
     found = elementwise.find_root(function, (low, high), args=tuple(spread), tolerances=TOLERANCES)
@@ -58,7 +62,7 @@ def _homogeneous_spin_ratio(effects: Effects, arm: Array) -> Array:
     """Spin ratio under effects of one degree; `arm` is a moment arm >= 0."""
     ends = np.stack([effect.spin_ratio(arm) for effect in effects])
     if len(effects) == 1:
-        return ends[0]
+        return np.asarray(ends[0])
 
     def excess(k: Array, h: Array) -> Array:
         force, torque = profile(effects, k)
@@ -112,7 +116,7 @@ def spin_ratio(effects: Effects, arm: npt.ArrayLike, inertia_share: npt.ArrayLik
         size = _homogeneous_spin_ratio(effects, np.abs(arm))
     else:
         size = balanced_spin_ratio(effects, np.abs(arm), 1 - share, share)
-    return np.copysign(size, arm)
+    return np.asarray(np.copysign(size, arm))
 
 
 def sustained_twist(effects: Effects, rod_length: Array, lean: Array, speed: Array) -> Array:

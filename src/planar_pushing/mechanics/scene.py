@@ -42,11 +42,13 @@ class Slider:
             "rod_angle", self.rod_angle, lambda x: 0 < x < math.pi,
             "radians in the open interval (0, pi)", "keep the slider above the fence",
         )  # fmt: skip
-        require_positive("radius", self.radius, "give the ring's radius in the unit of the rod length")
+        require_positive(
+            "radius", self.radius, "give the ring's radius in the unit of the rod length"
+        )
 
     @property
     def length_ratio(self) -> float:
-        """l / R."""
+        """L / R."""
         return self.rod_length / self.radius
 
 

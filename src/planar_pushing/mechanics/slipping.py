@@ -81,7 +81,8 @@ class _Edge:
         kinks = [(kink - slow) / (fast - slow) for effect in self.effects for kink in effect.kinks]
         near = [kink + side * GRADING for kink in kinks for side in (-1, 1)]
         parts = np.unique(np.concatenate([GRADING, 1 - GRADING, *near]))
-        return slow + (fast - slow) * parts[(parts >= GRADING[0]) & (parts <= 1 - GRADING[0])]
+        inside = (parts >= GRADING[0]) & (parts <= 1 - GRADING[0])
+        return np.asarray(slow + (fast - slow) * parts[inside])
 
     def _extremum(self, bracket: Array, sign: float) -> float:
         """Where the normal motion has its minimum (sign 1) or maximum (sign -1) in a bracket."""
@@ -104,7 +105,7 @@ class _Edge:
 
         def excess(k: Array, target: Array) -> Array:
             slow, fast = self.imbalance(k)
-            return np.sign(g2 - g1) * (self.advance(k) * slow + target * fast)
+            return np.asarray(np.sign(g2 - g1) * (self.advance(k) * slow + target * fast))
 
         between = np.sign(g1 - normal_motion) * np.sign(g2 - normal_motion) < 0
         reached = between | (normal_motion == g2)
@@ -112,7 +113,9 @@ class _Edge:
         return response.root(excess, low, high, (normal_motion,)), reached
 
 
-def _speed(normal_motion: Array, advance: Array, otherwise: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
+def _speed(
+    normal_motion: Array, advance: Array, otherwise: Array
+) -> tuple[Array, npt.NDArray[np.bool_]]:
     """Centre speed with this normal motion, and whether the slider moves at all."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         speed = np.where(advance == 0, otherwise, normal_motion / advance)
@@ -144,7 +147,10 @@ def slip_motions(
     """
     target = np.asarray(normal_motion, dtype=float)
     arm = moment_arm(rod_length, rod_angle, force_angle)
-    normal, lever = direction(force_angle)[1], np.copysign(rod_length, arm) * direction(rod_angle)[0]
+    normal, lever = (
+        direction(force_angle)[1],
+        np.copysign(rod_length, arm) * direction(rod_angle)[0],
+    )
     edge = _Edge(effects, np.abs(arm), float(normal), float(lever))
     if response.is_homogeneous(effects):
         size = np.broadcast_to(response.spin_ratio(effects, edge.arm, None), (*target.shape, 1))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +17,9 @@ from planar_pushing.mechanics.slipping import slip_motions
 
 #: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
 COINCIDENCE = 1e-12
+
+
+Found = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,22 +37,24 @@ class Candidates:
     """
 
     mode: ContactMode
-    consistent: npt.NDArray[np.bool_]
+    consistent: Found
     twist: Array
     force: Array
 
     @property
     def spin_ratio(self) -> Array:
-        """k = R omega / v with v along the force, shape S + (branches,); 0 at rest."""
+        """K = R omega / v with v along the force, shape S + (branches,); 0 at rest."""
         speed = np.hypot(self.twist[..., 0], self.twist[..., 1])
         spin = self.twist[..., 2]
         with np.errstate(divide="ignore", over="ignore"):
-            ratio = np.divide(spin, speed, out=np.asarray(np.copysign(np.inf, spin)), where=speed > 0)
+            ratio = np.divide(
+                spin, speed, out=np.asarray(np.copysign(np.inf, spin)), where=speed > 0
+            )
         return np.where(spin == 0, 0.0, ratio)
 
     @property
     def force_angle(self) -> Array:
-        """phi in (-pi, pi], shape S + (branches,)."""
+        """Phi in (-pi, pi], shape S + (branches,)."""
         return np.arctan2(self.force[..., 1], self.force[..., 0] + 0.0)
 
 
@@ -62,10 +67,12 @@ def contact_motion(scene: Scene, twist: Array) -> Array:
 
 def _force(scene: Scene, twist: Array) -> Array:
     """Force that sustains each twist."""
-    return np.asarray(np.sum([effect.wrench(twist) for effect in scene.scaled_effects], axis=0)[..., :2])
+    return np.asarray(
+        np.sum([effect.wrench(twist) for effect in scene.scaled_effects], axis=0)[..., :2]
+    )
 
 
-def _separate(scene: Scene, pusher: Array) -> Candidates:
+def _separate(pusher: Array) -> Candidates:
     rest = np.zeros((*pusher.shape[:-1], 1, 3))
     return Candidates(
         mode=ContactMode.SEPARATE,
@@ -91,22 +98,25 @@ def _stick(scene: Scene, pusher: Array) -> Candidates:
     return Candidates(mode=ContactMode.STICK, consistent=admitted, twist=twist, force=force)
 
 
-def _slip(scene: Scene, pusher: Array, mode: ContactMode) -> Candidates:
-    rightward = mode is ContactMode.SLIP_RIGHT
-    angles = scene.contact.force_angles
-    edge = angles.left if rightward else angles.right
-    slider = scene.slider
+def _slip(scene: Scene, pusher: Array, mode: ContactMode) -> tuple[Candidates, Found]:
+    """Motions under a force on an edge, and where one of them is the pusher's own: a stick."""
+    side = 1 if mode is ContactMode.SLIP_RIGHT else -1
+    angles, slider = scene.contact.force_angles, scene.slider
+    edge = angles.left if mode is ContactMode.SLIP_RIGHT else angles.right
     speed, ratio, exists = slip_motions(
         scene.scaled_effects, slider.length_ratio, slider.rod_angle, edge, pusher[..., 1]
     )
     heading = np.broadcast_to(direction(edge), (*ratio.shape, 2))
     twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
-    slip = (contact_motion(scene, twist)[..., 0] - pusher[..., :1]) * (1 if rightward else -1)
+    slip = side * (contact_motion(scene, twist)[..., 0] - pusher[..., :1])
     tolerance = COINCIDENCE * np.hypot(pusher[..., :1], pusher[..., 1:])
-    forces = np.linalg.norm(_force(scene, twist), axis=-1)[..., None] * heading
-    return Candidates(
-        mode=mode, consistent=exists & (slip > tolerance), twist=twist, force=forces
-    ), exists & (np.abs(slip) <= tolerance)
+    found = Candidates(
+        mode=mode,
+        consistent=exists & (slip > tolerance),
+        twist=twist,
+        force=np.linalg.norm(_force(scene, twist), axis=-1)[..., None] * heading,
+    )
+    return found, np.asarray((exists & (np.abs(slip) <= tolerance)).any(axis=-1))
 
 
 def candidates(scene: Scene, pusher_motion: npt.ArrayLike) -> tuple[Candidates, ...]:
@@ -117,21 +127,17 @@ def candidates(scene: Scene, pusher_motion: npt.ArrayLike) -> tuple[Candidates, 
     pusher = np.asarray(pusher_motion, dtype=float)
     stick = _stick(scene, pusher)
     if not scene.contact.slips:
-        return _separate(scene, pusher), stick
-    (right, stuck_left), (left, stuck_right) = (
-        _slip(scene, pusher, mode) for mode in (ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
-    )
-    at_edge = (stuck_left.any(axis=-1) | stuck_right.any(axis=-1))[..., None]
-    stick = Candidates(
-        mode=stick.mode, consistent=stick.consistent | at_edge, twist=stick.twist, force=stick.force
-    )
-    return _separate(scene, pusher), stick, right, left
+        return _separate(pusher), stick
+    right, left_edge = _slip(scene, pusher, ContactMode.SLIP_RIGHT)
+    left, right_edge = _slip(scene, pusher, ContactMode.SLIP_LEFT)
+    sticks = stick.consistent | (left_edge | right_edge)[..., None]
+    return _separate(pusher), replace(stick, consistent=sticks), right, left
 
 
 def outcomes(found: tuple[Candidates, ...]) -> npt.NDArray[np.int8]:
     """Outcome (values of `Outcome`) for each pusher motion, shape S."""
-    count = sum(each.consistent.sum(axis=-1) for each in found)
-    return np.minimum(count, Outcome.AMBIGUOUS).astype(np.int8)
+    count = np.sum([each.consistent.sum(axis=-1) for each in found], axis=0)
+    return np.asarray(np.minimum(count, Outcome.AMBIGUOUS), dtype=np.int8)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -231,7 +237,7 @@ def solve(scene: Scene, pusher_angle: float, pusher_magnitude: float = 1.0) -> S
     found = candidates(scene, magnitude * direction(angle))
     return Solutions(
         tuple(
-            _solution(scene, each, branch)
+            _solution(scene, each, int(branch))
             for each in found
             for branch in np.nonzero(each.consistent)[0]
         )

@@ -18,9 +18,15 @@ VARIABLES: dict[str, tuple[str, str]] = {
     "center_x": ("length", "motion centre relative to the ring centre, along the fence"),
     "center_y": ("length", "motion centre relative to the ring centre, normal to the fence"),
     "cone_center": ("length", "motion centre relative to the contact, under one effect"),
-    "cone_force_angle": ("degree", "force angle, from the right to the left edge of the friction cone"),
+    "cone_force_angle": (
+        "degree",
+        "force angle, from the right to the left edge of the friction cone",
+    ),
     "cone_motion_angle": ("degree", "angle of the contact motion under one effect"),
-    "conservative_center_far": ("1", "spin ratio furthest from translation that the seven cases allow"),
+    "conservative_center_far": (
+        "1",
+        "spin ratio furthest from translation that the seven cases allow",
+    ),
     "conservative_cone_left": ("degree", "left edge of the conservative acceleration cone"),
     "conservative_cone_right": ("degree", "right edge of the conservative acceleration cone"),
     "consistent": ("1", "number of consistent solutions in the mode"),

@@ -73,7 +73,9 @@ def _expand(given: object) -> object:
     if isinstance(given, dict):
         if set(given) != {"start", "stop", "step"}:
             raise refuse(AXIS)
-        given = _steps(*(_number(given[key], math.isfinite, AXIS) for key in ("start", "stop", "step")))
+        given = _steps(
+            *(_number(given[key], math.isfinite, AXIS) for key in ("start", "stop", "step"))
+        )
     if not isinstance(given, (list, tuple)):
         raise refuse(AXIS)
     if not given:
@@ -97,10 +99,25 @@ def _steps(start: float, stop: float, step: float) -> list[float]:
 
 def axis(item: Any) -> Any:
     """Type of a grid axis: a list of numbers of type `item`, or a range."""
-    return Annotated[tuple[item, ...], BeforeValidator(_expand), AfterValidator(_increasing)]
+    numbers = item.__metadata__[-1].json_schema
+    span = {"type": "object", "additionalProperties": False, "required": ["start", "stop", "step"]}
+    span["properties"] = {
+        "start": numbers,
+        "stop": numbers,
+        "step": {"type": "number", "exclusiveMinimum": 0},
+    }
+    schema = {"anyOf": [{"type": "array", "minItems": 1, "items": numbers}, span]}
+    return Annotated[
+        tuple[item, ...],
+        BeforeValidator(_expand),
+        AfterValidator(_increasing),
+        WithJsonSchema(schema | {"description": AXIS}),
+    ]
 
 
-Positive = number("a finite number > 0", lambda x: 0 < x < math.inf, type="number", exclusiveMinimum=0)
+Positive = number(
+    "a finite number > 0", lambda x: 0 < x < math.inf, type="number", exclusiveMinimum=0
+)
 NonNegative = number("a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0)
 RodAngle = number(
     "degrees in the open interval (0, 180)", lambda x: 0 < x < 180,
@@ -116,3 +133,11 @@ FiniteFrictionCoefficient = number(
     "a finite number >= 0; infinite friction is a law of its own, law: infinite_friction",
     lambda x: 0 <= x < math.inf, type="number", minimum=0,
 )  # fmt: skip
+
+Lengths = axis(NonNegative)
+Magnitudes = axis(Positive)
+RodAngles = axis(RodAngle)
+Angles = axis(Degrees)
+Shares = axis(Share)
+FrictionCoefficients = axis(FrictionCoefficient)
+FiniteFrictionCoefficients = axis(FiniteFrictionCoefficient)

@@ -109,7 +109,9 @@ def _effect_entry(effect: object) -> dict[str, Any]:
             return {"type": "ring_friction", "weight": float(weight)}
         case Inertia(mass=mass, gyration_radius=radius):
             return {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
-    raise InvalidValue("effects", effect, "RingFriction and Inertia", "save a scene of these effects")
+    raise InvalidValue(
+        "effects", effect, "RingFriction and Inertia", "save a scene of these effects"
+    )
 
 
 @contextmanager

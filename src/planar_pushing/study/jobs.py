@@ -22,7 +22,7 @@ PACKAGE = "planar_pushing"
 
 @contextmanager
 def job_log(path: str) -> Iterator[logging.Logger]:
-    """Log a job to `path`, and an error with its traceback; an error of ours ends as one message."""
+    """Log a job to `path`: an error with its traceback, one of ours as its message."""
     logger = logging.getLogger(PACKAGE)
     handler = logging.FileHandler(path, mode="w", encoding="utf-8")
     handler.setFormatter(logging.Formatter("%(levelname)s %(message)s"))
@@ -60,7 +60,5 @@ def modules(*names: str) -> list[str]:
 
 def _source(module: str) -> str:
     spec = find_spec(module)
-    assert spec is not None and spec.origin is not None
-    path = Path(spec.origin)
-    here = Path.cwd()
+    path, here = Path(str(spec.origin if spec else module)), Path.cwd()
     return str(path.relative_to(here) if path.is_relative_to(here) else path)

@@ -19,16 +19,21 @@ from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.effects.base import IsotropicEffect
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.fields import (
+    Angles,
     Degrees,
     FileModel,
     FiniteFrictionCoefficient,
+    FiniteFrictionCoefficients,
     FrictionCoefficient,
+    FrictionCoefficients,
+    Lengths,
+    Magnitudes,
     NonNegative,
     NotEmpty,
     Positive,
     RodAngle,
-    Share,
-    axis,
+    RodAngles,
+    Shares,
     refuse,
 )
 
@@ -145,18 +150,18 @@ class Grid(FileModel):
     """The axes of the datasets; angles in degrees."""
 
     effects: Annotated[tuple[EffectsName, ...], NotEmpty]
-    rod_length: axis(NonNegative)
-    rod_angle: axis(RodAngle)
-    friction_coefficient: axis(FrictionCoefficient)
-    force_angle: axis(Degrees)
-    inertia_share: axis(Share)
-    pusher_angle: axis(Degrees)
-    pusher_magnitude: axis(Positive)
-    contact_friction_coefficient: axis(FiniteFrictionCoefficient)
+    rod_length: Lengths
+    rod_angle: RodAngles
+    friction_coefficient: FrictionCoefficients
+    force_angle: Angles
+    inertia_share: Shares
+    pusher_angle: Angles
+    pusher_magnitude: Magnitudes
+    contact_friction_coefficient: FiniteFrictionCoefficients
 
 
 class PushEntry(FileModel):
-    """A scene of the study and how the fence moves: in a direction, or as a force angle asks for."""
+    """A scene of the study and the fence's motion: its angle, or the force angle it sustains."""
 
     file: str
     pusher_angle: Degrees | None = None
@@ -191,6 +196,13 @@ class FigureEntry(FileModel):
                 yield key, given if isinstance(given, tuple) else (given,), allowed
 
 
+class Tolerance(FileModel):
+    """Largest difference from a golden value: a part of the value plus an amount in its unit."""
+
+    relative: NonNegative = 0.0
+    absolute: NonNegative = 0.0
+
+
 class StudyFile(FileModel):
     """The grid of every dataset, the scenes, and the values that the paper leaves open."""
 
@@ -201,6 +213,7 @@ class StudyFile(FileModel):
     grid: Grid
     scenes: dict[str, PushEntry]
     figures: dict[str, FigureEntry]
+    tolerances: dict[str, Tolerance] = Field(default_factory=dict)
 
     def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:
         """Build the effects that a value of the effects axis stands for."""

@@ -63,6 +63,9 @@ def isotropic_wrench(effect: IsotropicEffect, twist: Array) -> Array:
         ratio = np.divide(spin, speed, out=np.asarray(np.copysign(np.inf, spin)), where=moving)
     force, torque = effect.profile(np.where((spin == 0) & ~moving, 0.0, ratio))
     heading = np.divide(
-        twist[..., :2], speed[..., None], out=np.zeros(twist[..., :2].shape), where=moving[..., None]
+        twist[..., :2],
+        speed[..., None],
+        out=np.zeros(twist[..., :2].shape),
+        where=moving[..., None],
     )
     return np.concatenate([force[..., None] * heading, torque[..., None]], axis=-1)

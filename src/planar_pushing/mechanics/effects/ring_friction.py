@@ -27,6 +27,8 @@ from planar_pushing.mechanics.planar import Array
 #: Below this spin ratio the torque comes from the Landen series, above it from E and K.
 SERIES_BELOW = 0.9
 TERMS = 20
+#: Below this moment arm the spin ratio is twice the arm to the last place.
+SMALL = 1e-9
 TINY = np.finfo(float).tiny
 
 
@@ -54,7 +56,7 @@ def _horner(coefficients: Array, x: Array) -> Array:
 
 
 def _inner_profile(k: Array) -> tuple[Array, Array]:
-    """f and t for 0 <= k <= 1, shape of `k`."""
+    """F and t for 0 <= k <= 1, shape of `k`."""
     m, complement = k * k, (1 - k) * (1 + k)
     e = ellipe(m)
     torque = (e - complement * ellipkm1(np.maximum(complement, TINY))) / np.maximum(k, 0.5)
@@ -84,14 +86,14 @@ def _inner_slope(k: Array) -> Array:
     """dH/dk for 0 < k <= 1, to the few digits that a Newton step needs."""
     force, torque = _inner_profile(k)
     m, complement = k * k, np.maximum((1 - k) * (1 + k), TINY)
-    bend = 2 / np.pi * (ellipkm1(complement) - ellipe(m)) / np.maximum(m, 1e-4)
-    return np.where(m > 1e-4, bend, 0.5) * (force + k * torque) / force**2
+    bend = 2 / np.pi * (ellipkm1(complement) - ellipe(m)) / np.maximum(m, 1e-6)
+    return np.where(m > 1e-6, bend, 0.5) * (force + k * torque) / force**2
 
 
 @cache
 def _first_guess() -> CubicHermiteSpline:
-    """k as a function of H on [0, 1], to about 2e-6: H's graph read sideways."""
-    k = np.sin(np.linspace(0, np.pi / 2, 257))
+    """k as a function of H on [0, 1]: H's graph read sideways, with nodes that crowd towards 1."""
+    k = np.append(np.linspace(0, 0.9, 128), 1 - np.append(np.geomspace(0.09, 1e-15, 160), 0))
     force, torque = _inner_profile(k)
     return CubicHermiteSpline(torque / force, k, 1 / _inner_slope(k))
 
@@ -102,7 +104,7 @@ def _inner_spin_ratio(arm: Array) -> Array:
     for _ in range(2):
         force, torque = _inner_profile(k)
         k = np.clip(k - (torque / force - arm) / _inner_slope(k), 0, 1)
-    return np.where(arm < 1e-6, 2 * arm, k)
+    return np.where(arm < SMALL, 2 * arm, k)
 
 
 def ring_spin_ratio(moment_arm: npt.ArrayLike) -> Array:
@@ -111,7 +113,7 @@ def ring_spin_ratio(moment_arm: npt.ArrayLike) -> Array:
     size = np.abs(arm)
     with np.errstate(divide="ignore", over="ignore"):
         inner = _inner_spin_ratio(np.atleast_1d(np.minimum(size, 1 / size))).reshape(arm.shape)
-        return np.copysign(np.where(size > 1, 1 / inner, inner), arm)
+        return np.asarray(np.copysign(np.where(size > 1, 1 / inner, inner), arm))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -133,7 +135,9 @@ class RingFriction:
 
     def __post_init__(self) -> None:
         require_positive(
-            "weight", self.weight, "leave the effect out of the scene if the support is frictionless"
+            "weight",
+            self.weight,
+            "leave the effect out of the scene if the support is frictionless",
         )
 
     @property

@@ -39,5 +39,8 @@ def assemble(
     variables = {}
     for name in cells[0]:
         values = np.stack([np.asarray(each[name]) for each in cells])
-        variables[name] = (outer + inner[: values.ndim - 1], values.reshape(shape + values.shape[1:]))
+        variables[name] = (
+            outer + inner[: values.ndim - 1],
+            values.reshape(shape + values.shape[1:]),
+        )
     return xr.Dataset(variables, coords=coords)

@@ -80,7 +80,9 @@ def build(study: StudyFile) -> xr.Dataset:
     for i, effects in enumerate(grid.effects):
         for j, (_, law) in enumerate(laws.values()):
             for m, length in enumerate(grid.rod_length):
-                scene = Scene(slider=study.ring(length), contact=law, effects=study.effects(effects))
+                scene = Scene(
+                    slider=study.ring(length), contact=law, effects=study.effects(effects)
+                )
                 found = candidates(scene, pusher)
                 outcome[i, j, m] = outcomes(found)
                 for each in found:

@@ -22,7 +22,9 @@ def build(study: StudyFile) -> xr.Dataset:
 
     def cell(effects: Any, length: float, angle: float, mu: float) -> Cell:
         scene = Scene(
-            slider=study.ring(length, angle), contact=contact_law(mu), effects=study.effects(effects)
+            slider=study.ring(length, angle),
+            contact=contact_law(mu),
+            effects=study.effects(effects),
         )
         forces, motions = friction_cone(scene), motion_cone(scene)
         return {

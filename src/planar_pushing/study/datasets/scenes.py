@@ -10,7 +10,13 @@ import xarray as xr
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_cone
 from planar_pushing.mechanics.effects import RingFriction
-from planar_pushing.mechanics.planar import Array, contact_motion_angle, direction, moment_arm, motion_center
+from planar_pushing.mechanics.planar import (
+    Array,
+    contact_motion_angle,
+    direction,
+    moment_arm,
+    motion_center,
+)
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import Solutions, solve
 from planar_pushing.study.describe import describe

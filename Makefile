@@ -1,0 +1,58 @@
+# make        build every dataset and figure into results/, and check them
+# make test   lint, types, import contracts and all tests
+# make help   the other targets
+
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/ready
+PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
+	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
+
+.PHONY: all test lint golden dictionary schemas lock report clean help
+.DELETE_ON_ERROR:
+
+all: $(READY)
+	$(BIN)/snakemake
+
+test: $(READY) lint
+	$(BIN)/pytest
+
+lint: $(READY)
+	$(BIN)/ruff check src tests workflow/scripts
+	$(BIN)/ruff format --check src tests workflow/scripts
+	$(BIN)/snakefmt --check --diff Snakefile workflow
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-cache
+
+golden: $(READY) ## compute the golden data anew and print how they differ from the stored ones
+	$(BIN)/python -m planar_pushing.golden.update
+
+dictionary: $(READY) ## write results/README.md from the attributes of the datasets
+	$(BIN)/python -m planar_pushing.study.dictionary
+
+schemas: $(READY) ## write workflow/schemas from the models of scene and study files
+	$(BIN)/python -m planar_pushing.study.schemas
+
+report: all ## write results/report.html, Snakemake's report of the last run
+	$(BIN)/snakemake --report results/report.html
+
+lock: ## resolve the dependencies anew (needs uv)
+	uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --all-extras \
+		--generate-hashes --no-emit-index-url --no-emit-find-links --no-annotate --upgrade \
+		--custom-compile-command "make lock" --output-file requirements.lock pyproject.toml requirements.build
+
+clean: ## remove everything that was generated
+	rm -rf $(VENV) .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find results -mindepth 1 -not -name README.md -delete
+
+help:
+	@grep -hE '^(# make|[a-z]+:.*## )' $(MAKEFILE_LIST) | sed -E 's/^# //; s/^([a-z]+):.*## /make \1\t/' | expand -t 14
+
+$(READY): requirements.lock pyproject.toml
+	@test -n "$(PYTHON)" || { echo "make: needs Python 3.11 or newer on the path; or set PYTHON=/path/to/python" >&2; exit 1; }
+	@echo "Setting up $(VENV) with $(PYTHON)"
+	rm -rf $(VENV)
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --disable-pip-version-check --quiet --progress-bar on --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --disable-pip-version-check --quiet --no-deps --no-build-isolation --editable .
+	@touch $@

@@ -1,0 +1,52 @@
+"""Figure 6: a friction cone, mapped through the limit curve to the velocity cone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from planar_pushing.figures.curves import cone_mapping, curves, mapping_panels, number, titled
+from planar_pushing.figures.drawing import declutter
+from planar_pushing.figures.style import DARK
+from planar_pushing.study.models import FigureEntry
+
+SOURCES = ("limit_curves", "motion_cones")
+SIZE = (7.0, 2.5)
+CAPTION = (
+    "From the friction cone through the limit curve to the velocity cone. Each force inside the "
+    "friction cone is a point of the limit curve, and the normal there is the contact's velocity; "
+    "the cone's edges map to the edges of the velocity cone, whose right edge points away from the "
+    "slider: pulling."
+)
+#: Force angles drawn between the edges of the cone, degrees.
+INSIDE = (45.0, 90.0)
+
+
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+    """Select the limit curve and the forces and velocities of the mapping."""
+    length = settings.rod_length if isinstance(settings.rod_length, float) else 2.0
+    data = curves(sources["limit_curves"], "support_friction", (length,)).squeeze("rod_length")
+    friction = 2.0 if settings.friction_coefficient is None else settings.friction_coefficient
+    where = {
+        "effects": "support_friction",
+        "rod_length": length,
+        "friction_coefficient": friction,
+    }
+    data = data.merge(cone_mapping(sources["limit_curves"], sources["motion_cones"], where, INSIDE))
+    return titled(data, "Friction cone, limit curve and velocity cone", sources)
+
+
+def draw(figure: Figure, data: xr.Dataset) -> None:
+    """Draw the three panels, the forces and velocities numbered alike in all of them."""
+    curve = np.stack([data.force_x, data.force_y], axis=-1)
+    titles = (
+        rf"friction cone, $\mu = {number(float(data.friction_coefficient))}$",
+        rf"limit curve, $l = {number(float(data.mapped_rod_length))}$",
+        "velocity cone",
+    )
+    ax = mapping_panels(figure, data, [curve], "v", titles)
+    ax.plot(*curve.T, color=DARK, zorder=3)
+    declutter(ax)

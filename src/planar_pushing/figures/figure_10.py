@@ -1,0 +1,62 @@
+"""Figure 10: the ellipses of the dynamic case, and a friction cone mapped to an acceleration cone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from planar_pushing.figures.curves import (
+    cone_mapping,
+    curves,
+    mapping_panels,
+    number,
+    on_curve,
+    rod_lengths,
+    shades,
+    titled,
+)
+from planar_pushing.figures.drawing import declutter
+from planar_pushing.study.models import FigureEntry
+
+SOURCES = ("limit_curves", "motion_cones")
+SIZE = (7.0, 2.5)
+CAPTION = (
+    "Without support friction ellipses take the limit curves' place; their major axis lies along "
+    "the rod. On the ellipse of one of the rod lengths the forces of a friction cone are drawn with "
+    "the accelerations that they cause, normal to the ellipse; these sweep the acceleration cone."
+)
+#: Force angles drawn between the edges of the cone, degrees.
+INSIDE = (45.0, 90.0)
+#: Where the labels of the ellipses stand, degrees.
+LABEL_ANGLE = 325.0
+
+
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+    """Select the ellipses, and the forces and accelerations of the mapping."""
+    data = curves(sources["limit_curves"], "inertia", rod_lengths(settings, (0.5, 1.0, 2.0, 5.0)))
+    mapped = 1.0 if settings.mapped_rod_length is None else settings.mapped_rod_length
+    friction = 2.0 if settings.friction_coefficient is None else settings.friction_coefficient
+    where = {"effects": "inertia", "rod_length": mapped, "friction_coefficient": friction}
+    data = data.merge(cone_mapping(sources["limit_curves"], sources["motion_cones"], where, INSIDE))
+    return titled(data, "Ellipses of the dynamic case and an acceleration cone", sources)
+
+
+def draw(figure: Figure, data: xr.Dataset) -> None:
+    """Draw the three panels, forces and accelerations numbered alike in all of them."""
+    ellipses = np.stack([data.force_x, data.force_y], axis=-1)
+    titles = (
+        rf"friction cone, $\mu = {number(float(data.friction_coefficient))}$",
+        "ellipses of four rod lengths",
+        rf"acceleration cone, $l = {number(float(data.mapped_rod_length))}$",
+    )
+    ax = mapping_panels(figure, data, list(ellipses), "a", titles)
+    place = int(np.argmin(np.abs(data.force_angle.values - LABEL_ANGLE)))
+    colors = shades(len(ellipses))
+    for color, length, ellipse in zip(colors, data.rod_length.values, ellipses, strict=True):
+        mapped = length == float(data.mapped_rod_length)
+        ax.plot(*ellipse.T, color=color, linewidth=1.6 if mapped else 0.9, zorder=3)
+        on_curve(ax, ellipse[place], f"$l = {number(float(length))}$", color)
+    declutter(ax)

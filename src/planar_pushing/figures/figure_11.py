@@ -1,0 +1,38 @@
+"""Figure 11: pulling, with support friction and inertia."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from planar_pushing.figures import scene
+from planar_pushing.figures.sketch import shown
+from planar_pushing.figures.style import COLUMN_WIDTH
+from planar_pushing.study.models import FigureEntry
+
+SOURCES = ("scenes/figure_11",)
+SIZE = (COLUMN_WIDTH, 3.1)
+CAPTION = (
+    "Quasi-static pushing. The support friction of a slider that turns about the velocity center, "
+    "drawn along the ring, balances the force f of the pusher; the pusher moves into the slider."
+)
+LAYERS = (
+    scene.body,
+    scene.force,
+    scene.line_of_force,
+    scene.motions,
+    scene.center,
+    scene.support_friction,
+)
+
+
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:  # noqa: ARG001
+    """Select the solution that sticks."""
+    return shown(sources[SOURCES[0]])
+
+
+def draw(figure: Figure, data: xr.Dataset) -> None:
+    """Draw slider, fence, forces, motion and velocity centre."""
+    scene.draw_scene(figure, data, LAYERS)

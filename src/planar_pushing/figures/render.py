@@ -1,0 +1,114 @@
+"""Select, store, draw and save a figure: its data first, then the picture from that file alone."""
+
+from __future__ import annotations
+
+import importlib
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Protocol, cast
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from planar_pushing.figures.style import paper_style
+from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.study.files import replacing
+from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
+
+PathLike = str | os.PathLike[str]
+FIGURES = tuple(f"figure_{number:02d}" for number in range(1, 14))
+
+#: Metadata that would tell when and by which program version a picture was saved.
+METADATA: dict[str, dict[str, Any]] = {
+    "svg": {"Date": None, "Creator": "planar-pushing"},
+    "pdf": {"CreationDate": None, "Creator": "planar-pushing", "Producer": None},
+    "png": {"Software": None},
+}
+
+
+class FigureModule(Protocol):
+    """What a module figure_NN provides."""
+
+    SOURCES: tuple[str, ...]
+    SIZE: tuple[float, float]
+    CAPTION: str
+
+    def select(self, sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset: ...
+
+    def draw(self, figure: Figure, data: xr.Dataset) -> None: ...
+
+
+def figure_module(name: str) -> FigureModule:
+    """Import the module of a figure by name, such as "figure_08".
+
+    Raises
+    ------
+    InvalidValue
+        Where there is no figure of this name.
+    """
+    if name not in FIGURES:
+        raise InvalidValue("figure", name, ", ".join(FIGURES), "name one of these figures")
+    return cast(FigureModule, importlib.import_module(f"planar_pushing.figures.{name}"))
+
+
+def select(name: str, results: PathLike, settings: FigureEntry) -> xr.Dataset:
+    """Numbers that a figure plots, read from the datasets in a results folder."""
+    module = figure_module(name)
+    sources = {source: open_dataset(source, results) for source in module.SOURCES}
+    return module.select(sources, settings)
+
+
+def picture(name: str, data: xr.Dataset) -> Figure:
+    """Figure drawn from its data; call it, and save the figure, within `paper_style`."""
+    module = figure_module(name)
+    figure = Figure(figsize=module.SIZE)
+    module.draw(figure, data)
+    return figure
+
+
+def save(figure: Figure, path: PathLike) -> None:
+    """Save a picture, whole or not at all; the bytes depend on the picture alone.
+
+    Raises
+    ------
+    InvalidValue
+        Where the file name does not end in .svg, .pdf or .png.
+    """
+    kind = Path(path).suffix.lstrip(".").lower()
+    if kind not in METADATA:
+        allowed = ", ".join(f".{each}" for each in METADATA)
+        raise InvalidValue("output", str(path), f"a name ending in {allowed}", "rename the file")
+    with replacing(path) as temporary:
+        figure.savefig(temporary, format=kind, metadata=METADATA[kind])
+
+
+def render(
+    name: str,
+    results: PathLike,
+    settings: FigureEntry,
+    *,
+    data: PathLike,
+    svg: PathLike,
+    pdf: PathLike,
+    png: PathLike,
+) -> None:
+    """Write a figure's data and its picture in three formats.
+
+    Parameters
+    ----------
+    name : str
+        "figure_01" to "figure_13".
+    results : path
+        The folder that holds data/*.nc.
+    settings : FigureEntry
+        The study's values for this figure.
+    data, svg, pdf, png : path
+        Files to write. The picture is drawn from what `data` holds once it is written.
+    """
+    write_dataset(select(name, results, settings), data)
+    stored = read_dataset(data)
+    for path in (svg, pdf, png):
+        with paper_style():
+            save(picture(name, stored), path)

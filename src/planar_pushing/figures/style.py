@@ -1,0 +1,51 @@
+"""Sizes, colours and the style sheet that all figures share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import matplotlib.style
+
+#: Widths of a journal's column and page, inches.
+COLUMN_WIDTH = 3.4
+PAGE_WIDTH = 7.0
+
+# Okabe and Ito's palette, told apart with every kind of colour vision.
+BLACK = "#000000"
+ORANGE = "#E69F00"
+SKY = "#56B4E9"
+GREEN = "#009E73"
+YELLOW = "#F0E442"
+BLUE = "#0072B2"
+VERMILION = "#D55E00"
+PURPLE = "#CC79A7"
+DARK = "#333333"
+GREY = "#777777"
+LIGHT = "#BBBBBB"
+
+#: What a colour stands for, in every figure.
+FORCE = VERMILION
+MOTION = BLUE
+PUSHER = GREEN
+SLIP = ORANGE
+CENTER = "#A0417B"  # a darker purple of the palette's hue: it also colours text
+SLIDER = DARK
+FENCE = DARK
+GUIDE = GREY
+KIND_COLORS = {"force": FORCE, "motion": MOTION, "center": CENTER}
+
+#: zorder of arrows: above cones, ring and rod.
+ABOVE = 5.0
+
+SYMBOL_SIZE = 9.5
+NOTE_SIZE = 7.5
+STYLE_SHEET = Path(__file__).with_name("paper.mplstyle")
+
+
+@contextmanager
+def paper_style() -> Iterator[None]:
+    """Draw and save inside with matplotlib's defaults and the style sheet, and nothing else."""
+    with matplotlib.style.context(["default", str(STYLE_SHEET)]):
+        yield

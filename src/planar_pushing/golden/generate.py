@@ -1,0 +1,242 @@
+"""Golden datasets: the names, dimensions and units of the results, each number with its radius.
+
+A number is stored as three variables: `name` and `name_low`, whose sum is the midpoint, and
+`name_radius`, a rigorous bound of its error. Flags and counts are proved, not rounded, and have one.
+Coordinates and parameters are plain values, taken as exact; lengths and magnitudes are doubles,
+angles degrees.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from importlib.metadata import version
+from multiprocessing import get_context
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from flint import __FLINT_VERSION__ as FLINT_VERSION
+from flint import arb
+
+from planar_pushing.golden import cones, modes, reference
+from planar_pushing.golden.balls import PRECISION, pack, precise, rational
+from planar_pushing.golden.reference import Effects, Slider
+from planar_pushing.golden.units import UNITS
+
+Grid = Mapping[str, Sequence[Any]]
+Record = Mapping[str, "arb | int | list[arb] | list[int]"]
+Cell = Callable[..., Record]
+
+#: Parameters of the slider; the paper's are all 1.
+Parameters = Mapping[str, float]
+UNIT: Parameters = {"weight": 1.0, "mass": 1.0, "radius": 1.0, "gyration_radius": 1.0}
+
+
+def limit_curves(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
+    """Limit curves over effects, rod_length, rod_angle and force_angle (Eqs. 2-7, Sec. 4)."""
+    dims = ("effects", "rod_length", "rod_angle", "force_angle")
+    variables = _tabulate(grid, dims, partial(_limit_point, parameters), processes)
+    return _dataset(grid, dims, variables, "Limit curves", "Eqs. (2)-(7), Sec. 4")
+
+
+def motion_cones(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
+    """Motion cones over effects, rod_length, rod_angle and friction_coefficient (Secs. 3 and 4)."""
+    dims = ("effects", "rod_length", "rod_angle", "friction_coefficient")
+    variables = _tabulate(grid, dims, partial(_motion_cone, parameters), processes)
+    return _dataset(grid, dims, variables, "Motion cones", "Secs. 3.1, 3.2 and 4")
+
+
+def contact_modes(
+    grid: Grid,
+    contacts: Mapping[str, tuple[str, modes.Law]],
+    rod_angle: float = 45.0,
+    parameters: Parameters = UNIT,
+    processes: int = 1,
+) -> xr.Dataset:
+    """Contact modes over effects, contact, rod_length, pusher_magnitude and pusher_angle (Secs. 2-5).
+
+    `contacts` maps a label to the type of the law and the law itself.
+    """
+    coords = {**grid, "contact": list(contacts)}
+    dims = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle")
+    laws = {label: law for label, (_, law) in contacts.items()}
+    cell = partial(_contact_modes, parameters, rod_angle, laws)
+    variables = _tabulate(coords, dims, cell, processes, inner=("mode",))
+    coords["mode"] = [mode.name for mode in modes.Mode]
+    dataset = _dataset(coords, (*dims, "mode"), variables, "Contact modes", "Secs. 2 to 5")
+    return dataset.assign_coords(
+        law=("contact", [kind for kind, _ in contacts.values()], _attributes("law")),
+        friction_coefficient=(
+            "contact",
+            [law.friction_coefficient for law in laws.values()],
+            _attributes("friction_coefficient"),
+        ),
+    )
+
+
+def acceleration_centers(
+    grid: Grid, rod_angle: float = 45.0, parameters: Parameters = UNIT, processes: int = 1
+) -> xr.Dataset:
+    """Acceleration centres over rod_length, force_angle and inertia_share; cones over rod_length."""
+    dims = ("rod_length", "force_angle", "inertia_share")
+    center, cone = (partial(cell, parameters, rod_angle) for cell in (_center, _acceleration_cones))
+    variables = _tabulate(grid, dims, center, processes)
+    variables |= _tabulate(grid, dims[:1], cone, processes)
+    return _dataset(grid, dims, variables, "Acceleration centres and cones", "Sec. 4")
+
+
+def _limit_point(
+    parameters: Parameters, effects: str, length: float, angle: float, force_angle: float
+) -> Record:
+    slider, resisting = Slider.of(length, angle, **parameters), Effects(effects)
+    force = reference.heading(rational(force_angle))
+    size, spin = reference.limit_point(slider, resisting, force)
+    if resisting is Effects.BOTH:
+        motion = reference.motion_degrees(slider, force, spin)
+    else:
+        motion = reference.motion_angle(slider, force, resisting.shares[0])
+    return {
+        "force": size,
+        "force_x": size * force.x,
+        "force_y": size * force.y,
+        "spin_ratio": spin,
+        "motion_angle": motion,
+    }
+
+
+def _motion_cone(
+    parameters: Parameters, effects: str, length: float, angle: float, mu: float
+) -> Record:
+    slider, resisting = Slider.of(length, angle, **parameters), Effects(effects)
+    forces, motions = cones.friction_cone(mu), cones.motion_cone(slider, resisting, mu)
+    return {
+        "friction_cone_right": forces.right,
+        "friction_cone_left": forces.left,
+        "motion_cone_right": motions.right,
+        "motion_cone_left": motions.left,
+        "pulls": int(cones.pulls(slider, resisting, mu)),
+        "slips_while_pushing": int(cones.slips_while_pushing(slider, resisting, mu)),
+    }
+
+
+def _contact_modes(
+    parameters: Parameters,
+    rod_angle: float,
+    laws: Mapping[str, modes.Law],
+    effects: str,
+    label: str,
+    length: float,
+    magnitude: float,
+    pusher_angle: float,
+) -> Record:
+    slider = Slider.of(length, rod_angle, **parameters)
+    found = modes.contact_modes(slider, Effects(effects), laws[label], magnitude, pusher_angle)
+    ends = [(motions or [modes.REST])[:: max(1, len(motions) - 1)] for motions in found.values()]
+    return {
+        "consistent": [len(motions) for motions in found.values()],
+        "spin_ratio": [each[0].spin_ratio for each in ends],
+        "force_angle": [each[0].force_angle for each in ends],
+        "spin_ratio_fast": [each[-1].spin_ratio for each in ends],
+        "force_angle_fast": [each[-1].force_angle for each in ends],
+        "outcome": modes.outcome(found),
+    }
+
+
+def _center(
+    parameters: Parameters, rod_angle: float, length: float, force_angle: float, share: float
+) -> Record:
+    slider, force = (
+        Slider.of(length, rod_angle, **parameters),
+        reference.heading(rational(force_angle)),
+    )
+    spin = reference.spin_ratio(slider, force, rational(share))
+    x, y = reference.motion_center(slider, force, spin)
+    size = rational(parameters["radius"])
+    motion = reference.motion_angle(slider, force, rational(share))
+    return {"center_x": x * size, "center_y": y * size, "motion_angle": motion}
+
+
+def _acceleration_cones(parameters: Parameters, rod_angle: float, length: float) -> Record:
+    slider = Slider.of(length, rod_angle, **parameters)
+    bound = cones.conservative_cone(slider)
+    exact = cones.motion_cone(slider, Effects.BOTH, modes.INFINITE_FREE.friction_coefficient)
+    return {
+        "conservative_cone_right": bound.right,
+        "conservative_cone_left": bound.left,
+        "exact_cone_right": exact.right,
+        "exact_cone_left": exact.left,
+    }
+
+
+def _tabulate(
+    grid: Grid, dims: tuple[str, ...], cell: Cell, processes: int, inner: tuple[str, ...] = ()
+) -> dict[str, Any]:
+    """Evaluate a cell at every point of the grid; lists in its record run along `inner`."""
+    points = list(itertools.product(*(grid[name] for name in dims)))
+    records = _evaluate(partial(_packed, cell), points, processes)
+    shape = tuple(len(grid[name]) for name in dims)
+    variables = {}
+    for name in records[0]:
+        values = np.array([record[name] for record in records])
+        values = values.astype(np.int8) if values.dtype.kind == "i" else values
+        array = values.reshape(shape + values.shape[1:])
+        variables[name] = (dims + inner[: array.ndim - len(dims)], array)
+    return variables
+
+
+def _evaluate(cell: Callable[[Any], Any], points: Iterable[Any], processes: int) -> list[Any]:
+    if processes == 1:
+        return [cell(point) for point in points]
+    points = list(points)
+    with get_context("spawn").Pool(processes) as pool:
+        return pool.map(cell, points, chunksize=-(-len(points) // (4 * processes)))
+
+
+@precise
+def _packed(cell: Cell, point: tuple[Any, ...]) -> dict[str, Any]:
+    """Record of one point with every ball as midpoint, low part and radius."""
+    packed: dict[str, Any] = {}
+    for name, value in cell(*point).items():
+        first = value[0] if isinstance(value, list) else value
+        if not isinstance(first, arb):
+            packed[name] = value
+            continue
+        parts = (
+            np.array([pack(ball) for ball in value]).T if isinstance(value, list) else pack(value)
+        )
+        packed |= dict(zip((name, f"{name}_low", f"{name}_radius"), parts, strict=True))
+    return packed
+
+
+def _attributes(name: str) -> dict[str, Any]:
+    base, _, part = name.rpartition("_")
+    if part in ("low", "radius") and base:
+        word = {"low": "low part of the midpoint", "radius": "radius of the enclosure"}[part]
+        return {"units": UNITS[base][0], "long_name": f"{UNITS[base][1]}: {word}"}
+    return dict(zip(("units", "long_name"), UNITS[name], strict=True))
+
+
+def _dataset(
+    grid: Grid, dims: tuple[str, ...], variables: dict[str, Any], title: str, source: str
+) -> xr.Dataset:
+    coords = {name: (name, list(grid[name]), _attributes(name)) for name in dims}
+    dataset = xr.Dataset(
+        {name: (*value, _attributes(name)) for name, value in variables.items()}, coords
+    )
+    if "outcome" in dataset:
+        flags = {"flag_values": [0, 1, 2], "flag_meanings": "INCONSISTENT UNIQUE AMBIGUOUS"}
+        dataset["outcome"].attrs |= flags
+    dataset.attrs = {
+        "title": f"{title}, certified",
+        "source": source,
+        "method": "Arb elliptic integrals; roots enclosed by a change of sign between balls",
+        "precision_bits": PRECISION,
+        "python_flint": version("python-flint"),
+        "flint": FLINT_VERSION,
+    }
+    return dataset
+
+
+__all__ = ["acceleration_centers", "contact_modes", "limit_curves", "motion_cones"]

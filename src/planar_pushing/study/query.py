@@ -1,0 +1,49 @@
+"""Pick values out of a dataset by the names of its axes."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.errors import InvalidValue
+
+
+def axis_names(dataset: xr.Dataset) -> list[str]:
+    """Axes, and labels along them, that a query may name."""
+    return sorted(str(name) for name, coord in dataset.coords.items() if coord.ndim == 1)
+
+
+def select(dataset: xr.Dataset, wanted: dict[str, str]) -> xr.Dataset:
+    """Part of a dataset where each named axis has the wanted value.
+
+    Raises
+    ------
+    InvalidValue
+        Where there is no such axis, or no such value on it.
+    """
+    for name, text in wanted.items():
+        if name not in axis_names(dataset):
+            allowed = ", ".join(axis_names(dataset))
+            raise InvalidValue(name, text, f"the axes {allowed}", "name one of the dataset's axes")
+        coord = dataset.coords[name]
+        value = _parse(name, text) if coord.dtype.kind == "f" else text
+        found = np.flatnonzero(coord.values == value)
+        if not found.size:
+            raise InvalidValue(name, text, _listed(coord), "choose a value of the study's grid")
+        dataset = dataset.isel({coord.dims[0]: found[0] if found.size == 1 else found})
+    return dataset
+
+
+def _parse(name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise InvalidValue(name, text, "a number, or inf", "give one number") from None
+
+
+def _listed(coord: xr.DataArray, most: int = 12) -> str:
+    values = [f"{value:g}" if coord.dtype.kind == "f" else str(value) for value in coord.values]
+    values = list(dict.fromkeys(values))
+    if len(values) > most:
+        values = [*values[: most - 1], "...", values[-1]]
+    return ", ".join(values)
