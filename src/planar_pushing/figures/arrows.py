@@ -8,6 +8,8 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch
+from matplotlib.path import Path
+from matplotlib.transforms import Affine2D
 
 from planar_pushing.figures.labels import label
 from planar_pushing.figures.style import ABOVE, CENTER, FORCE, GUIDE, MOTION
@@ -115,16 +117,12 @@ def turning(
     ax: Axes, xy: npt.ArrayLike, sense: float, radius: float, *, color: str = CENTER
 ) -> FancyArrowPatch:
     """Curved motion arrow around a centre, counter-clockwise for a positive `sense`."""
-    at, bend = np.asarray(xy, dtype=float), 1.0 if sense > 0 else -1.0
-    start, stop = at + radius * unit(90 - 80 * bend), at + radius * unit(90 + 80 * bend)
+    arc = Path.arc(-30, 210)
+    path = Path(arc.vertices * [1.0 if sense > 0 else -1.0, 1.0], arc.codes)
     patch = FancyArrowPatch(
-        tuple(start),
-        tuple(stop),
+        path=Affine2D().scale(radius).translate(*np.asarray(xy, dtype=float)).transform_path(path),
         arrowstyle=OPEN_HEAD,
-        connectionstyle=f"arc3,rad={0.8 * bend}",
         mutation_scale=8,
-        shrinkA=0,
-        shrinkB=0,
         linewidth=0.9,
         color=color,
         zorder=ABOVE,

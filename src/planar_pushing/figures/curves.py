@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -104,7 +105,7 @@ def cone_mapping(
 
 def shades(count: int) -> list[tuple[float, ...]]:
     """Colours of an ordered family of force curves, dark to light, told apart in grey as well."""
-    return [tuple(each) for each in matplotlib.colormaps["copper"](np.linspace(0.1, 0.95, count))]
+    return [tuple(each) for each in matplotlib.colormaps["copper"](np.linspace(0.1, 0.82, count))]
 
 
 def number(value: float) -> str:
@@ -117,10 +118,28 @@ def degrees(angle: float) -> str:
     return rf"${angle:.1f}^\circ$"
 
 
-def on_curve(ax: Axes, xy: Array, text: str, color: object) -> None:
-    """Label that interrupts the curve it names."""
+def on_curve(ax: Axes, xy: Array, text: str, color: Any, side: str = "center") -> None:
+    """Label that interrupts the curve it names; `side` is its horizontal alignment."""
     box = {"boxstyle": "round,pad=0.12", "facecolor": "white", "edgecolor": "none"}
-    label(ax, xy, text, color=color, size=NOTE_SIZE, bbox=box, zorder=4)
+    label(ax, xy, text, color=color, size=NOTE_SIZE, bbox=box, zorder=4, ha=side)
+
+
+def family(ax: Axes, data: xr.Dataset, place: float, side: str, bold: float | None = None) -> None:
+    """Force curves of several rod lengths, each interrupted by its length at the angle `place`.
+
+    The first, outermost one carries the symbol too, aligned to `side`; `bold` is the rod length of
+    a curve to draw heavier.
+    """
+    colors = shades(data.sizes["rod_length"])
+    for color, length in zip(colors, data.rod_length.values, strict=True):
+        curve = data.sel(rod_length=length)
+        width = None if bold is None else (1.7 if length == bold else 0.9)
+        ax.plot(curve.force_x, curve.force_y, color=color, linewidth=width, zorder=3)
+        at = curve.sel(force_angle=place)
+        tip = np.array([float(at.force_x), float(at.force_y)])
+        first = length == data.rod_length[0]
+        text = f"$l = {number(length)}$" if first else f"${number(length)}$"
+        on_curve(ax, tip, text, color, side if first else "center")
 
 
 def mapping_panels(
@@ -137,7 +156,7 @@ def mapping_panels(
     for place, title in zip((0.16, 0.5, 0.84), titles, strict=True):
         figure.text(place, 0.97, title, ha="center", va="top", color=DARK)
     for place in (0.335, 0.665):
-        figure.text(place, 0.93, r"$\longrightarrow$", ha="center", va="center", color=GUIDE)
+        figure.text(place, 0.975, r"$\longrightarrow$", ha="center", va="top", color=GUIDE)
     return middle
 
 
@@ -169,9 +188,7 @@ def _cone_panel(
     declutter(ax)
 
 
-def _curve_panel(
-    figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbol: str
-) -> Axes:
+def _curve_panel(figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbol: str) -> Axes:
     """Forces from the origin to the curve, and the motions normal to it there."""
     span = 1.3 * float(np.abs(lines).max())
     ax = schematic(figure, (-span, span, -span, span), rect=(0.33, 0.0, 0.34, 0.9), pad=6)

@@ -136,12 +136,14 @@ def cone(
     """
     paint = color or KIND_COLORS[kind]
     origin = np.asarray(apex, dtype=float)
+    whole = left_deg - right_deg >= 360
+    ends = (0.0, 360.0) if whole else (right_deg, left_deg)
     wedge = Wedge(
-        tuple(origin), radius, right_deg, left_deg, facecolor=paint, alpha=alpha, linewidth=0
+        tuple(origin), radius, *ends, facecolor=paint, alpha=alpha, linewidth=0
     )
     wedge.set_zorder(zorder)
     ax.add_patch(wedge)
-    if left_deg - right_deg < 360:
+    if not whole:
         for edge in (right_deg, left_deg):
             line = np.stack([origin, origin + radius * unit(edge)], axis=1)
             ax.plot(*line, color=paint, linewidth=0.7, zorder=zorder + 0.1)

@@ -15,8 +15,8 @@ from planar_pushing.study.models import FigureEntry
 SOURCES = ("scenes/figure_03",)
 SIZE = (COLUMN_WIDTH, 3.1)
 CAPTION = (
-    "Quasi-static pushing. The support friction of a slider that turns about the velocity center, "
-    "drawn along the ring, balances the force f of the pusher; the pusher moves into the slider."
+    "Quasi-static pulling. The force f passes close by the ring center on its other side: the contact "
+    "sticks although the pusher moves away from the slider."
 )
 LAYERS = (
     scene.body,

@@ -12,15 +12,14 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.curves import (
     ROD_ANGLE,
     curves,
+    family,
     named,
-    number,
     on_curve,
     rod_lengths,
-    shades,
     titled,
 )
-from planar_pushing.figures.drawing import declutter, guide, label, motion_arrow, unit
-from planar_pushing.figures.style import DARK, NOTE_SIZE
+from planar_pushing.figures.drawing import declutter, guide, motion_arrow, unit
+from planar_pushing.figures.style import DARK
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.study.models import FigureEntry
 
@@ -77,14 +76,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     ax.set_ylabel("force normal to the fence, $f_y / W$")
     for angle in data.parallel_angle.values[:2]:
         guide(ax, -SPAN * 0.75 * unit(angle), SPAN * 0.75 * unit(angle), style=":")
-    colors = shades(data.sizes["rod_length"])
-    for color, (length, curve) in zip(colors, data.groupby("rod_length"), strict=True):
-        ax.plot(curve.force_x.squeeze(), curve.force_y.squeeze(), color=color, zorder=3)
-        at = curve.sel(force_angle=LABEL_ANGLE)
-        tip = np.array([float(at.force_x.item()), float(at.force_y.item())])
-        on_curve(ax, tip, f"${number(float(length))}$", color)
-        if length == data.rod_length[0]:
-            label(ax, tip, "$l =$", offset=(-12, 0), color=color, size=NOTE_SIZE)
+    family(ax, data, LABEL_ANGLE, "right")
     ax.plot(data.infinite_rod_x, data.infinite_rod_y, color=DARK, zorder=3)
     _velocities(ax, data)
     on_curve(ax, 0.62 * _far_end(data), r"$\infty$", DARK)

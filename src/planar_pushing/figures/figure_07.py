@@ -10,12 +10,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.curves import ROD_ANGLE, degrees, number, radius, rod_lengths, titled
-from planar_pushing.figures.drawing import cone, fence, label, schematic, slider, unit
+from planar_pushing.figures.drawing import cone, declutter, fence, label, schematic, slider, unit
 from planar_pushing.figures.style import DARK, MOTION, NOTE_SIZE, SLIP
 from planar_pushing.study.models import FigureEntry
 
 SOURCES = ("motion_cones",)
-SIZE = (7.0, 2.2)
+SIZE = (7.0, 1.7)
 CAPTION = (
     "Velocity cones for infinite friction and several rod lengths. Each spans 180 degrees and leans "
     "away from the friction cone (the half plane above the fence): below the fence on its right "
@@ -50,10 +50,11 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         reach = 0.6 * (float(one.rod_length) + ring)
         right = max(center[0] + ring, 1.1 * reach)
         box = (-1.1 * reach, right, min(-0.7 * reach, center[1] - ring), center[1] + ring)
-        ax = schematic(figure, box, rect=(index / count, 0.0, 1 / count, 0.92), pad=12)
+        ax = schematic(figure, box, rect=(index / count, 0.0, 1 / count, 0.95), pad=15)
         slider(ax, center, ring, width=1.6)
         fence(ax, -1.1 * reach, right)
         _cone(ax, one, reach)
+        declutter(ax)
         text = f"$l = {number(float(one.rod_length))}$"
         figure.text((index + 0.5) / count, 0.97, text, ha="center", va="top", color=DARK)
 

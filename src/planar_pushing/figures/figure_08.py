@@ -13,26 +13,19 @@ from planar_pushing.figures.style import COLUMN_WIDTH
 from planar_pushing.study.models import FigureEntry
 
 SOURCES = ("scenes/figure_08",)
-SIZE = (COLUMN_WIDTH, 3.1)
+SIZE = (COLUMN_WIDTH, 3.0)
 CAPTION = (
-    "Quasi-static pushing. The support friction of a slider that turns about the velocity center, "
-    "drawn along the ring, balances the force f of the pusher; the pusher moves into the slider."
+    "Slip with infinite friction. The pusher velocity lies to the left of the shaded velocity cone, so "
+    "the slider slips to the right: f and the slider velocity lie on the left edges of their cones."
 )
-LAYERS = (
-    scene.body,
-    scene.force,
-    scene.line_of_force,
-    scene.motions,
-    scene.center,
-    scene.support_friction,
-)
+LAYERS = (scene.body, scene.motion_cone, scene.force, scene.motions, scene.center)
 
 
 def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:  # noqa: ARG001
-    """Select the solution that sticks."""
+    """Select the solution that slips."""
     return shown(sources[SOURCES[0]])
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:
-    """Draw slider, fence, forces, motion and velocity centre."""
+    """Draw slider, fence, velocity cone, force, and the velocities of pusher, slider and slip."""
     scene.draw_scene(figure, data, LAYERS)

@@ -11,11 +11,10 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.curves import (
     cone_mapping,
     curves,
+    family,
     mapping_panels,
     number,
-    on_curve,
     rod_lengths,
-    shades,
     titled,
 )
 from planar_pushing.figures.drawing import declutter
@@ -53,10 +52,5 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         rf"acceleration cone, $l = {number(float(data.mapped_rod_length))}$",
     )
     ax = mapping_panels(figure, data, list(ellipses), "a", titles)
-    place = int(np.argmin(np.abs(data.force_angle.values - LABEL_ANGLE)))
-    colors = shades(len(ellipses))
-    for color, length, ellipse in zip(colors, data.rod_length.values, ellipses, strict=True):
-        mapped = length == float(data.mapped_rod_length)
-        ax.plot(*ellipse.T, color=color, linewidth=1.6 if mapped else 0.9, zorder=3)
-        on_curve(ax, ellipse[place], f"$l = {number(float(length))}$", color)
+    family(ax, data, LABEL_ANGLE, "left", bold=float(data.mapped_rod_length))
     declutter(ax)

@@ -13,10 +13,10 @@ from planar_pushing.figures.style import COLUMN_WIDTH
 from planar_pushing.study.models import FigureEntry
 
 SOURCES = ("scenes/figure_11",)
-SIZE = (COLUMN_WIDTH, 3.1)
+SIZE = (COLUMN_WIDTH, 3.3)
 CAPTION = (
-    "Quasi-static pushing. The support friction of a slider that turns about the velocity center, "
-    "drawn along the ring, balances the force f of the pusher; the pusher moves into the slider."
+    "Pulling from rest, with support friction and inertia. About an acceleration center on the ring both "
+    "resist along one line, tangent to the ring opposite to the center, whatever their magnitudes."
 )
 LAYERS = (
     scene.body,
@@ -24,7 +24,7 @@ LAYERS = (
     scene.line_of_force,
     scene.motions,
     scene.center,
-    scene.support_friction,
+    scene.moment_arm,
 )
 
 
@@ -34,5 +34,5 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:
-    """Draw slider, fence, forces, motion and velocity centre."""
+    """Draw slider, fence, line of force, acceleration and acceleration centre."""
     scene.draw_scene(figure, data, LAYERS)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.patches import FancyArrowPatch
 from matplotlib.path import Path
 from matplotlib.text import Annotation
@@ -19,7 +20,7 @@ Array = npt.NDArray[np.float64]
 #: Directions around the wanted place, and distances from the point in units of the wanted one.
 TURNS = np.deg2rad([0, 25, -25, 50, -50, 80, -80, 115, -115, 150, -150, 180])
 STRETCHES = (1.0, 1.45, 2.0)
-GAP = 1.2  # points that a label keeps free around itself
+GAP = 2.0  # points that a label keeps free around itself
 
 
 def label(
@@ -34,7 +35,7 @@ def label(
 ) -> Annotation:
     """Write `text`, centred `offset` points from `xy` (data coordinates)."""
     x, y = np.asarray(xy, dtype=float)
-    options = {"ha": "center", "va": "center", "zorder": 10, **text_options}
+    options = {"ha": "center", "va": "center", "zorder": 10, "linespacing": 0.95, **text_options}
     return ax.annotate(
         text,
         (float(x), float(y)),
@@ -100,7 +101,10 @@ def ax_pixels_per_point(text: Annotation) -> float:
 def _line_points(ax: Axes) -> Array:
     """Points along all that is drawn as a line, in display coordinates, about two pixels apart."""
     shapes = [each for each in ax.patches if not each.get_fill() or _is_arrow(each)]
+    strokes = [each for each in ax.collections if isinstance(each, LineCollection)]
     paths = [each.get_transform().transform_path(each.get_path()) for each in [*ax.lines, *shapes]]
+    for each in strokes:
+        paths += [each.get_transform().transform_path(path) for path in each.get_paths()]
     points = [_sampled(path) for path in paths]
     return np.concatenate([np.empty((0, 2)), *points])
 

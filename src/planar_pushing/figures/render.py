@@ -11,14 +11,15 @@ from typing import Any, Protocol, cast
 import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.style import paper_style
+from planar_pushing.figures.style import COLUMN_WIDTH, paper_style
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.files import replacing
-from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.models import FigureEntry, PushEntry, SceneFile
 from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
 
 PathLike = str | os.PathLike[str]
 FIGURES = tuple(f"figure_{number:02d}" for number in range(1, 14))
+SCENE_SIZE = (COLUMN_WIDTH, COLUMN_WIDTH)
 
 #: Metadata that would tell when and by which program version a picture was saved.
 METADATA: dict[str, dict[str, Any]] = {
@@ -66,6 +67,17 @@ def picture(name: str, data: xr.Dataset) -> Figure:
     figure = Figure(figsize=module.SIZE)
     module.draw(figure, data)
     return figure
+
+
+def render_scene(file: SceneFile, push: PushEntry, path: PathLike) -> None:
+    """Draw a scene file under a push, and save it as svg, pdf or png by the end of its name."""
+    # Imported by name: the figures of the paper do not depend on how a scene's dataset is built.
+    scenes = importlib.import_module("planar_pushing.study.datasets.scenes")
+    scene = importlib.import_module("planar_pushing.figures.scene")
+    with paper_style():
+        figure = Figure(figsize=SCENE_SIZE)
+        scene.draw_scene(figure, scenes.scene_dataset(file, push))
+        save(figure, path)
 
 
 def save(figure: Figure, path: PathLike) -> None:

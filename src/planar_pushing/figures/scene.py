@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
 from planar_pushing.figures.sketch import Sketch
-from planar_pushing.figures.style import CENTER, FORCE, GUIDE, NOTE_SIZE, PUSHER, SLIP
+from planar_pushing.figures.style import ABOVE, CENTER, FORCE, GUIDE, NOTE_SIZE, PUSHER, SLIP
 
 Layer = Callable[[Axes, Sketch], None]
 
@@ -45,10 +45,7 @@ def force(ax: Axes, sketch: Sketch) -> None:
 def line_of_force(ax: Axes, sketch: Sketch) -> None:
     """Line on which the pusher's force and the resistance of the slider act."""
     if sketch.moves:
-        along = sketch.force / np.hypot(*sketch.force)
-        past = float(along @ sketch.ring)
-        stop = np.sign(past or 1.0) * (abs(past) + 1.3 * sketch.radius)
-        drawing.guide(ax, (0, 0), stop * along, color=FORCE)
+        drawing.guide(ax, (0, 0), sketch.end_of_line, color=FORCE)
 
 
 def motions(ax: Axes, sketch: Sketch) -> None:
@@ -56,15 +53,22 @@ def motions(ax: Axes, sketch: Sketch) -> None:
     pusher, slider = sketch.drawn_motion(sketch.pusher), sketch.drawn_motion(sketch.motion)
     bold = rf"\mathbf{{{sketch.symbol}}}"
     if sketch.sticks:
-        drawing.motion_arrow(ax, (0, 0), slider, rf"${bold}_s = {bold}_p$")
+        wide = 18.0 * slider[0] / sketch.reach, 9.0 * slider[1] / sketch.reach
+        drawing.motion_arrow(ax, (0, 0), slider, rf"${bold}_s = {bold}_p$", offset=wide)
         return
     drawing.motion_arrow(ax, (0, 0), pusher, rf"${bold}_p$", color=PUSHER)
     if sketch.moves:
         drawing.motion_arrow(ax, (0, 0), slider, rf"${bold}_s$")
         drawing.motion_arrow(
-            ax, pusher, slider - pusher, rf"${bold}_\mathrm{{slip}}$", color=SLIP, at=0.5,
+            ax,
+            pusher,
+            slider - pusher,
+            rf"${bold}_\mathrm{{slip}}$",
+            color=SLIP,
+            at=0.5,
             offset=(0.0, 8.0),
-        )  # fmt: skip
+            zorder=ABOVE - 0.5,
+        )
 
 
 def center(ax: Axes, sketch: Sketch) -> None:
@@ -76,7 +80,7 @@ def center(ax: Axes, sketch: Sketch) -> None:
         drawing.guide(ax, sketch.ring, sketch.center, color=CENTER)
         noun = "acceleration" if sketch.symbol == "a" else "velocity"
         drawing.center_mark(
-            ax, sketch.center, f"{noun}\ncenter", offset=(22 * ahead[0], 16 * ahead[1])
+            ax, sketch.center, f"{noun}\ncenter", offset=(30 * ahead[0], 17 * ahead[1])
         )
     elif np.any(ahead):
         tip = sketch.ring + 1.6 * sketch.radius * ahead
@@ -90,6 +94,13 @@ def center(ax: Axes, sketch: Sketch) -> None:
             color=CENTER,
             size=NOTE_SIZE,
         )
+
+
+def moment_arm(ax: Axes, sketch: Sketch) -> None:
+    """Perpendicular from the ring centre to the line of force."""
+    if sketch.moves:
+        drawing.guide(ax, sketch.ring, sketch.foot, style=":")
+        drawing.dot(ax, sketch.foot, color=FORCE, size=2.8)
 
 
 def support_friction(ax: Axes, sketch: Sketch) -> None:
@@ -109,10 +120,8 @@ def support_friction(ax: Axes, sketch: Sketch) -> None:
 
 def status(ax: Axes, sketch: Sketch) -> None:
     """Say what the contact does."""
-    ax.text(
-        0.5, 0.985, sketch.status, transform=ax.transAxes, ha="center", va="top", fontsize=NOTE_SIZE,
-        color=GUIDE,
-    )  # fmt: skip
+    style = {"ha": "center", "va": "top", "fontsize": NOTE_SIZE, "color": GUIDE}
+    ax.text(0.5, 0.985, sketch.status, transform=ax.transAxes, **style)
 
 
 LAYERS: tuple[Layer, ...] = (

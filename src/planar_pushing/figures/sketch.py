@@ -100,12 +100,25 @@ class Sketch:
     @property
     def reach(self) -> float:
         """Length at which the longest motion is drawn."""
-        return 0.34 * self.span
+        return 0.38 * self.span
 
     @property
     def drawn_force(self) -> Array:
         size = float(np.hypot(*self.force))
         return 1.15 * self.reach * self.force / size if size else self.force
+
+    @property
+    def foot(self) -> Array:
+        """Point of the line of force that is nearest to the ring centre."""
+        size = float(np.hypot(*self.force)) or 1.0
+        return np.asarray((self.force @ self.ring) * self.force / size**2)
+
+    @property
+    def end_of_line(self) -> Array:
+        """Where the line of force is drawn to: past the slider."""
+        past = float(self.force @ self.ring) < 0
+        size = float(np.hypot(*self.force)) or 1.0
+        return np.asarray(self.foot + (-1 if past else 1) * 1.2 * self.radius * self.force / size)
 
     def drawn_motion(self, motion: Array) -> Array:
         longest = max(float(np.hypot(*self.pusher)), float(np.hypot(*self.motion)))
@@ -166,6 +179,7 @@ class Sketch:
         corners = self.radius * np.array([[-1.0, -1.0], [1.0, 1.0]])
         points = [np.zeros(2), *(self.ring + corners), self.drawn_force]
         points += [self.drawn_motion(self.pusher), self.drawn_motion(self.motion)]
+        points += [self.end_of_line] if self.moves else []
         points += [np.array([sign * 0.7 * self.reach, -0.15 * self.reach]) for sign in (-1.0, 1.0)]
         if self.center_is_near:
             points.append(self.center)

@@ -64,6 +64,8 @@ def load_study(path: PathLike) -> StudyFile:
 def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     """Write a scene file that `load_scene` reads back as the same scene.
 
+    A rod angle that no number of degrees turns into comes back within one unit in the last place.
+
     Raises
     ------
     InvalidValue
@@ -90,8 +92,9 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
 def _degrees(radians: float) -> float:
     """Degrees that `np.deg2rad` turns back into the same radians, the shortest such number."""
     degrees = float(np.rad2deg(radians))
-    short = (float(f"{degrees:.{digits}g}") for digits in range(1, 18))
-    return next((each for each in short if np.deg2rad(each) == radians), degrees)
+    short = [float(f"{degrees:.{digits}g}") for digits in range(1, 18)]
+    beside = [float(np.nextafter(degrees, end)) for end in (0.0, 180.0)]
+    return next((each for each in short + beside if np.deg2rad(each) == radians), degrees)
 
 
 def _contact_entry(scene: Scene) -> dict[str, Any]:

@@ -12,12 +12,12 @@ torque cancels for small k. There a Landen step, m -> q^2 with ``q = (1 - k') / 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 import numpy.typing as npt
-from scipy.interpolate import CubicHermiteSpline
 from scipy.special import ellipe, ellipkm1
 
 from planar_pushing.mechanics.effects.base import isotropic_wrench
@@ -91,11 +91,15 @@ def _inner_slope(k: Array) -> Array:
 
 
 @cache
-def _first_guess() -> CubicHermiteSpline:
+def _first_guess() -> Callable[[Array], Array]:
     """k as a function of H on [0, 1]: H's graph read sideways, with nodes that crowd towards 1."""
+    # Importing it takes longer than the rest of the mechanics, and many jobs never invert H.
+    from scipy.interpolate import CubicHermiteSpline
+
     k = np.append(np.linspace(0, 0.9, 128), 1 - np.append(np.geomspace(0.09, 1e-15, 160), 0))
     force, torque = _inner_profile(k)
-    return CubicHermiteSpline(torque / force, k, 1 / _inner_slope(k))
+    spline: Callable[[Array], Array] = CubicHermiteSpline(torque / force, k, 1 / _inner_slope(k))
+    return spline
 
 
 def _inner_spin_ratio(arm: Array) -> Array:

@@ -1,0 +1,65 @@
+"""Planar pushing: pulling by pushing, slip with infinite friction, and the mechanics behind them."""
+
+from .mechanics.angles import AngleInterval
+from .mechanics.centers import (
+    conservative_motion_cone,
+    motion_centers,
+)
+from .mechanics.cones import (
+    can_pull,
+    friction_cone,
+    motion_angle,
+    motion_cone,
+    slips_while_pushing,
+    spin_ratio,
+)
+from .mechanics.contact import (
+    ContactMode,
+    Coulomb,
+    InfiniteFriction,
+    Outcome,
+    PerfectlyRough,
+)
+from .mechanics.effects import Inertia, RingFriction
+from .mechanics.errors import (
+    InvalidFile,
+    InvalidValue,
+    PlanarPushingError,
+)
+from .mechanics.limit_curve import LimitCurve, limit_curve
+from .mechanics.scene import Scene, Slider
+from .mechanics.solve import Solution, Solutions, solve
+from .study.files import load_scene, save_scene
+from .study.store import open_dataset
+
+__all__ = [
+    "AngleInterval",
+    "ContactMode",
+    "Coulomb",
+    "Inertia",
+    "InfiniteFriction",
+    "InvalidFile",
+    "InvalidValue",
+    "LimitCurve",
+    "Outcome",
+    "PerfectlyRough",
+    "PlanarPushingError",
+    "RingFriction",
+    "Scene",
+    "Slider",
+    "Solution",
+    "Solutions",
+    "can_pull",
+    "conservative_motion_cone",
+    "friction_cone",
+    "limit_curve",
+    "load_scene",
+    "motion_angle",
+    "motion_centers",
+    "motion_cone",
+    "open_dataset",
+    "save_scene",
+    "slips_while_pushing",
+    "solve",
+    "spin_ratio",
+]
