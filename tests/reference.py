@@ -7,13 +7,12 @@ the elliptic forms are there for wide sweeps and are themselves checked against 
 
 from __future__ import annotations
 
-import mpmath
 from mpmath import mp, mpf
 
 mp.dps = 30
 
 #: Half of an integrand's digits may cancel next to the singular point (k = 1, theta = pi).
-QUADRATURE_DIGITS = 40
+QUADRATURE_DIGITS = 32
 
 
 def _breaks(k: mpf) -> list[mpf]:
@@ -26,7 +25,9 @@ def _breaks(k: mpf) -> list[mpf]:
         steps.append(step)
         step /= 8
     if k > 0:
-        return sorted({mpf(0), mp.pi, 2 * mp.pi, *(mp.pi + a for a in steps), *(mp.pi - a for a in steps)})
+        return sorted(
+            {mpf(0), mp.pi, 2 * mp.pi, *(mp.pi + a for a in steps), *(mp.pi - a for a in steps)}
+        )
     return sorted({mpf(0), mp.pi, 2 * mp.pi, *steps, *(2 * mp.pi - a for a in steps)})
 
 
@@ -82,7 +83,7 @@ def eq_07_spin_ratio(length, phi, psi):
 
     # H(k) lies between k / 2 and k inside the ring, between k and 2 k outside of it.
     guess = (1.5 if abs(arm) < 1 else 0.75) * arm
-    return mp.findroot(torque, (guess, 0.9 * guess), tol=mpf(10) ** -40)
+    return mp.findroot(torque, (guess, 0.9 * guess), tol=mpf(10) ** -36)
 
 
 def eq_08_to_10_acceleration(fx, fy, length, psi):
@@ -142,11 +143,19 @@ def moment_arm(length, phi, psi):
 
 
 def _bracketed(function, low, high):
+    """Root in [low, high] to 24 digits of itself."""
     if low == high or function(low) == 0:
         return low
     if function(high) == 0:
         return high
-    return mp.findroot(function, (low, high), solver="anderson", tol=mpf(10) ** -70, verify=False, maxsteps=200)
+    part = mp.findroot(
+        lambda part: function(min(low * part, high)),
+        (mpf(1), high / low),
+        solver="anderson",
+        tol=mpf(10) ** -24,
+        verify=False,
+    )
+    return low * part
 
 
 def friction_spin_ratio(arm):
@@ -155,7 +164,9 @@ def friction_spin_ratio(arm):
     if size in (0, 1):
         return mpf(arm)
     inner = min(size, 1 / size)
-    k = _bracketed(lambda k: _inner_torque(k) - inner * _inner_force(k), inner, min(2 * inner, mpf(1)))
+    k = _bracketed(
+        lambda k: _inner_torque(k) - inner * _inner_force(k), inner, min(2 * inner, mpf(1))
+    )
     return mp.sign(arm) * (k if size < 1 else 1 / k)
 
 
@@ -168,9 +179,7 @@ def mixed_spin_ratio(arm, s, rho=1):
     """k with (t + s rho^2 k) / (f + s) = arm, both effects starting from rest (Sec. 4)."""
     size, s, rho = abs(mpf(arm)), mpf(s), mpf(rho)
     ends = sorted((friction_spin_ratio(size), inertia_spin_ratio(size, rho)))
-    k = _bracketed(
-        lambda k: ring_torque(k) - size * ring_force(k) + s * (rho**2 * k - size), *ends
-    )
+    k = _bracketed(lambda k: ring_torque(k) - size * ring_force(k) + s * (rho**2 * k - size), *ends)
     return mp.sign(arm) * k
 
 

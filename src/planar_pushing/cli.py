@@ -101,8 +101,11 @@ def _table(found: xr.Dataset) -> str:
 def _draw(args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.figures.render import render_scene
 
-    if args.pusher_angle is None and args.force_angle is None:
+    angles = args.pusher_angle, args.force_angle
+    if angles == (None, None):
         args.pusher_angle = 90.0
+    elif None not in angles:
+        raise InvalidValue("pusher_angle, force_angle", angles, "one of them", "leave one out")
     push = PushEntry(
         file=str(args.scene),
         pusher_angle=args.pusher_angle,
@@ -191,3 +194,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     print(json.dumps(_plain(result), indent=2) if args.json else _text(result))
     return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from mpmath import mp
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
 
 import planar_pushing as pp
 import reference
 from planar_pushing.mechanics.planar import direction
+from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
 
 RING_CENTER = np.zeros(2)
 
@@ -137,7 +137,9 @@ def test_center_on_the_ring_is_found_by_solve():
     tangent = PSI - np.arcsin(1 / 5)
     pusher = float(pp.motion_angle(scene, tangent, 0.5))
     for magnitude in (0.01, 1.0, 100.0):
-        stick = next(s for s in pp.solve(scene, pusher, magnitude) if s.mode is pp.ContactMode.STICK)
+        stick = next(
+            s for s in pp.solve(scene, pusher, magnitude) if s.mode is pp.ContactMode.STICK
+        )
         assert stick.spin_ratio == pytest.approx(1.0, abs=1e-12)
         assert np.arctan2(*stick.force[::-1]) == pytest.approx(tangent, abs=1e-12)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from mpmath import mp
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
 
 import planar_pushing as pp
 import reference
 from planar_pushing.mechanics.planar import direction
+from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
 
 LENGTHS = [0.25, 0.5, 1.0, 2.0, 5.0, 10.0]
 TURN = np.linspace(0, 2 * np.pi, 721)
@@ -88,7 +88,9 @@ def test_limit_curves_are_not_ellipses(length):
 
 def test_limit_curve_tends_to_a_circle_for_a_short_rod():
     """Sec. 3, Fig. 5: l -> 0, quadratically in l."""
-    gaps = [np.ptp(pp.limit_curve(make_scene(length), TURN).magnitude) for length in (1e-1, 1e-2, 0)]
+    gaps = [
+        np.ptp(pp.limit_curve(make_scene(length), TURN).magnitude) for length in (1e-1, 1e-2, 0)
+    ]
     assert gaps[0] == pytest.approx(1e-2, rel=0.03)
     assert gaps[1] == pytest.approx(1e-4, rel=3e-4)
     assert gaps[2] == 0

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from mpmath import mp
-from unit.builders import FRICTION, INERTIA, PSI, make_scene
 
 import planar_pushing as pp
 import reference
+from unit.builders import FRICTION, INERTIA, PSI, make_scene
 
 TABLE = [
     (2.0, 2.0, FRICTION, -20.038457551638, 140.16416973393),
@@ -34,7 +34,9 @@ def test_motion_cones(length, mu, effects, right, left):
 @EVERY_ROW
 def test_reference_motion_cones(length, mu, effects, right, left):
     """The transcription has the same values: the table and the code are not wrong together."""
-    angle = reference.friction_motion_angle if effects == FRICTION else reference.inertia_motion_angle
+    angle = (
+        reference.friction_motion_angle if effects == FRICTION else reference.inertia_motion_angle
+    )
     half = mp.pi / 2 if np.isinf(mu) else mp.atan(mu)
     edges = [mp.degrees(angle(length, mp.pi / 2 + side * half, mp.pi / 4)) for side in (-1, 1)]
     assert [float(edge) for edge in edges] == pytest.approx([right, left], rel=1e-13)

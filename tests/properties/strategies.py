@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 from hypothesis import strategies as st
-from unit.builders import make_scene
 
 import planar_pushing as pp
+from unit.builders import make_scene
 
 
 def powers(low, high):

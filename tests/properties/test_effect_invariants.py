@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from properties.strategies import masses, powers, rings, spin_ratios, twists
 
 import planar_pushing as pp
+from properties.strategies import masses, powers, rings, spin_ratios, twists
 
 any_effect = st.one_of(rings, masses)
 

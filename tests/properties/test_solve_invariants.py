@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scipy.special import ellipe, ellipkm1, hyp2f1
+
+import planar_pushing as pp
 from properties.strategies import (
     both,
     coefficients,
@@ -18,12 +21,9 @@ from properties.strategies import (
     rod_angles,
     scenes,
 )
-from scipy.special import ellipe, ellipkm1, hyp2f1
 from unit.builders import make_scene, names
 
-import planar_pushing as pp
-
-FEW = settings(max_examples=40)
+FEW = settings(max_examples=30)
 
 
 def replace_effects(scene, effects):
@@ -213,10 +213,10 @@ class Scan:
     """Motions under a force on one edge, by brute force over the magnitude of the motion."""
 
     def __init__(self, length, psi, phi, rho):
-        self.s = np.logspace(-6, 6, 3001)  # m a / W
+        self.s = np.logspace(-6, 6, 2001)  # m a / W
         arm = length * np.sin(psi - phi)
         low, high = np.full_like(self.s, 1e-7), np.full_like(self.s, 1e7)
-        for _ in range(60):
+        for _ in range(50):
             k = np.sqrt(low * high)
             force, torque = friction_profile(k)
             below = torque + self.s * rho**2 * k < abs(arm) * (force + self.s)
@@ -266,7 +266,7 @@ def check_against_scan(length, psi, mu, weight, mass, rho, rightward, index, off
 @FEW
 @given(
     powers(-0.5, 1), rod_angles, st.one_of(st.just(np.inf), powers(-1, 2)), powers(-1, 1),
-    powers(-1, 1), powers(-0.7, 0.7), st.booleans(), st.integers(600, 2400), st.integers(0, 2),
+    powers(-1, 1), powers(-0.7, 0.7), st.booleans(), st.integers(400, 1600), st.integers(0, 2),
 )  # fmt: skip
 def test_scan_finds_no_slip_that_solve_misses(
     length, psi, mu, weight, mass, rho, rightward, index, offset
@@ -278,7 +278,7 @@ def test_scan_finds_no_slip_that_solve_misses(
 @FEW
 @given(
     powers(-0.3, 1), st.floats(0.2, 1.3), st.floats(0.05, 0.9), st.floats(-0.8, 3), powers(-1, 1),
-    powers(-1, 1), st.booleans(), st.integers(600, 2400), st.integers(0, 2),
+    powers(-1, 1), st.booleans(), st.integers(400, 1600), st.integers(0, 2),
 )  # fmt: skip
 def test_scan_finds_no_slip_that_solve_misses_where_the_normal_motion_turns(
     length, psi, lean, beyond, weight, mass, mirrored, index, offset

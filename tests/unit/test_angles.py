@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from unit.builders import PSI
 
 import planar_pushing as pp
 from planar_pushing.mechanics.planar import (
@@ -14,6 +13,7 @@ from planar_pushing.mechanics.planar import (
     moment_arm,
     motion_center,
 )
+from unit.builders import PSI
 
 
 def test_closed_interval_contains_its_edges_and_every_turn_of_them():

@@ -6,10 +6,10 @@ import dataclasses
 
 import numpy as np
 import pytest
-from unit.builders import BOTH, PSI, make_scene, names
 
 import planar_pushing as pp
 from planar_pushing.mechanics.contact.laws import friction_coefficient
+from unit.builders import BOTH, PSI, make_scene, names
 
 PHI = np.linspace(0, np.pi, 13)
 SPLIT_RING = (pp.RingFriction(weight=0.5), pp.RingFriction(weight=1.5))
@@ -38,7 +38,9 @@ def test_parts_map_forces_to_motions_like_their_sum(parts, whole, length):
     share = 0.4 if len({effect.degree for effect in whole}) == 2 else None
     expected = pp.motion_angle(other, PHI, share)
     assert pp.motion_angle(one, PHI, share) == pytest.approx(expected, abs=1e-13)
-    assert pp.spin_ratio(one, PHI, share) == pytest.approx(pp.spin_ratio(other, PHI, share), rel=1e-13)
+    assert pp.spin_ratio(one, PHI, share) == pytest.approx(
+        pp.spin_ratio(other, PHI, share), rel=1e-13
+    )
 
 
 @EVERY_SUM
@@ -46,7 +48,9 @@ def test_parts_map_forces_to_motions_like_their_sum(parts, whole, length):
 def test_parts_have_the_cones_and_curves_of_their_sum(parts, whole, length):
     one, other = (make_scene(length, 2.0, effects) for effects in (parts, whole))
     cones = pp.motion_cone(one), pp.motion_cone(other)
-    assert [cones[0].right, cones[0].left] == pytest.approx([cones[1].right, cones[1].left], abs=1e-13)
+    assert [cones[0].right, cones[0].left] == pytest.approx(
+        [cones[1].right, cones[1].left], abs=1e-13
+    )
     assert cones[0].closed == cones[1].closed
     curves = pp.limit_curve(one, PHI), pp.limit_curve(other, PHI)
     assert curves[0].magnitude == pytest.approx(curves[1].magnitude, rel=1e-13)
@@ -57,7 +61,8 @@ def test_parts_have_the_cones_and_curves_of_their_sum(parts, whole, length):
 @pytest.mark.parametrize("degrees", [-8.0, 20.0, 80.0, 150.0, 175.0])
 def test_parts_solve_like_their_sum(parts, whole, degrees):
     one, other = (
-        pp.solve(make_scene(2.0, 2.0, effects), np.deg2rad(degrees), 0.7) for effects in (parts, whole)
+        pp.solve(make_scene(2.0, 2.0, effects), np.deg2rad(degrees), 0.7)
+        for effects in (parts, whole)
     )
     assert names(one) == names(other)
     for a, b in zip(one, other, strict=True):

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from unit.builders import BOTH, DEFINITION_2, EFFECT_SETS, PSI, make_scene, names
 
 import planar_pushing as pp
 from planar_pushing.mechanics.centers import conservative_spin_ratios, exact_spin_ratios
 from planar_pushing.mechanics.planar import direction
 from planar_pushing.mechanics.solve import candidates, outcomes
+from unit.builders import BOTH, DEFINITION_2, EFFECT_SETS, PSI, make_scene, names
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 EVERY_LAW = pytest.mark.parametrize(
@@ -69,10 +69,14 @@ def test_pusher_angle_is_taken_modulo_a_turn(effects):
     scene = make_scene(2.0, 2.0, effects)
     for angle in (-0.1, 1.0, 3.0):
         for turns in (-1, 2):
-            assert names(pp.solve(scene, angle + 2 * np.pi * turns)) == names(pp.solve(scene, angle))
+            assert names(pp.solve(scene, angle + 2 * np.pi * turns)) == names(
+                pp.solve(scene, angle)
+            )
 
 
-@pytest.mark.parametrize("law", [pp.Coulomb(2.0), pp.InfiniteFriction(), pp.PerfectlyRough()], ids=str)
+@pytest.mark.parametrize(
+    "law", [pp.Coulomb(2.0), pp.InfiniteFriction(), pp.PerfectlyRough()], ids=str
+)
 def test_motion_cone_is_closed_like_its_friction_cone_unless_it_is_a_union(law):
     for effects in EFFECT_SETS.values():
         closed = pp.motion_cone(make_scene(2.0, law, effects)).closed

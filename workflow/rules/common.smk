@@ -1,12 +1,32 @@
-# The study, validated before any job starts, and what all rules use.
+# The study, validated before any job starts, and what the rules look up in it.
 from snakemake.exceptions import WorkflowError
 
+from planar_pushing.figures.catalog import FIGURES
 from planar_pushing.mechanics.errors import PlanarPushingError
 from planar_pushing.study.files import load_study
 from planar_pushing.study.jobs import modules
+from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import DATASETS
 
 STUDY_FILE = config.get("study", "workflow/config/paper.yaml")
 try:
     STUDY = load_study(STUDY_FILE)
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
+
+
+def scene_files(wildcards):
+    """Scene files that a dataset reads."""
+    return [push.file for push in STUDY.scenes.values()] if wildcards.dataset == "scenes" else []
+
+
+def dataset_files(wildcards):
+    """Datasets that a figure is drawn from."""
+    names = {source.partition("/")[0] for source in FIGURES[wildcards.figure]}
+    return [f"results/data/{name}.nc" for name in sorted(names)]
+
+
+def figure_settings(wildcards):
+    """The study's values for a figure."""
+    return STUDY.figures.get(wildcards.figure, FigureEntry()).model_dump()

@@ -1,15 +1,7 @@
 # The datasets, one job each: a grid is vectorised inside its job.
-from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import DATASETS
-
-
 rule data:
     input:
         expand("results/data/{dataset}.nc", dataset=DATASETS),
-
-
-def scene_files(wildcards):
-    return [push.file for push in STUDY.scenes.values()] if wildcards.dataset == "scenes" else []
 
 
 rule dataset:

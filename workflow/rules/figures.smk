@@ -1,3 +1,33 @@
+# The figures: first the numbers that each plots, then the picture in three formats, from them alone.
 rule figures:
     input:
-        [],
+        expand("results/figures/{figure}.{kind}", figure=FIGURES, kind=["svg", "pdf", "png"]),
+
+
+rule figure:
+    input:
+        data=dataset_files,
+        modules=lambda wildcards: modules(f"figures.{wildcards.figure}", "figures.render"),
+        style="src/planar_pushing/figures/paper.mplstyle",
+    output:
+        data="results/figures/data/{figure}.nc",
+        svg=report(
+            "results/figures/{figure}.svg",
+            category="Figures",
+            caption="../report/figure.rst",
+            labels={"figure": "{figure}"},
+        ),
+        pdf="results/figures/{figure}.pdf",
+        png="results/figures/{figure}.png",
+    wildcard_constraints:
+        figure=r"figure_\d\d",
+    params:
+        settings=figure_settings,
+    log:
+        "results/logs/figures/{figure}.log",
+    benchmark:
+        "results/benchmarks/figures/{figure}.tsv"
+    message:
+        "Drawing {wildcards.figure}"
+    script:
+        "../scripts/figure.py"

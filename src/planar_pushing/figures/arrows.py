@@ -118,7 +118,7 @@ def turning(
 ) -> FancyArrowPatch:
     """Curved motion arrow around a centre, counter-clockwise for a positive `sense`."""
     arc = Path.arc(-30, 210)
-    path = Path(arc.vertices * [1.0 if sense > 0 else -1.0, 1.0], arc.codes)
+    path = Path(np.asarray(arc.vertices) * [1.0 if sense > 0 else -1.0, 1.0], arc.codes)
     patch = FancyArrowPatch(
         path=Affine2D().scale(radius).translate(*np.asarray(xy, dtype=float)).transform_path(path),
         arrowstyle=OPEN_HEAD,

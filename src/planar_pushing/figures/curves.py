@@ -30,6 +30,8 @@ from planar_pushing.study.models import FigureEntry
 
 #: The paper's rod angle, degrees; the datasets over other angles are cut there.
 ROD_ANGLE = 45.0
+#: Ends of curves that close on themselves.
+BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}
 
 
 def rod_lengths(settings: FigureEntry, default: tuple[float, ...]) -> tuple[float, ...]:
@@ -75,25 +77,26 @@ def cone_mapping(
 ) -> xr.Dataset:
     """Forces of a friction cone and the motions they map to: its edges, and angles inside it.
 
-    `where` names effects, rod length and friction coefficient. The cone's edges lie between the
-    curve's samples, so their forces are interpolated; their motions are the motion cone's.
+    `where` names effects, rod length and friction coefficient.
     """
-    edges = motion_cones.sel(rod_angle=ROD_ANGLE, **where)
+    edges = motion_cones.sel({"rod_angle": ROD_ANGLE, **where})
     on = {name: value for name, value in where.items() if name != "friction_coefficient"}
-    curve = limit_curves.sel(rod_angle=ROD_ANGLE, **on)
+    curve = limit_curves.sel({"rod_angle": ROD_ANGLE, **on})
     right, left = float(edges.friction_cone_right), float(edges.friction_cone_left)
     between = [angle for angle in inside if right < angle < left]
     angle = np.array([right, *between, left])
-    motion = [float(curve.motion_angle.sel(force_angle=each)) for each in between]
-    motion = [float(edges.motion_cone_right), *motion, float(edges.motion_cone_left)]
-    magnitude = np.interp(angle, curve.force_angle, curve.force)
+    within = curve.sel(force_angle=between)
+    motion = [edges.motion_cone_right, *within.motion_angle, edges.motion_cone_left]
+    magnitude = np.array([edges.limit_force_right, *within.force, edges.limit_force_left])
     tip = magnitude[:, None] * direction(np.deg2rad(angle))
     return xr.Dataset(
         {
             "mapped_force_x": named("map", tip[:, 0], "force", "mapped force along the fence"),
             "mapped_force_y": named("map", tip[:, 1], "force", "mapped force normal to the fence"),
             "mapped_force_angle": named("map", angle, "degree", "angle of the mapped force"),
-            "mapped_motion_angle": named("map", motion, "degree", "angle of the motion it causes"),
+            "mapped_motion_angle": named(
+                "map", np.array(motion), "degree", "angle of the motion it causes"
+            ),
             "mapped_rod_length": named(
                 (), where["rod_length"], "length", "rod length of the mapping"
             ),
@@ -134,8 +137,8 @@ def family(ax: Axes, data: xr.Dataset, place: float, side: str, bold: float | No
     for color, length in zip(colors, data.rod_length.values, strict=True):
         curve = data.sel(rod_length=length)
         width = None if bold is None else (1.7 if length == bold else 0.9)
-        ax.plot(curve.force_x, curve.force_y, color=color, linewidth=width, zorder=3)
-        at = curve.sel(force_angle=place)
+        ax.plot(curve.force_x, curve.force_y, color=color, linewidth=width, **BUTT)
+        at = curve.sel(force_angle=place, method="nearest")
         tip = np.array([float(at.force_x), float(at.force_y)])
         first = length == data.rod_length[0]
         text = f"$l = {number(length)}$" if first else f"${number(length)}$"

@@ -6,6 +6,8 @@ points.
 
 from __future__ import annotations
 
+from typing import cast
+
 import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
@@ -72,7 +74,7 @@ def schematic(
 def fit(ax: Axes, box: tuple[float, float, float, float], *, pad: float = 12.0) -> None:
     """Set limits of equal aspect that show `box`, centred, with at least `pad` points around it."""
     xmin, xmax, ymin, ymax = box
-    figure = ax.get_figure(root=True)
+    figure = cast(Figure, ax.get_figure(root=True))
     place = ax.get_position(original=True)
     size = figure.get_size_inches() * [place.width, place.height]
     room = np.maximum(size - 2 * pad / 72, 0.1 * size)
@@ -138,9 +140,7 @@ def cone(
     origin = np.asarray(apex, dtype=float)
     whole = left_deg - right_deg >= 360
     ends = (0.0, 360.0) if whole else (right_deg, left_deg)
-    wedge = Wedge(
-        tuple(origin), radius, *ends, facecolor=paint, alpha=alpha, linewidth=0
-    )
+    wedge = Wedge(tuple(origin), radius, *ends, facecolor=paint, alpha=alpha, linewidth=0)
     wedge.set_zorder(zorder)
     ax.add_patch(wedge)
     if not whole:
@@ -184,8 +184,7 @@ def center_mark(
 ) -> None:
     """Motion centre: a circle with a dot."""
     at = np.asarray(xy, dtype=float)
-    ring = {"markerfacecolor": "white", "markeredgecolor": color, "markeredgewidth": 1.0}
-    ax.plot(*at, "o", markersize=size, zorder=ABOVE + 1, **ring)
+    ax.plot(*at, "o", color=color, markersize=size, mfc="white", mew=1.0, zorder=ABOVE + 1)
     ax.plot(*at, "o", color=color, markersize=0.3 * size, zorder=ABOVE + 2)
     if text:
         label(ax, at, text, offset=offset, color=color)

@@ -98,9 +98,11 @@ def _lengths(ax: Axes, ring: np.ndarray, psi: float) -> None:
     aside = drawing.unit(psi - 90)
     drawing.label(ax, 0.55 * ring, "$l$", offset=(8 * aside[0], 8 * aside[1]))
     drawing.guide(ax, ring, ring + RADIUS * drawing.unit(0), color=DARK, style="-")
-    drawing.label(ax, ring + [0.5 * RADIUS, 0], "$1$", offset=(0.0, 7.0))
+    drawing.label(ax, ring + 0.5 * RADIUS * drawing.unit(0), "$1$", offset=(0.0, 7.0))
     drawing.label(ax, (0, 0), r"$\mu$", offset=(0.0, -13.0))
-    drawing.label(ax, ring + [0, RADIUS], "slider", offset=(0.0, -12.0), size=NOTE_SIZE)
+    drawing.label(
+        ax, ring + RADIUS * drawing.unit(90), "slider", offset=(0.0, -12.0), size=NOTE_SIZE
+    )
     drawing.label(ax, (-1.6, 0), "pusher", offset=(0.0, -13.0), size=NOTE_SIZE)
     corner = (ring[0] + 0.1, 0.0)
     drawing.coordinate_axes(ax, corner, 0, 0.6, ("$x$", "$y$"), color=GUIDE)

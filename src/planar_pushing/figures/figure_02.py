@@ -13,9 +13,9 @@ from planar_pushing.figures.style import COLUMN_WIDTH
 from planar_pushing.study.models import FigureEntry
 
 SOURCES = ("scenes/figure_02",)
-SIZE = (COLUMN_WIDTH, 3.1)
+SIZE = (COLUMN_WIDTH, 2.8)
 CAPTION = (
-    "Quasi-static pushing. The support friction of a slider that turns about the velocity center, "
+    "Quasi-static pushing. The support friction of a slider that turns about the velocity centre, "
     "drawn along the ring, balances the force f of the pusher; the pusher moves into the slider."
 )
 LAYERS = (

@@ -15,7 +15,7 @@ from planar_pushing.study.models import FigureEntry
 SOURCES = ("scenes/figure_03",)
 SIZE = (COLUMN_WIDTH, 3.1)
 CAPTION = (
-    "Quasi-static pulling. The force f passes close by the ring center on its other side: the contact "
+    "Quasi-static pulling. The force f passes close by the ring centre on its other side: the contact "
     "sticks although the pusher moves away from the slider."
 )
 LAYERS = (

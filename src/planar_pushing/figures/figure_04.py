@@ -16,8 +16,8 @@ from planar_pushing.study.models import FigureEntry
 SOURCES = ("scenes/figure_02",)
 SIZE = (COLUMN_WIDTH, 3.0)
 CAPTION = (
-    "Coordinates: x-y on the pusher, x'-y' on the ring center with y' along the force f. The velocity "
-    "center lies on the x' axis."
+    "Coordinates: x-y on the pusher, x'-y' on the ring centre with y' along the force f. The velocity "
+    "centre lies on the x' axis."
 )
 
 
@@ -38,7 +38,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     drawing.fence(ax, -0.9, 0.8 * long, depth=0.14 * radius)
     drawing.slider(ax, ring, radius)
     drawing.coordinate_axes(ax, (0, 0), 0, 1.2 * long, ("$x$", "$y$"), color=DARK)
-    drawing.coordinate_axes(ax, ring, phi - 90, long, ("$x'$", "$y'$"), color=DARK)
+    drawing.coordinate_axes(ax, ring, phi - 90, long, ("$x$\N{PRIME}", "$y$\N{PRIME}"), color=DARK)
     drawing.force_arrow(ax, (0, 0), 1.6 * drawing.unit(phi), r"$\mathbf{f}$")
     drawing.angle_arc(ax, (0, 0), 0, phi, 0.7, r"$\phi$", color=FORCE, at=0.3)
     aside = drawing.unit(phi)

@@ -8,7 +8,15 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.curves import cone_mapping, curves, mapping_panels, number, titled
+from planar_pushing.figures.curves import (
+    BUTT,
+    cone_mapping,
+    curves,
+    mapping_panels,
+    number,
+    rod_lengths,
+    titled,
+)
 from planar_pushing.figures.drawing import declutter
 from planar_pushing.figures.style import DARK
 from planar_pushing.study.models import FigureEntry
@@ -27,7 +35,7 @@ INSIDE = (45.0, 90.0)
 
 def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select the limit curve and the forces and velocities of the mapping."""
-    length = settings.rod_length if isinstance(settings.rod_length, float) else 2.0
+    length = rod_lengths(settings, (2.0,))[0]
     data = curves(sources["limit_curves"], "support_friction", (length,)).squeeze("rod_length")
     friction = 2.0 if settings.friction_coefficient is None else settings.friction_coefficient
     where = {
@@ -48,5 +56,5 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         "velocity cone",
     )
     ax = mapping_panels(figure, data, [curve], "v", titles)
-    ax.plot(*curve.T, color=DARK, zorder=3)
+    ax.plot(*curve.T, color=DARK, **BUTT)
     declutter(ax)

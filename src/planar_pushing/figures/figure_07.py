@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -64,9 +65,11 @@ def _cone(ax: Axes, one: xr.Dataset, reach: float) -> None:
     right, left = float(one.motion_cone_right), float(one.motion_cone_left)
     cone(ax, (0, 0), left, 180.0, 0.8 * reach, "motion", color=SLIP, alpha=0.35, zorder=0.3)
     cone(ax, (0, 0), right, left, reach, "motion")
-    for edge in (right, left):
-        shift = (8 * float(unit(edge)[0]), 8.0 if edge > 90 else -6.0)
-        label(ax, reach * unit(edge), degrees(edge), offset=shift, color=MOTION, size=NOTE_SIZE)
+    note: dict[str, Any] = {"color": MOTION, "size": NOTE_SIZE}
+    label(ax, reach * unit(left), degrees(left), offset=(-8.0, 8.0), **note)
+    # Below the edge that it names: without an offset declutter leaves it there.
+    below = reach * unit(right) - [0.0, 0.04 * reach]
+    label(ax, below, degrees(right), ha="right", va="top", **note)
     if left < WIDE:
         at = 0.52 * reach * unit((left + 180) / 2)
         label(ax, at, "slip", size=NOTE_SIZE)

@@ -13,7 +13,7 @@ from planar_pushing.figures.style import COLUMN_WIDTH
 from planar_pushing.study.models import FigureEntry
 
 SOURCES = ("scenes/figure_08",)
-SIZE = (COLUMN_WIDTH, 3.0)
+SIZE = (COLUMN_WIDTH, 2.8)
 CAPTION = (
     "Slip with infinite friction. The pusher velocity lies to the left of the shaded velocity cone, so "
     "the slider slips to the right: f and the slider velocity lie on the left edges of their cones."

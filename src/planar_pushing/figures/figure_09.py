@@ -10,14 +10,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
-from planar_pushing.figures.style import CENTER, GUIDE, NOTE_SIZE, PAGE_WIDTH
+from planar_pushing.figures.style import CENTER, PAGE_WIDTH
 from planar_pushing.study.models import FigureEntry
 
 SOURCES = ("scenes/figure_09a", "scenes/figure_09b")
 SIZE = (PAGE_WIDTH, 3.2)
 CAPTION = (
-    "Acceleration cones. The edges of the friction cone have the acceleration centers c_r and c_l as their "
-    "force duals; between them the friction cone allows the solid part of the line of centers, with "
+    "Acceleration cones. The edges of the friction cone have the acceleration centres c_r and c_l as their "
+    "force duals; between them the friction cone allows the solid part of the line of centres, with "
     "rotation to the left (+) or to the right (-)."
 )
 PANELS = ("a", "b")
@@ -70,8 +70,8 @@ def _slider_and_cones(ax: Axes, panel: xr.Dataset) -> None:
     drawing.slider(ax, panel["ring_center"].values, float(panel["radius"]))
     force = [float(panel[f"friction_cone_{side}"]) for side in ("right", "left")]
     motion = [float(panel[f"motion_cone_{side}"]) for side in ("right", "left")]
-    drawing.cone(ax, (0, 0), *force, 0.8, "force")
-    drawing.cone(ax, (0, 0), *motion, 1.1, "motion")
+    drawing.cone(ax, (0, 0), force[0], force[1], 0.8, "force")
+    drawing.cone(ax, (0, 0), motion[0], motion[1], 1.1, "motion")
     for right_or_left, angle in zip("rl", force, strict=True):
         drawing.force_arrow(
             ax, (0, 0), 1.4 * drawing.unit(angle), rf"$\mathbf{{f}}_{right_or_left}$"

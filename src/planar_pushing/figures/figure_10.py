@@ -30,7 +30,7 @@ CAPTION = (
 #: Force angles drawn between the edges of the cone, degrees.
 INSIDE = (45.0, 90.0)
 #: Where the labels of the ellipses stand, degrees.
-LABEL_ANGLE = 325.0
+LABEL_ANGLE = 330.0
 
 
 def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:

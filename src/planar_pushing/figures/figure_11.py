@@ -15,8 +15,8 @@ from planar_pushing.study.models import FigureEntry
 SOURCES = ("scenes/figure_11",)
 SIZE = (COLUMN_WIDTH, 3.3)
 CAPTION = (
-    "Pulling from rest, with support friction and inertia. About an acceleration center on the ring both "
-    "resist along one line, tangent to the ring opposite to the center, whatever their magnitudes."
+    "Pulling from rest, with support friction and inertia. About an acceleration centre on the ring both "
+    "resist along one line, tangent to the ring opposite to the centre, whatever their magnitudes."
 )
 LAYERS = (
     scene.body,

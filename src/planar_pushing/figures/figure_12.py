@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -10,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Polygon, Rectangle, Wedge
 
-from planar_pushing.figures.curves import degrees, named, titled
+from planar_pushing.figures.curves import degrees, named, rod_lengths, titled
 from planar_pushing.figures.drawing import (
     cone,
     declutter,
@@ -23,6 +24,7 @@ from planar_pushing.figures.drawing import (
     unit,
 )
 from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
+from planar_pushing.mechanics.planar import moment_arm
 from planar_pushing.study.models import FigureEntry
 
 SOURCES = ("acceleration_centers", "scenes/figure_12")
@@ -46,17 +48,25 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
     The centre lies opposite the line of force, a quarter turn from it: inside the ring where the line
     passes outside of it, outside where the line passes through it.
     """
-    lean = np.rad2deg(np.arcsin(min(1.0, radius / rod_length))) if rod_length else 90.0
-    right, left = max(rod_angle - lean, 0.0), min(rod_angle + lean, 180.0)
-    start = [90.0, right + 90, rod_angle - 90, left - 90]
-    stop = [right + 90, rod_angle + 90, left - 90, 90.0]
+    cuts = {0.0, rod_angle, 180.0}
+    if rod_length > radius:
+        lean = float(np.rad2deg(np.arcsin(radius / rod_length)))
+        cuts |= {rod_angle + turn for turn in (lean, -lean, 180 - lean, lean - 180)}
+    edges = np.array(sorted(cut for cut in cuts if 0 <= cut <= 180))
+    middle = np.deg2rad((edges[:-1] + edges[1:]) / 2)
+    arm = moment_arm(rod_length, np.deg2rad(rod_angle), middle)
+    turn = np.where(arm > 0, 90.0, -90.0)
     return xr.Dataset(
         {
-            "sector_start": named("sector", start, "degree", "right end of the sector of centres"),
-            "sector_stop": named("sector", stop, "degree", "left end of the sector of centres"),
+            "sector_start": named(
+                "sector", edges[:-1] + turn, "degree", "right end of the sector of centres"
+            ),
+            "sector_stop": named(
+                "sector", edges[1:] + turn, "degree", "left end of the sector of centres"
+            ),
             "sector_outside": named(
                 "sector",
-                np.array([0, 1, 1, 0], np.int8),
+                (np.abs(arm) < radius).astype(np.int8),
                 "1",
                 "whether the sector is outside the ring",
             ),
@@ -81,8 +91,7 @@ def exact_centers(grid: xr.Dataset, ring_center: xr.DataArray) -> xr.Dataset:
 def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select the scene, both sets of centres and both cones."""
     scene = sources["scenes/figure_12"]
-    given = settings.rod_length
-    length = float(scene.rod_length) if given is None else float(np.ravel(given)[0])
+    length = rod_lengths(settings, (float(scene.rod_length),))[0]
     grid = sources["acceleration_centers"].sel(rod_length=length).drop_vars("rod_length")
     data = scene[SCENE.split()].isel(solution=0)
     data = data.merge(exact_centers(grid, scene.ring_center))
@@ -109,8 +118,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     slider(scene, center, ring, width=1.4)
     fence(scene, *VIEW[:2], depth=0.2)
     _accelerations(scene, data)
-    for turn in (90, -90):
-        along = unit(float(data.rod_angle) + turn)
+    for along in (unit(float(data.rod_angle) + turn) for turn in (90, -90)):
         far = np.min(np.abs((np.where(along > 0, VIEW[1::2], VIEW[::2]) - center) / along))
         end = center + 0.9 * far * along
         label(scene, end, r"$\infty$", offset=(-9.0, -7.0), color=CENTER)
@@ -125,7 +133,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     slider(detail, center, ring, width=1.4)
     handles = [Patch(facecolor=CENTER, alpha=each, linewidth=0) for each in (BOUND, EXACT)]
     names = ["the paper's bound", "exact set"]
-    where = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.02), "ncols": 2}
+    where: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.02), "ncols": 2}
     detail.legend(handles, names, title="possible acceleration centres", **where)
 
 
@@ -138,7 +146,10 @@ def _centers(ax: Axes, data: xr.Dataset) -> None:
     """Region of acceleration centres: the sectors of the paper's cases, and the exact set."""
     center, ring = tuple(data.ring_center.values), float(data.radius)
     inside = data.isel(sector=data.sector_outside.values == 0)
-    sectors = [(float(inside.sector_start.min()), float(inside.sector_stop.max()), ring, None)]
+    sectors: list[tuple[float, float, float, float | None]] = []
+    if inside.sizes["sector"]:
+        ends = float(inside.sector_start.min()), float(inside.sector_stop.max())
+        sectors.append((*ends, ring, None))
     outside = data.isel(sector=data.sector_outside.values == 1)
     for start, stop in zip(outside.sector_start.values, outside.sector_stop.values, strict=True):
         sectors.append((start, stop, FAR, FAR - ring))
@@ -170,7 +181,13 @@ def _accelerations(ax: Axes, data: xr.Dataset) -> None:
     scale = 0.8 * REACH / float(np.hypot(*pusher))
     motion_arrow(ax, (0, 0), scale * pusher, r"$\mathbf{a}_p$", color=PUSHER)
     motion_arrow(ax, (0, 0), scale * contact, r"$\mathbf{a}_s$", head=9)
-    slip = {"color": SLIP, "head": 9.0, "width": 1.0, "at": 0.45, "offset": (0.0, 7.0)}
+    slip: dict[str, Any] = {
+        "color": SLIP,
+        "head": 9.0,
+        "width": 1.0,
+        "at": 0.45,
+        "offset": (0.0, 7.0),
+    }
     motion_arrow(ax, scale * pusher, scale * (contact - pusher), "slip", **slip)
     force = data.force.values / float(np.hypot(*data.force.values))
     force_arrow(ax, (0, 0), 0.5 * REACH * force, r"$\mathbf{f}$", offset=(0.0, -9.0))

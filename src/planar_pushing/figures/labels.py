@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.patches import FancyArrowPatch
+from matplotlib.lines import Line2D
+from matplotlib.patches import FancyArrowPatch, Patch
 from matplotlib.path import Path
 from matplotlib.text import Annotation
 from matplotlib.transforms import Bbox
@@ -64,20 +67,30 @@ def declutter(ax: Axes) -> None:
 
 
 def _settle(text: Annotation, lines: Array, taken: list[Bbox], frame: Bbox) -> Bbox:
+    """Move a label to its cheapest place and return the box that it takes there."""
     wanted = np.asarray(text.xyann, dtype=float)
-    best, best_cost = wanted, np.inf
-    box = _box(text)
-    pixels = ax_pixels_per_point(text)
-    for stretch in STRETCHES:
-        for turn in TURNS:
-            cos, sin = np.cos(turn), np.sin(turn)
-            place = stretch * np.array([[cos, -sin], [sin, cos]]) @ wanted
-            moved = box.translated(*(pixels * (place - wanted)))
-            cost = _cost(moved, lines, taken, frame) + 0.4 * abs(turn) + 1.5 * (stretch - 1)
-            if cost < best_cost - 1e-9:
-                best, best_cost = place, cost
-    text.xyann = tuple(best)
-    return box.translated(*(pixels * (best - wanted)))
+    box, pixels = _box(text), pixels_per_point(text)
+    beside = max(0.0, box.width - box.height) / (2 * pixels)
+    best, best_box, best_cost = wanted, box, np.inf
+    for place, detour in _places(wanted, beside):
+        moved = box.translated(*(pixels * (place - wanted)))
+        cost = _cost(moved, lines, taken, frame) + detour
+        if cost < best_cost - 1e-9:
+            best, best_box, best_cost = place, moved, cost
+    text.xyann = (float(best[0]), float(best[1]))
+    return best_box
+
+
+def _places(wanted: Array, beside: float) -> Iterator[tuple[Array, float]]:
+    """Offsets to try, and how far from the wanted one they are.
+
+    A wide label beside its point may keep its end, not its middle, at the wanted distance.
+    """
+    for stretch, turn, shift in itertools.product(STRETCHES, TURNS, (0.0, beside)):
+        cos, sin = np.cos(turn), np.sin(turn)
+        place = stretch * np.array([[cos, -sin], [sin, cos]]) @ wanted
+        place[0] += shift * place[0] / np.hypot(*place)
+        yield place, 0.4 * abs(turn) + 1.5 * (stretch - 1) + 0.3 * (shift > 0)
 
 
 def _cost(box: Bbox, lines: Array, taken: list[Bbox], frame: Bbox) -> float:
@@ -89,10 +102,10 @@ def _cost(box: Bbox, lines: Array, taken: list[Bbox], frame: Bbox) -> float:
 
 
 def _box(text: Annotation) -> Bbox:
-    return text.get_window_extent().padded(GAP * ax_pixels_per_point(text))
+    return text.get_window_extent().padded(GAP * pixels_per_point(text))
 
 
-def ax_pixels_per_point(text: Annotation) -> float:
+def pixels_per_point(text: Annotation) -> float:
     """Scale between a text's offset and display coordinates."""
     figure = text.get_figure(root=True)
     return float(figure.dpi) / 72 if figure else 1.0
@@ -100,11 +113,13 @@ def ax_pixels_per_point(text: Annotation) -> float:
 
 def _line_points(ax: Axes) -> Array:
     """Points along all that is drawn as a line, in display coordinates, about two pixels apart."""
-    shapes = [each for each in ax.patches if not each.get_fill() or _is_arrow(each)]
-    strokes = [each for each in ax.collections if isinstance(each, LineCollection)]
-    paths = [each.get_transform().transform_path(each.get_path()) for each in [*ax.lines, *shapes]]
-    for each in strokes:
-        paths += [each.get_transform().transform_path(path) for path in each.get_paths()]
+    shapes: list[Line2D | Patch] = [*ax.lines]
+    shapes += [each for each in ax.patches if not each.get_fill() or _is_arrow(each)]
+    paths = [each.get_transform().transform_path(each.get_path()) for each in shapes]
+    for strokes in ax.collections:
+        if isinstance(strokes, LineCollection):
+            onto = strokes.get_transform()
+            paths += [onto.transform_path(path) for path in strokes.get_paths()]
     points = [_sampled(path) for path in paths]
     return np.concatenate([np.empty((0, 2)), *points])
 
@@ -115,7 +130,7 @@ def _is_arrow(patch: object) -> bool:
 
 def _sampled(path: Path) -> Array:
     points = []
-    for polygon in path.to_polygons(closed_only=False):
+    for polygon in map(np.asarray, path.to_polygons(closed_only=False)):
         steps = np.linalg.norm(np.diff(polygon, axis=0), axis=1)
         along = np.concatenate([[0.0], np.cumsum(steps)])
         at = np.linspace(0, along[-1], min(2000, 2 + int(along[-1] / 2)))

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
-from planar_pushing.figures.sketch import Sketch
+from planar_pushing.figures.sketch import CONE, SUPPORT_LENGTH, Sketch
 from planar_pushing.figures.style import ABOVE, CENTER, FORCE, GUIDE, NOTE_SIZE, PUSHER, SLIP
 
 Layer = Callable[[Axes, Sketch], None]
@@ -32,7 +32,7 @@ def friction_cone(ax: Axes, sketch: Sketch) -> None:
 def motion_cone(ax: Axes, sketch: Sketch) -> None:
     """Directions that the slider's contact can move in."""
     right, left = (float(sketch.data[f"motion_cone_{side}"]) for side in ("right", "left"))
-    drawing.cone(ax, (0, 0), right, left, 0.72 * sketch.reach, "motion")
+    drawing.cone(ax, (0, 0), right, left, CONE * sketch.reach, "motion")
 
 
 def force(ax: Axes, sketch: Sketch) -> None:
@@ -80,19 +80,14 @@ def center(ax: Axes, sketch: Sketch) -> None:
         drawing.guide(ax, sketch.ring, sketch.center, color=CENTER)
         noun = "acceleration" if sketch.symbol == "a" else "velocity"
         drawing.center_mark(
-            ax, sketch.center, f"{noun}\ncenter", offset=(30 * ahead[0], 17 * ahead[1])
+            ax, sketch.center, f"{noun}\ncentre", offset=(30 * ahead[0], 17 * ahead[1])
         )
     elif np.any(ahead):
-        tip = sketch.ring + 1.6 * sketch.radius * ahead
-        drawing.guide(ax, sketch.ring, tip, color=CENTER)
+        drawing.guide(ax, sketch.ring, sketch.far_center, color=CENTER)
         far = sketch.center_distance / sketch.radius
+        words = f"centre\n{far:,.0f} radii away" if far < 1e6 else "centre\nalmost at infinity"
         drawing.label(
-            ax,
-            tip,
-            f"center, {far:.3g} radii away",
-            offset=(0.0, 8.0),
-            color=CENTER,
-            size=NOTE_SIZE,
+            ax, sketch.far_center, words, offset=(0.0, 12.0), color=CENTER, size=NOTE_SIZE
         )
 
 
@@ -110,7 +105,7 @@ def support_friction(ax: Axes, sketch: Sketch) -> None:
     pulls = sketch.data["support_force"].isel(solution=0).values
     angles = sketch.data["support_angle"].values
     largest = float(np.max(np.hypot(*pulls.T)))
-    length = 0.36 * sketch.radius
+    length = SUPPORT_LENGTH * sketch.radius
     head = min(7.0, 0.9 * length * points_per_unit(ax))
     for angle, pull in zip(angles, pulls, strict=True):
         if np.any(pull):
@@ -120,8 +115,7 @@ def support_friction(ax: Axes, sketch: Sketch) -> None:
 
 def status(ax: Axes, sketch: Sketch) -> None:
     """Say what the contact does."""
-    style = {"ha": "center", "va": "top", "fontsize": NOTE_SIZE, "color": GUIDE}
-    ax.text(0.5, 0.985, sketch.status, transform=ax.transAxes, **style)
+    ax.set_title(sketch.status, fontsize=NOTE_SIZE, color=GUIDE)
 
 
 LAYERS: tuple[Layer, ...] = (
@@ -159,7 +153,8 @@ def draw_scene(
         What to show, all by default.
     """
     sketch = Sketch.of(dataset)
-    ax = target if isinstance(target, Axes) else target.add_axes((0, 0, 1, 1))
+    top = 0.93 if status in layers else 1.0
+    ax = target if isinstance(target, Axes) else target.add_axes((0, 0, 1, top))
     ax.set_axis_off()
     drawing.fit(ax, sketch.box(), pad=20.0)
     for layer in layers:

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+from planar_pushing.figures.arrows import unit
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 
 Array = npt.NDArray[np.float64]
@@ -35,6 +36,10 @@ PLOTTED = (
 )
 #: A centre further away than this, in units of the slider's span, is pointed to.
 FAR = 2.0
+#: Radius of the motion cone, in units of the longest motion.
+CONE = 0.72
+#: Length of the arrows of support friction, in units of the radius.
+SUPPORT_LENGTH = 0.36
 
 
 def shown(dataset: xr.Dataset) -> xr.Dataset:
@@ -104,8 +109,10 @@ class Sketch:
 
     @property
     def drawn_force(self) -> Array:
-        size = float(np.hypot(*self.force))
-        return 1.15 * self.reach * self.force / size if size else self.force
+        """Force at a length that keeps its head off the head of a motion along it."""
+        size, speed = float(np.hypot(*self.force)), float(np.hypot(*self.motion))
+        along = bool(size and self.force @ self.motion > 0.96 * size * speed)
+        return (0.6 if along else 0.95) * self.reach * self.force / size if size else self.force
 
     @property
     def foot(self) -> Array:
@@ -148,7 +155,7 @@ class Sketch:
         if not size or not self.spin_ratio:
             return np.zeros(2)
         x, y = self.force / size
-        return -np.sign(self.spin_ratio) * np.array([y, -x])
+        return np.asarray(-np.sign(self.spin_ratio) * np.array([y, -x]))
 
     @property
     def center_distance(self) -> float:
@@ -158,6 +165,11 @@ class Sketch:
     @property
     def center_is_near(self) -> bool:
         return self.moves and self.center_distance < FAR * self.span
+
+    @property
+    def far_center(self) -> Array:
+        """Where the line towards a centre that is far away ends."""
+        return np.asarray(self.ring + 1.6 * self.radius * self.toward_center)
 
     @property
     def status(self) -> str:
@@ -176,12 +188,17 @@ class Sketch:
 
     def box(self, margin: float = 0.0) -> tuple[float, float, float, float]:
         """xmin, xmax, ymin, ymax of all that is drawn."""
-        corners = self.radius * np.array([[-1.0, -1.0], [1.0, 1.0]])
+        rubs = bool(np.any(self.data["support_force"].values)) and self.moves
+        corners = (1 + SUPPORT_LENGTH * rubs) * self.radius * np.array([[-1.0, -1.0], [1.0, 1.0]])
         points = [np.zeros(2), *(self.ring + corners), self.drawn_force]
         points += [self.drawn_motion(self.pusher), self.drawn_motion(self.motion)]
         points += [self.end_of_line] if self.moves else []
         points += [np.array([sign * 0.7 * self.reach, -0.15 * self.reach]) for sign in (-1.0, 1.0)]
+        right, left = (float(self.data[f"motion_cone_{side}"]) for side in ("right", "left"))
+        points += [CONE * self.reach * unit(each) for each in np.linspace(right, left, 13)]
         if self.center_is_near:
             points.append(self.center)
+        elif self.moves:
+            points.append(self.far_center)
         low, high = np.min(points, axis=0) - margin, np.max(points, axis=0) + margin
         return float(low[0]), float(high[0]), float(low[1]), float(high[1])

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+import numpy as np
+
 
 class PlanarPushingError(Exception):
     """Base of every error that the package raises on purpose."""
@@ -46,7 +48,7 @@ def require_number(
     except (TypeError, ValueError):
         number = math.nan
     if math.isnan(number) or not allows(number):
-        raise InvalidValue(name, given, allowed, remedy)
+        raise InvalidValue(name, number if isinstance(given, np.number) else given, allowed, remedy)
     return number
 
 

@@ -92,7 +92,7 @@ def _inner_slope(k: Array) -> Array:
 
 @cache
 def _first_guess() -> Callable[[Array], Array]:
-    """k as a function of H on [0, 1]: H's graph read sideways, with nodes that crowd towards 1."""
+    """Spin ratio as a function of H on [0, 1]: H's graph read sideways, with nodes that crowd towards 1."""
     # Importing it takes longer than the rest of the mechanics, and many jobs never invert H.
     from scipy.interpolate import CubicHermiteSpline
 

@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.cones import can_pull, friction_cone, motion_cone, slips_while_pushing
+from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import Cell, assemble, axes, parameters
 from planar_pushing.study.describe import describe
@@ -27,11 +28,14 @@ def build(study: StudyFile) -> xr.Dataset:
             effects=study.effects(effects),
         )
         forces, motions = friction_cone(scene), motion_cone(scene)
+        magnitude = limit_curve(scene, [forces.right, forces.left]).magnitude
         return {
             "friction_cone_right": np.rad2deg(forces.right),
             "friction_cone_left": np.rad2deg(forces.left),
             "motion_cone_right": np.rad2deg(motions.right),
             "motion_cone_left": np.rad2deg(motions.left),
+            "limit_force_right": magnitude[0],
+            "limit_force_left": magnitude[1],
             "pulls": np.int8(can_pull(scene)),
             "slips_while_pushing": np.int8(slips_while_pushing(scene)),
         }

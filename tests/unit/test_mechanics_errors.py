@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
 
 import planar_pushing as pp
+from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
 
 NOT_NUMBERS = ["2", None, True, float("nan"), 1j, [1.0, 2.0]]
 FINITE_POSITIVE = "a finite number > 0"
@@ -95,7 +95,7 @@ def test_rod_angle_is_strictly_above_the_fence(given):
     lambda: pp.Slider(rod_length=1.0, rod_angle=PSI, radius=0.0),
 ])  # fmt: skip
 def test_zero_is_not_positive(call):
-    with pytest.raises(pp.InvalidValue, match="0.0 given; allowed: a finite number > 0"):
+    with pytest.raises(pp.InvalidValue, match=r"0\.0 given; allowed: a finite number > 0"):
         call()
 
 
@@ -107,7 +107,9 @@ def test_at_zero_normal(given):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("given", [(), [], None, pp.RingFriction(), (1.0,), (None,), "ab"], ids=repr)
+@pytest.mark.parametrize(
+    "given", [(), [], None, pp.RingFriction(), (1.0,), (None,), "ab"], ids=repr
+)
 def test_effects(given):
     slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
     check(

@@ -1,0 +1,86 @@
+"""A copy of the project in an empty folder, in which the workflow runs on the smoke study."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+PROJECT = Path(__file__).parents[2]
+PARTS = ("Snakefile", "profiles", "workflow", "src", "pyproject.toml", "README.md", "LICENSE")
+
+
+@dataclass(frozen=True)
+class Copy:
+    """The project's copy at `root`."""
+
+    root: Path
+
+    def command(self, *arguments: str) -> list[str]:
+        study = ["--config", "study=workflow/config/smoke.yaml"]
+        return [sys.executable, "-m", "snakemake", *arguments, "--cores", "2", *study]
+
+    @property
+    def environment(self) -> dict[str, str]:
+        return os.environ | {"PYTHONPATH": str(self.root / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
+
+    def snakemake(self, *arguments: str, code: int = 0) -> str:
+        """Run Snakemake on the smoke study; what it printed."""
+        done = subprocess.run(
+            self.command(*arguments),
+            cwd=self.root,
+            env=self.environment,
+            capture_output=True,
+            text=True,
+            timeout=600,
+            check=False,
+        )
+        said = done.stdout + done.stderr
+        assert done.returncode == code, said
+        return said
+
+    def digests(self) -> dict[str, str]:
+        """Digest of every artefact; logs and benchmarks hold times and are none."""
+        results = self.root / "results"
+        files = (path for path in results.rglob("*") if path.is_file())
+        names = {path.relative_to(results): path for path in files}
+        return {
+            str(name): hashlib.sha256(path.read_bytes()).hexdigest()
+            for name, path in sorted(names.items())
+            if name.parts[0] not in ("logs", "benchmarks", "README.md")
+        }
+
+    def clean(self) -> None:
+        """Remove all results and what Snakemake remembers of them."""
+        for folder in ("results", ".snakemake"):
+            shutil.rmtree(self.root / folder, ignore_errors=True)
+
+
+def copy_project(root: Path) -> Copy:
+    for part in PARTS:
+        source, target = PROJECT / part, root / part
+        if source.is_dir() and not source.is_symlink():
+            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(source, target, follow_symlinks=False)
+    return Copy(root)
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Copy:
+    """A copy in which everything is built; a test that changes it must put it back."""
+    copy = copy_project(tmp_path_factory.mktemp("built"))
+    copy.snakemake()
+    return copy
+
+
+@pytest.fixture
+def fresh(tmp_path: Path) -> Copy:
+    """A copy in which nothing is built."""
+    return copy_project(tmp_path)

@@ -1,0 +1,130 @@
+"""The workflow on the smoke study, end to end."""
+
+import os
+import re
+import signal
+import subprocess
+import time
+
+import pytest
+
+from planar_pushing.figures.catalog import FIGURES
+from planar_pushing.study.store import DATASETS
+
+
+def jobs(said):
+    """Numbers of jobs by rule, from the job table of a run or a dry run."""
+    table = re.search(r"Job stats:\njob +count\n[- ]+\n(.*?)\ntotal", said, re.DOTALL)
+    return {name: int(count) for name, count in re.findall(r"(\w+) +(\d+)", table[1])}
+
+
+def test_everything_is_built(built):
+    files = built.digests()
+    assert {f"data/{name}.nc" for name in DATASETS} <= set(files)
+    for kind in ("svg", "pdf", "png"):
+        assert {f"figures/{name}.{kind}" for name in FIGURES} <= set(files)
+    logs = {path.stem for path in (built.root / "results/logs").rglob("*.log")}
+    assert set(DATASETS) | set(FIGURES) <= logs
+    benchmarks = {path.stem for path in (built.root / "results/benchmarks").rglob("*.tsv")}
+    assert set(DATASETS) | set(FIGURES) <= benchmarks
+
+
+def test_nothing_is_left_to_do(built):
+    assert "Nothing to be done" in built.snakemake("--dry-run")
+
+
+def test_no_artefact_names_its_folder(built):
+    for path in (built.root / "results").rglob("*"):
+        if path.is_file() and path.suffix in (".nc", ".svg", ".pdf", ".png"):
+            assert str(built.root).encode() not in path.read_bytes(), path
+
+
+def test_lint(built):
+    assert "Congratulations" in built.snakemake("--lint")
+
+
+def test_report(built):
+    built.snakemake("--report", "report.html")
+    text = (built.root / "report.html").read_text(encoding="utf-8")
+    assert all(name in text for name in FIGURES)
+
+
+@pytest.mark.parametrize(
+    ("module", "stale"),
+    [
+        ("figures/figure_06.py", {"figure": 1}),
+        ("study/datasets/contact_modes.py", {"dataset": 1, "figure": 1}),
+        ("mechanics/limit_curve.py", {"dataset": 1, "figure": 3}),
+        ("mechanics/slipping.py", {"dataset": 2, "figure": 9}),
+        ("cli.py", {}),
+    ],
+)
+def test_only_what_depends_on_a_module_reruns(built, module, stale):
+    path = built.root / "src/planar_pushing" / module
+    text = path.read_text(encoding="utf-8")
+    times = path.stat().st_atime, path.stat().st_mtime
+    path.write_text(text + "\n# an edit\n", encoding="utf-8")
+    try:
+        said = built.snakemake("--dry-run")
+    finally:
+        path.write_text(text, encoding="utf-8")
+        os.utime(path, times)
+    assert (jobs(said) if stale else {"all": 1}) == stale | {"all": 1}
+    assert stale or "Nothing to be done" in said
+
+
+def test_an_edited_module_is_rebuilt_once(built):
+    path = built.root / "src/planar_pushing/figures/figure_06.py"
+    path.write_text(path.read_text(encoding="utf-8") + "\n# an edit\n", encoding="utf-8")
+    before = built.digests()
+    assert jobs(built.snakemake())["figure"] == 1
+    assert built.digests() == before
+    assert "Nothing to be done" in built.snakemake("--dry-run")
+
+
+def test_two_clean_rebuilds_are_identical(built, fresh):
+    fresh.snakemake()
+    first = fresh.digests()
+    assert first == built.digests()
+    fresh.clean()
+    fresh.snakemake()
+    assert fresh.digests() == first
+
+
+def test_killed_run_resumes_to_the_same_bytes(built, fresh):
+    with subprocess.Popen(
+        fresh.command(),
+        cwd=fresh.root,
+        env=fresh.environment,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    ) as run:
+        while not any(name.startswith("figures/") for name in fresh.digests()):
+            assert run.poll() is None, "the run ended before it could be killed"
+            time.sleep(0.05)
+        os.killpg(run.pid, signal.SIGKILL)
+    partial = fresh.digests()
+    assert len(partial) < len(built.digests())
+    fresh.snakemake("--unlock")
+    fresh.snakemake("--rerun-incomplete")
+    assert fresh.digests() == built.digests()
+
+
+def test_a_wrong_study_stops_before_any_job(fresh):
+    study = fresh.root / "workflow/config/smoke.yaml"
+    text = study.read_text(encoding="utf-8")
+    study.write_text(text.replace("rod_length: [0, 1, 2, 5]", "rod_length: [-1]"), encoding="utf-8")
+    said = fresh.snakemake(code=1)
+    assert (
+        "workflow/config/smoke.yaml: grid.rod_length[0]: -1 given; "
+        "allowed: a finite number >= 0; change the value" in said
+    )
+    assert "Traceback" not in said
+    assert not (fresh.root / "results").exists()
+
+
+def test_a_missing_study_stops_before_any_job(fresh):
+    (fresh.root / "workflow/config/smoke.yaml").unlink()
+    said = fresh.snakemake(code=1)
+    assert "workflow/config/smoke.yaml: no such file; give the path of a YAML file" in said
