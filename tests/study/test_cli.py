@@ -62,7 +62,16 @@ def test_cone_json(capsys):
 
 
 def test_query(capsys, results):
-    words = "--effects inertia --rod-length 2 --rod-angle 45 --friction-coefficient 2".split()
+    words = [
+        "--effects",
+        "inertia",
+        "--rod-length",
+        "2",
+        "--rod-angle",
+        "45",
+        "--friction-coefficient",
+        "2",
+    ]
     code, out, _ = run(capsys, "query", "motion_cones", "--results", results, *words)
     assert code == 0
     assert "effects=inertia, rod_length=2.0" in out

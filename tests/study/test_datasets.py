@@ -146,7 +146,7 @@ def test_open_unknown_dataset(results):
 
 @pytest.mark.parametrize("name", ["scenes", "scenes/figure_05"])
 def test_open_unknown_scene(results, name):
-    with pytest.raises(pp.InvalidValue, match="allowed: scenes/figure_02, .*name one of these"):
+    with pytest.raises(pp.InvalidValue, match=r"allowed: scenes/figure_02, .*name one of these"):
         pp.open_dataset(name, results)
 
 
@@ -158,7 +158,7 @@ def test_open_dataset_that_is_not_built(tmp_path):
 def test_open_damaged_dataset(tmp_path):
     (tmp_path / "data").mkdir()
     (tmp_path / "data/motion_cones.nc").write_bytes(b"not netCDF")
-    with pytest.raises(pp.InvalidFile, match="is not a netCDF4 file .* build it anew"):
+    with pytest.raises(pp.InvalidFile, match=r"is not a netCDF4 file .* build it anew"):
         pp.open_dataset("motion_cones", tmp_path)
 
 

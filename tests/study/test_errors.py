@@ -97,14 +97,14 @@ def test_missing_file(tmp_path):
 
 
 def test_unreadable_file(tmp_path):
-    with pytest.raises(InvalidFile, match="cannot be read .* give a YAML text file"):
+    with pytest.raises(InvalidFile, match=r"cannot be read .* give a YAML text file"):
         load_scene(tmp_path)
 
 
 def test_not_text(tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(InvalidFile, match="cannot be read .* give a YAML text file"):
+    with pytest.raises(InvalidFile, match=r"cannot be read .* give a YAML text file"):
         load_scene(path)
 
 

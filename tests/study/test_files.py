@@ -71,8 +71,13 @@ def test_schema_is_that_of_the_model(name):
 def test_replacing_keeps_the_old_file_when_the_work_fails(tmp_path):
     path = tmp_path / "file.txt"
     path.write_text("old")
-    with pytest.raises(RuntimeError, match="half way"), replacing(path) as temporary:
-        temporary.write_text("ne")
-        raise RuntimeError("half way")
+
+    def work():
+        with replacing(path) as temporary:
+            temporary.write_text("ne")
+            raise RuntimeError("half way")
+
+    with pytest.raises(RuntimeError, match="half way"):
+        work()
     assert path.read_text() == "old"
     assert list(tmp_path.iterdir()) == [path]

@@ -17,7 +17,6 @@ from planar_pushing.figures import drawing
 from planar_pushing.figures.style import COLUMN_WIDTH, DARK, FORCE, GUIDE, MOTION, NOTE_SIZE, PUSHER
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("motion_cones",)
 SIZE = (COLUMN_WIDTH, 2.45)
 CAPTION = (
     "The pushing problem: a fence pushes a ring of radius 1 at the free end of its rod. Filled arrowheads "

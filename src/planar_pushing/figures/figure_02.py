@@ -12,7 +12,6 @@ from planar_pushing.figures.sketch import shown
 from planar_pushing.figures.style import COLUMN_WIDTH
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("scenes/figure_02",)
 SIZE = (COLUMN_WIDTH, 2.8)
 CAPTION = (
     "Quasi-static pushing. The support friction of a slider that turns about the velocity centre, "
@@ -28,9 +27,9 @@ LAYERS = (
 )
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:  # noqa: ARG001
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select the solution that sticks."""
-    return shown(sources[SOURCES[0]])
+    return shown(sources["scenes/figure_02"])
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:

@@ -12,7 +12,6 @@ from planar_pushing.figures.sketch import shown
 from planar_pushing.figures.style import COLUMN_WIDTH
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("scenes/figure_03",)
 SIZE = (COLUMN_WIDTH, 3.1)
 CAPTION = (
     "Quasi-static pulling. The force f passes close by the ring centre on its other side: the contact "
@@ -28,9 +27,9 @@ LAYERS = (
 )
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:  # noqa: ARG001
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select the solution that sticks."""
-    return shown(sources[SOURCES[0]])
+    return shown(sources["scenes/figure_03"])
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:

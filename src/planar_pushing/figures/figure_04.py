@@ -13,7 +13,6 @@ from planar_pushing.figures.sketch import shown
 from planar_pushing.figures.style import CENTER, COLUMN_WIDTH, DARK, FORCE
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("scenes/figure_02",)
 SIZE = (COLUMN_WIDTH, 3.0)
 CAPTION = (
     "Coordinates: x-y on the pusher, x'-y' on the ring centre with y' along the force f. The velocity "
@@ -21,9 +20,9 @@ CAPTION = (
 )
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:  # noqa: ARG001
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select the force and the velocity centre of quasi-static pushing."""
-    scene = shown(sources[SOURCES[0]]).isel(solution=0)
+    scene = shown(sources["scenes/figure_02"]).isel(solution=0)
     names = ["rod_length", "rod_angle", "radius", "ring_center", "force", "center"]
     return scene[names].assign_attrs(title="Coordinate systems (Fig. 4)")
 

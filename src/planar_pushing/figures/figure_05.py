@@ -23,7 +23,6 @@ from planar_pushing.figures.style import DARK
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("limit_curves",)
 SIZE = (3.4, 3.4)
 CAPTION = (
     "Limit curves for several rod lengths l, in units of the ring's radius: the forces through the "

@@ -21,7 +21,6 @@ from planar_pushing.figures.drawing import declutter
 from planar_pushing.figures.style import DARK
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("limit_curves", "motion_cones")
 SIZE = (7.0, 2.5)
 CAPTION = (
     "From the friction cone through the limit curve to the velocity cone. Each force inside the "

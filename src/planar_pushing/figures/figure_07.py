@@ -15,7 +15,6 @@ from planar_pushing.figures.drawing import cone, declutter, fence, label, schema
 from planar_pushing.figures.style import DARK, MOTION, NOTE_SIZE, SLIP
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("motion_cones",)
 SIZE = (7.0, 1.7)
 CAPTION = (
     "Velocity cones for infinite friction and several rod lengths. Each spans 180 degrees and leans "

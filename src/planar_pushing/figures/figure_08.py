@@ -12,7 +12,6 @@ from planar_pushing.figures.sketch import shown
 from planar_pushing.figures.style import COLUMN_WIDTH
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("scenes/figure_08",)
 SIZE = (COLUMN_WIDTH, 2.8)
 CAPTION = (
     "Slip with infinite friction. The pusher velocity lies to the left of the shaded velocity cone, so "
@@ -21,9 +20,9 @@ CAPTION = (
 LAYERS = (scene.body, scene.motion_cone, scene.force, scene.motions, scene.center)
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:  # noqa: ARG001
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select the solution that slips."""
-    return shown(sources[SOURCES[0]])
+    return shown(sources["scenes/figure_08"])
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:

@@ -13,7 +13,6 @@ from planar_pushing.figures import drawing
 from planar_pushing.figures.style import CENTER, PAGE_WIDTH
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("scenes/figure_09a", "scenes/figure_09b")
 SIZE = (PAGE_WIDTH, 3.2)
 CAPTION = (
     "Acceleration cones. The edges of the friction cone have the acceleration centres c_r and c_l as their "
@@ -24,9 +23,9 @@ PANELS = ("a", "b")
 BOX = (-2.0, 4.1, -1.0, 4.3)
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:  # noqa: ARG001
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select geometry, cones, and the centres dual to the edges of the friction cone."""
-    panels = [_panel(sources[name]) for name in SOURCES]
+    panels = [_panel(sources[name]) for name in sorted(sources)]
     data = xr.concat(panels, xr.DataArray(list(PANELS), dims="panel", name="panel"), join="exact")
     data["panel"].attrs = {"units": "1", "long_name": "panel of the figure"}
     data.attrs = {"title": "Acceleration cones and centres (Fig. 9)"}

@@ -20,7 +20,6 @@ from planar_pushing.figures.curves import (
 from planar_pushing.figures.drawing import declutter
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("limit_curves", "motion_cones")
 SIZE = (7.0, 2.5)
 CAPTION = (
     "Without support friction ellipses take the limit curves' place; their major axis lies along "

@@ -12,7 +12,6 @@ from planar_pushing.figures.sketch import shown
 from planar_pushing.figures.style import COLUMN_WIDTH
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("scenes/figure_11",)
 SIZE = (COLUMN_WIDTH, 3.3)
 CAPTION = (
     "Pulling from rest, with support friction and inertia. About an acceleration centre on the ring both "
@@ -28,9 +27,9 @@ LAYERS = (
 )
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:  # noqa: ARG001
+def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select the solution that sticks."""
-    return shown(sources[SOURCES[0]])
+    return shown(sources["scenes/figure_11"])
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:

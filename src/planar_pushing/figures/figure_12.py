@@ -27,7 +27,6 @@ from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHE
 from planar_pushing.mechanics.planar import moment_arm
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("acceleration_centers", "scenes/figure_12")
 SIZE = (7.0, 3.2)
 CAPTION = (
     "Slip with infinite friction, support friction and inertia. Possible acceleration centres and "

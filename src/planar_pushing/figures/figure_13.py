@@ -17,7 +17,6 @@ from planar_pushing.figures.style import DARK, LIGHT, NOTE_SIZE
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.study.models import FigureEntry
 
-SOURCES = ("contact_modes", "motion_cones")
 SIZE = (7.0, 3.6)
 CAPTION = (
     "Consistent contact modes over the coefficient of friction (linear in its angle) and the angle of "

@@ -11,6 +11,7 @@ from typing import Any, Protocol, cast
 import xarray as xr
 from matplotlib.figure import Figure
 
+from planar_pushing.figures.catalog import FIGURES
 from planar_pushing.figures.style import COLUMN_WIDTH, paper_style
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.files import replacing
@@ -18,7 +19,6 @@ from planar_pushing.study.models import FigureEntry, PushEntry, SceneFile
 from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
 
 PathLike = str | os.PathLike[str]
-FIGURES = tuple(f"figure_{number:02d}" for number in range(1, 14))
 SCENE_SIZE = (COLUMN_WIDTH, COLUMN_WIDTH)
 
 #: Metadata that would tell when and by which program version a picture was saved.
@@ -32,7 +32,6 @@ METADATA: dict[str, dict[str, Any]] = {
 class FigureModule(Protocol):
     """What a module figure_NN provides."""
 
-    SOURCES: tuple[str, ...]
     SIZE: tuple[float, float]
     CAPTION: str
 
@@ -57,7 +56,7 @@ def figure_module(name: str) -> FigureModule:
 def select(name: str, results: PathLike, settings: FigureEntry) -> xr.Dataset:
     """Numbers that a figure plots, read from the datasets in a results folder."""
     module = figure_module(name)
-    sources = {source: open_dataset(source, results) for source in module.SOURCES}
+    sources = {source: open_dataset(source, results) for source in FIGURES[name]}
     return module.select(sources, settings)
 
 
