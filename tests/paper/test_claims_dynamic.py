@@ -11,8 +11,6 @@ import reference
 from planar_pushing.mechanics.planar import direction
 from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
 
-RING_CENTER = np.zeros(2)
-
 
 def wrench_line(effect, center, spin):
     """Force, and signed distance of its line from the ring centre, for a motion about `center`."""

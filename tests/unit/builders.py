@@ -26,3 +26,10 @@ def make_scene(length, contact=INFINITE, effects=FRICTION, psi=PSI, radius=1.0):
 def names(solutions):
     """Names of the modes that were found."""
     return [mode.name for mode in solutions.modes]
+
+
+def numbers(solutions):
+    """Every number in the solutions but the centres, which are infinite for a translation."""
+    return np.array(
+        [[*s.force, *s.contact_motion, *s.twist, s.spin_ratio] for s in solutions], dtype=float
+    )

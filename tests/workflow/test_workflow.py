@@ -54,8 +54,8 @@ def test_report(built):
     [
         ("figures/figure_06.py", {"figure": 1}),
         ("study/datasets/contact_modes.py", {"dataset": 1, "figure": 1}),
-        ("mechanics/limit_curve.py", {"dataset": 1, "figure": 3}),
-        ("mechanics/slipping.py", {"dataset": 2, "figure": 9}),
+        ("mechanics/limit_curve.py", {"dataset": 2, "figure": 6}),
+        ("mechanics/slipping.py", {"dataset": 2, "figure": 8}),
         ("cli.py", {}),
     ],
 )

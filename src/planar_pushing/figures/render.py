@@ -119,7 +119,7 @@ def render(
         Files to write. The picture is drawn from what `data` holds once it is written.
     """
     write_dataset(select(name, results, settings), data)
-    stored = read_dataset(data)
-    for path in (svg, pdf, png):
-        with paper_style():
-            save(picture(name, stored), path)
+    with paper_style():
+        figure = picture(name, read_dataset(data))
+        for path in (svg, pdf, png):
+            save(figure, path)

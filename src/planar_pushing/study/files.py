@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import difflib
 import os
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -119,15 +118,16 @@ def _effect_entry(effect: object) -> dict[str, Any]:
 
 @contextmanager
 def replacing(path: PathLike) -> Iterator[Path]:
-    """Path to write to that takes the place of `path` only once it is complete."""
+    """Path to write to that takes the place of `path` only once it is complete.
+
+    Its name is always the same, so that what a killed run leaves behind the next one replaces.
+    """
     target = Path(path)
     target.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.", suffix=".part")
-    os.close(handle)
-    temporary = Path(name)
+    temporary = target.with_name(f".{target.name}.part")
+    temporary.unlink(missing_ok=True)
     try:
         yield temporary
-        temporary.chmod(0o644)
         temporary.replace(target)
     finally:
         temporary.unlink(missing_ok=True)
