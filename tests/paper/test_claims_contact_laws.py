@@ -37,7 +37,7 @@ def test_slip_under_definition_1_has_no_normal_force(effects):
 
 
 @EVERY_EFFECT
-@pytest.mark.parametrize("length", [0.5, 2.0, 5.0])
+@pytest.mark.parametrize("length", [0.5, 5.0])
 def test_where_definition_1_prevents_sticking_so_does_definition_2(effects, length):
     """Sec. 5."""
     first, second = (make_scene(length, law, effects) for law in (INFINITE, DEFINITION_2))
@@ -85,7 +85,7 @@ def test_perfectly_rough_sometimes_implies_adhesion(effects):
 
 
 @EVERY_EFFECT
-@pytest.mark.parametrize("length", [0.5, 2.0, 5.0])
+@pytest.mark.parametrize("length", [0.5, 5.0])
 def test_infinite_friction_and_perfectly_rough_are_not_equivalent(effects, length):
     """Secs. 1 and 5: they agree where the rough contact is not adhesive, and only there."""
     rough, infinite = (make_scene(length, law, effects) for law in (pp.PerfectlyRough(), INFINITE))
@@ -107,7 +107,7 @@ def test_only_a_perfectly_rough_contact_is_adhesive(effects, law, length):
     """Sec. 5, at directions that include both edges of the motion cone exactly."""
     scene = make_scene(length, law, effects)
     cone = pp.motion_cone(scene)
-    for angle in [*DIRECTIONS[::3], cone.right, cone.left]:
+    for angle in [*DIRECTIONS[::5], cone.right, cone.left]:
         assert not any(solution.adhesive for solution in pp.solve(scene, angle))
 
 

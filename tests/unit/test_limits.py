@@ -158,9 +158,8 @@ def test_long_rod_turns_its_motion_across_itself(effects, length):
 
 
 @pytest.mark.parametrize("length", [1e-160, 1e-20])
-@pytest.mark.parametrize(("degrees", "mode"), [(60.0, "STICK"), (10.0, "SLIP_LEFT")])
-def test_vanishing_rod_solves_like_no_rod(length, degrees, mode):
-    assert names(pp.solve(make_scene(length, 1.0), np.deg2rad(degrees))) == [mode]
+def test_vanishing_rod_solves_like_no_rod(length):
+    assert names(pp.solve(make_scene(length, 1.0), np.deg2rad(10))) == ["SLIP_LEFT"]
 
 
 @EVERY_EFFECT
@@ -172,8 +171,8 @@ def test_long_rod_along_the_edge_of_the_friction_cone_slips_or_sticks(effects, l
 
 
 @EVERY_EFFECT
-@pytest.mark.parametrize("psi", [1e-12, 1e-6, np.pi - 1e-6, np.nextafter(np.pi, 0)])
-@pytest.mark.parametrize("length", [0.5, 2.0, 1e3])
+@pytest.mark.parametrize("psi", [1e-12, 1e-6, np.nextafter(np.pi, 0)])
+@pytest.mark.parametrize("length", [0.5, 1e3])
 def test_rod_almost_along_the_fence_solves(effects, psi, length):
     scene = make_scene(length, 1.0, effects, psi)
     for degrees in (-100.0, 10.0, 60.0, 170.0):

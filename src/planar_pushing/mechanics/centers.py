@@ -8,6 +8,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.angles import AngleInterval
 from planar_pushing.mechanics.cones import friction_cone, spin_ratio
+from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.planar import (
     Array,
     contact_motion_angle,
@@ -62,7 +63,19 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
     At a fixed spin ratio the motion angle increases with the force angle, so the bound is attained
     on an edge of the friction cone or where the line of force touches the ring. On such a tangent
     the cases on both sides meet: the spin ratio takes every value from 0 to infinity.
+
+    Raises
+    ------
+    InvalidValue
+        Where an effect does not turn the slider about a point of the ring under a tangent force, as
+        facts 5-7 of Sec. 4 presume: with inertia the radius of gyration must be the ring's radius.
     """
+    for effect in scene.scaled_effects:
+        if not np.isclose(effect.spin_ratio(1.0), 1.0, rtol=1e-12, atol=0.0):
+            raise InvalidValue(
+                "effects", effect, "inertia with the gyration radius of the ring",
+                "use motion_cone, which is exact",
+            )  # fmt: skip
     rod = scene.slider.length_ratio, scene.slider.rod_angle
     cone = friction_cone(scene)
     edges = np.array([cone.right, cone.left])

@@ -45,7 +45,7 @@ def require_number(
     """Return `given` as a float, or raise `InvalidValue` when `allows` refuses it."""
     try:
         number = math.nan if isinstance(given, (str, bool)) else float(given)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         number = math.nan
     if math.isnan(number) or not allows(number):
         raise InvalidValue(name, number if isinstance(given, np.number) else given, allowed, remedy)

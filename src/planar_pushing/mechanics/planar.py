@@ -62,7 +62,12 @@ def moment_arm(
 
     The unit is that of `rod_length`; a positive arm turns the slider counter-clockwise.
     """
-    return np.asarray(np.multiply(rod_length, np.sin(np.subtract(rod_angle, force_angle))))
+    psi, phi = np.asarray(rod_angle, dtype=float), np.asarray(force_angle, dtype=float)
+    lean = psi - phi
+    back = lean - psi
+    # What the subtraction rounded off: a long rod along the fence multiplies it by its length.
+    rounding = (psi - (lean - back)) - (phi + back)
+    return np.asarray(np.multiply(rod_length, np.sin(lean) + rounding * np.cos(lean)))
 
 
 def contact_motion_angle(

@@ -20,6 +20,8 @@ from planar_pushing.mechanics.planar import Array
 
 Effects = Sequence[IsotropicEffect]
 
+#: A rod shorter than this part of the radius turns the slider by less than the smallest double.
+VANISHING = 1e-100
 #: Roots are refined to a few ulp; a bracket cannot shrink below one.
 TOLERANCES = {"xatol": 0.0, "xrtol": 4 * np.finfo(float).eps, "fatol": 0.0, "frtol": 0.0}
 
@@ -154,7 +156,7 @@ def sustained_twist(effects: Effects, rod_length: Array, lean: Array, speed: Arr
 
     zero = np.zeros(np.broadcast_shapes(np.shape(along), np.shape(rod_length)))
     along, aside, length = (part + zero for part in (along, aside, rod_length))
-    straight = (aside == 0) | (length == 0)
+    straight = (aside == 0) | (length < VANISHING)
     args = along, np.where(straight, 0.0, aside), np.where(straight, 1.0, length)
     y = np.where(straight, 0.0, root(torque_about_contact, zero, zero + 1, args))
     return twist(y, along, aside, length)

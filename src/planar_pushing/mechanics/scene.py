@@ -75,13 +75,14 @@ class Scene:
     effects: tuple[IsotropicEffect, ...]
 
     def __post_init__(self) -> None:
-        if not isinstance(self.contact, ContactLaw):
+        if not isinstance(self.contact, ContactLaw) or isinstance(self.contact, type):
             raise InvalidValue(
                 "contact", self.contact, "Coulomb, InfiniteFriction or PerfectlyRough",
                 "construct one of these laws",
             )  # fmt: skip
         effects = tuple(self.effects) if isinstance(self.effects, (tuple, list)) else ()
-        if not effects or not all(hasattr(effect, "degree") for effect in effects):
+        known = all(hasattr(each, "degree") and not isinstance(each, type) for each in effects)
+        if not effects or not known:
             raise InvalidValue(
                 "effects", self.effects, "a tuple of at least one of RingFriction and Inertia",
                 "list what resists the motion, for instance (RingFriction(),)",

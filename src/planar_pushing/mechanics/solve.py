@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics import response
+from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.errors import require_number
 from planar_pushing.mechanics.planar import Array, direction, motion_center
@@ -122,7 +123,9 @@ def _slip(scene: Scene, pusher: Array, mode: ContactMode) -> tuple[Candidates, F
 def candidates(scene: Scene, pusher_motion: npt.ArrayLike) -> tuple[Candidates, ...]:
     """Enumerate the contact modes for pusher motions of shape S + (2,), elementwise.
 
-    A slip that vanishes at an edge of the motion cone is the sticking solution and counts as that.
+    At an edge of the motion cone stick and slip are one solution. Rounding moves the force and the
+    motion of that edge apart by the cone's condition number, so there a stick counts where no slip does,
+    and a slip that vanishes counts as the stick.
     """
     pusher = np.asarray(pusher_motion, dtype=float)
     stick = _stick(scene, pusher)
@@ -130,8 +133,11 @@ def candidates(scene: Scene, pusher_motion: npt.ArrayLike) -> tuple[Candidates, 
         return _separate(pusher), stick
     right, left_edge = _slip(scene, pusher, ContactMode.SLIP_RIGHT)
     left, right_edge = _slip(scene, pusher, ContactMode.SLIP_LEFT)
-    sticks = stick.consistent | (left_edge | right_edge)[..., None]
-    return _separate(pusher), replace(stick, consistent=sticks), right, left
+    inside = replace(scene.contact.force_angles, closed=False).contains(stick.force_angle)
+    slips = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
+    moves = np.hypot(pusher[..., :1], pusher[..., 1:]) > 0
+    sticks = inside | (stick.consistent & ~slips[..., None]) | (left_edge | right_edge)[..., None]
+    return _separate(pusher), replace(stick, consistent=sticks & moves), right, left
 
 
 def outcomes(found: tuple[Candidates, ...]) -> npt.NDArray[np.int8]:
@@ -169,7 +175,7 @@ class Solution:
     @property
     def adhesive(self) -> bool:
         """Whether the fence pulls on the slider, as only a perfectly rough contact can."""
-        return bool(self.force[1] < 0)
+        return bool(self.force[1] < -RESOLUTION * np.hypot(*self.force))
 
 
 @dataclass(frozen=True, slots=True)
