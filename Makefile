@@ -8,7 +8,7 @@ READY := $(VENV)/ready
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 
-.PHONY: all test lint golden dictionary schemas lock report clean help
+.PHONY: all test lint golden images dictionary schemas lock report clean help
 .DELETE_ON_ERROR:
 
 all: $(READY)
@@ -24,8 +24,11 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
 
-golden: $(READY) ## compute the golden data anew and print how they differ from the stored ones
-	$(BIN)/python -m planar_pushing.golden.update
+golden: $(READY) ## compute the golden data anew and print the differences; WRITE=1 stores them
+	$(BIN)/python -m planar_pushing.golden.update $(if $(WRITE),--write)
+
+images: $(READY) ## compare the figures with their stored images; WRITE=1 stores them
+	$(BIN)/python -m planar_pushing.golden.images $(if $(WRITE),--write)
 
 dictionary: $(READY) ## write results/README.md from the attributes of the datasets
 	$(BIN)/python -m planar_pushing.study.dictionary

@@ -18,7 +18,11 @@ except PlanarPushingError as error:
 
 def scene_files(wildcards):
     """Scene files that a dataset reads."""
-    return [push.file for push in STUDY.scenes.values()] if wildcards.dataset == "scenes" else []
+    return (
+        [push.file for push in STUDY.scenes.values()]
+        if wildcards.dataset == "scenes"
+        else []
+    )
 
 
 def dataset_files(wildcards):

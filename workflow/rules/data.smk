@@ -12,14 +12,14 @@ rule dataset:
         ),
     output:
         "results/data/{dataset}.nc",
-    wildcard_constraints:
-        dataset="|".join(DATASETS),
-    params:
-        study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
     log:
         "results/logs/data/{dataset}.log",
     benchmark:
         "results/benchmarks/data/{dataset}.tsv"
+    wildcard_constraints:
+        dataset="|".join(DATASETS),
+    params:
+        study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
     message:
         "Computing {wildcards.dataset}"
     script:

@@ -1,13 +1,19 @@
 # The figures: first the numbers that each plots, then the picture in three formats, from them alone.
 rule figures:
     input:
-        expand("results/figures/{figure}.{kind}", figure=FIGURES, kind=["svg", "pdf", "png"]),
+        expand(
+            "results/figures/{figure}.{kind}",
+            figure=FIGURES,
+            kind=["svg", "pdf", "png"],
+        ),
 
 
 rule figure:
     input:
         data=dataset_files,
-        modules=lambda wildcards: modules(f"figures.{wildcards.figure}", "figures.render"),
+        modules=lambda wildcards: modules(
+            f"figures.{wildcards.figure}", "figures.render"
+        ),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         data="results/figures/data/{figure}.nc",
@@ -19,14 +25,14 @@ rule figure:
         ),
         pdf="results/figures/{figure}.pdf",
         png="results/figures/{figure}.png",
-    wildcard_constraints:
-        figure=r"figure_\d\d",
-    params:
-        settings=figure_settings,
     log:
         "results/logs/figures/{figure}.log",
     benchmark:
         "results/benchmarks/figures/{figure}.tsv"
+    wildcard_constraints:
+        figure=r"figure_\d\d",
+    params:
+        settings=figure_settings,
     message:
         "Drawing {wildcards.figure}"
     script:

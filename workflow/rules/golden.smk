@@ -1,3 +1,36 @@
+# The golden check: every dataset and every figure's numbers against certified values.
+from pathlib import Path
+
+VERDICT = ["results/tables/golden_verdict.txt"] if STUDY.golden else []
+
+
 rule golden:
     input:
-        [],
+        VERDICT,
+
+
+rule golden_verdict:
+    input:
+        results=[
+            expand("results/data/{dataset}.nc", dataset=DATASETS),
+            expand("results/figures/data/{figure}.nc", figure=FIGURES),
+        ],
+        golden=sorted(map(str, Path(STUDY.golden or ".").glob("*.nc"))),
+        modules=modules("golden.check", "golden.compare"),
+    output:
+        report(
+            "results/tables/golden_verdict.txt",
+            category="Golden check",
+            caption="../report/golden.rst",
+        ),
+    log:
+        "results/logs/golden/golden_verdict.log",
+    benchmark:
+        "results/benchmarks/golden/golden_verdict.tsv"
+    params:
+        golden=STUDY.golden,
+        tolerances={name: each.model_dump() for name, each in STUDY.tolerances.items()},
+    message:
+        "Comparing the results with the golden data"
+    script:
+        "../scripts/golden.py"

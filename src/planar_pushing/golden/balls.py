@@ -80,22 +80,29 @@ def settle(ball: arb, exact: Callable[[], Exact] | None = None) -> arb:
 
 
 def _vanishes(number: Exact) -> bool:
-    return bool(
-        fmpq_poly([number]) % _MODULUS == 0 if isinstance(number, fmpq) else number % _MODULUS == 0
-    )
+    return not fmpq_poly([number]) if isinstance(number, fmpq) else not number % _MODULUS
 
 
 @lru_cache(maxsize=4096)
 def exact_cosine(degrees: fmpq) -> fmpq_poly:
     """Cosine of a multiple of half a degree, as an element of the cyclotomic field."""
-    steps = degrees * 2
-    if steps.q != 1:
+    if not has_exact_direction(degrees):
         raise Undecided(f"{degrees} degrees: exact only at multiples of half a degree")
-    power = int(steps.p) % _TURN
+    power = int((degrees * 2).p) % _TURN
     coefficients = [0] * (_TURN + 1)
     coefficients[power] += 1
     coefficients[_TURN - power] += 1
     return fmpq_poly(coefficients, 2) % _MODULUS
+
+
+def has_exact_direction(degrees: fmpq) -> bool:
+    """Whether the cyclotomic field holds the cosine and the sine of the angle."""
+    return bool((degrees * 2).q == 1)
+
+
+def exact_direction(degrees: fmpq) -> tuple[fmpq_poly, fmpq_poly]:
+    """Cosine and sine as elements of the cyclotomic field."""
+    return exact_cosine(degrees), exact_sine(degrees)
 
 
 def exact_sine(degrees: fmpq) -> fmpq_poly:

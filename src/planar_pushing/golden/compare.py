@@ -18,6 +18,8 @@ from planar_pushing.study.models import Tolerance
 
 #: A variable that no tolerance names must agree exactly.
 EXACT = Tolerance()
+#: Attributes that must be the same.
+MARKS = ("units", "flag_meanings")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,9 +87,9 @@ def _problem(name: str, result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]
     if found.dims != wanted.dims:
         yield f"has the dims {found.dims}, not {wanted.dims}"
         return
-    for unit in ("units", "flag_meanings"):
-        if found.attrs.get(unit) != wanted.attrs.get(unit):
-            yield f"has {unit} {found.attrs.get(unit)!r}, not {wanted.attrs.get(unit)!r}"
+    for mark in MARKS:
+        if found.attrs.get(mark) != wanted.attrs.get(mark):
+            yield f"has {mark} {found.attrs.get(mark)!r}, not {wanted.attrs.get(mark)!r}"
     for dim in wanted.dims:
         if dim in golden.coords:
             absent = ~np.isin(golden[dim].values, result[dim].values)
@@ -121,6 +123,8 @@ def _compare_variable(
         for part in ("_low", "_radius")
     )
     error = _difference(computed, middle, low)
+    if wanted.attrs.get("units") == "degree":
+        error = np.minimum(error, np.abs(error - 360))
     finite = np.where(np.isfinite(middle), np.abs(middle), 0.0)
     allowed = tolerance.relative * finite + tolerance.absolute + radius
     return _worst(label, wanted, computed, error, allowed)
@@ -144,8 +148,9 @@ def _worst(
     allowed: npt.NDArray[np.float64],
 ) -> Check:
     failed = error > allowed
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         ratio = np.where(error == 0, 0.0, error / allowed)
+        ulps = np.where(error == 0, 0.0, error / np.spacing(np.abs(wanted.values.astype(float))))
     at = np.unravel_index(int(np.argmax(ratio)), error.shape) if error.size else ()
     middle = wanted.values[at]
     coordinates = ", ".join(
@@ -157,7 +162,7 @@ def _worst(
         count=error.size,
         failed=int(failed.sum()),
         error=float(error[at]),
-        ulp=float(error[at] / np.spacing(np.abs(middle))) if np.isfinite(middle) else 0.0,
+        ulp=float(ulps[at]),
         allowed=float(allowed[at]),
         where=f"{coordinates}: computed {computed[at]!s}, golden {middle!s}".lstrip(": "),
     )

@@ -5,22 +5,18 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import partial, reduce
+from itertools import pairwise
 from operator import getitem
 
 from flint import arb, fmpq
 
 from planar_pushing.golden.balls import in_degrees, precise, sign
 from planar_pushing.golden.reference import (
-    Effects,
-    Heading,
-    Slider,
-    edge,
     exact_contact_motion,
-    heading,
-    lean,
     motion_angle,
     motion_degrees,
 )
+from planar_pushing.golden.setting import Effects, Heading, Slider, direction, edge, lean
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +84,7 @@ def conservative_cone(slider: Slider, friction_coefficient: float = math.inf) ->
     right, left = (edge(friction_coefficient, side) for side in (1, -1))
     bounds = [right, *_tangents(slider, right, left), left]
     rights, lefts = [], []
-    for first, last in zip(bounds[:-1], bounds[1:], strict=True):
+    for first, last in pairwise(bounds):
         misses = sign(_arm_between(slider, first, last) - 1) > 0
         ends = (arb(1), arb.pos_inf()) if misses else (arb(0), arb(1))
         rights += [_angle(slider, first, end) for end in ends]
@@ -105,17 +101,12 @@ def _tangents(slider: Slider, right: Heading, left: Heading) -> list[Heading]:
         slider.rod_angle + turn + side * half for turn in (-360, -180, 0, 180) for side in (-1, 1)
     ]
     inside = [each for each in found if sign(each - right.degrees) > 0 > sign(each - left.degrees)]
-    return [_direction(degrees) for degrees in inside]
-
-
-def _direction(degrees: arb) -> Heading:
-    turn = degrees / 180
-    return Heading(degrees, turn.cos_pi(), turn.sin_pi(), None)
+    return [direction(degrees) for degrees in inside]
 
 
 def _arm_between(slider: Slider, first: Heading, last: Heading) -> arb:
     # Not half way: a sector between tangents is symmetric about the rod, where the arm vanishes.
-    inside = _direction((3 * first.degrees + 5 * last.degrees) / 8)
+    inside = direction((3 * first.degrees + 5 * last.degrees) / 8)
     return slider.rod_length * abs(lean(slider, inside)[1])
 
 

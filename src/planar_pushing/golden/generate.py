@@ -20,31 +20,26 @@ import xarray as xr
 from flint import __FLINT_VERSION__ as FLINT_VERSION
 from flint import arb
 
-from planar_pushing.golden import cones, modes, reference
-from planar_pushing.golden.balls import PRECISION, pack, precise, rational
-from planar_pushing.golden.reference import Effects, Slider
+from planar_pushing.golden import cells, modes
+from planar_pushing.golden.balls import PRECISION, pack, precise
+from planar_pushing.golden.cells import UNIT, Parameters, Record
 from planar_pushing.golden.units import UNITS
 
 Grid = Mapping[str, Sequence[Any]]
-Record = Mapping[str, "arb | int | list[arb] | list[int]"]
 Cell = Callable[..., Record]
-
-#: Parameters of the slider; the paper's are all 1.
-Parameters = Mapping[str, float]
-UNIT: Parameters = {"weight": 1.0, "mass": 1.0, "radius": 1.0, "gyration_radius": 1.0}
 
 
 def limit_curves(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
     """Limit curves over effects, rod_length, rod_angle and force_angle (Eqs. 2-7, Sec. 4)."""
     dims = ("effects", "rod_length", "rod_angle", "force_angle")
-    variables = _tabulate(grid, dims, partial(_limit_point, parameters), processes)
+    variables = _tabulate(grid, dims, partial(cells.limit_point, parameters), processes)
     return _dataset(grid, dims, variables, "Limit curves", "Eqs. (2)-(7), Sec. 4")
 
 
 def motion_cones(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
     """Motion cones over effects, rod_length, rod_angle and friction_coefficient (Secs. 3 and 4)."""
     dims = ("effects", "rod_length", "rod_angle", "friction_coefficient")
-    variables = _tabulate(grid, dims, partial(_motion_cone, parameters), processes)
+    variables = _tabulate(grid, dims, partial(cells.motion_cone, parameters), processes)
     return _dataset(grid, dims, variables, "Motion cones", "Secs. 3.1, 3.2 and 4")
 
 
@@ -62,7 +57,7 @@ def contact_modes(
     coords = {**grid, "contact": list(contacts)}
     dims = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle")
     laws = {label: law for label, (_, law) in contacts.items()}
-    cell = partial(_contact_modes, parameters, rod_angle, laws)
+    cell = partial(cells.contact_mode, parameters, rod_angle, laws)
     variables = _tabulate(coords, dims, cell, processes, inner=("mode",))
     coords["mode"] = [mode.name for mode in modes.Mode]
     dataset = _dataset(coords, (*dims, "mode"), variables, "Contact modes", "Secs. 2 to 5")
@@ -81,93 +76,11 @@ def acceleration_centers(
 ) -> xr.Dataset:
     """Acceleration centres over rod_length, force_angle and inertia_share; cones over rod_length."""
     dims = ("rod_length", "force_angle", "inertia_share")
-    center, cone = (partial(cell, parameters, rod_angle) for cell in (_center, _acceleration_cones))
-    variables = _tabulate(grid, dims, center, processes)
-    variables |= _tabulate(grid, dims[:1], cone, processes)
+    centers = partial(cells.center, parameters, rod_angle)
+    bounds = partial(cells.acceleration_cones, parameters, rod_angle)
+    variables = _tabulate(grid, dims, centers, processes)
+    variables |= _tabulate(grid, dims[:1], bounds, processes)
     return _dataset(grid, dims, variables, "Acceleration centres and cones", "Sec. 4")
-
-
-def _limit_point(
-    parameters: Parameters, effects: str, length: float, angle: float, force_angle: float
-) -> Record:
-    slider, resisting = Slider.of(length, angle, **parameters), Effects(effects)
-    force = reference.heading(rational(force_angle))
-    size, spin = reference.limit_point(slider, resisting, force)
-    if resisting is Effects.BOTH:
-        motion = reference.motion_degrees(slider, force, spin)
-    else:
-        motion = reference.motion_angle(slider, force, resisting.shares[0])
-    return {
-        "force": size,
-        "force_x": size * force.x,
-        "force_y": size * force.y,
-        "spin_ratio": spin,
-        "motion_angle": motion,
-    }
-
-
-def _motion_cone(
-    parameters: Parameters, effects: str, length: float, angle: float, mu: float
-) -> Record:
-    slider, resisting = Slider.of(length, angle, **parameters), Effects(effects)
-    forces, motions = cones.friction_cone(mu), cones.motion_cone(slider, resisting, mu)
-    return {
-        "friction_cone_right": forces.right,
-        "friction_cone_left": forces.left,
-        "motion_cone_right": motions.right,
-        "motion_cone_left": motions.left,
-        "pulls": int(cones.pulls(slider, resisting, mu)),
-        "slips_while_pushing": int(cones.slips_while_pushing(slider, resisting, mu)),
-    }
-
-
-def _contact_modes(
-    parameters: Parameters,
-    rod_angle: float,
-    laws: Mapping[str, modes.Law],
-    effects: str,
-    label: str,
-    length: float,
-    magnitude: float,
-    pusher_angle: float,
-) -> Record:
-    slider = Slider.of(length, rod_angle, **parameters)
-    found = modes.contact_modes(slider, Effects(effects), laws[label], magnitude, pusher_angle)
-    ends = [(motions or [modes.REST])[:: max(1, len(motions) - 1)] for motions in found.values()]
-    return {
-        "consistent": [len(motions) for motions in found.values()],
-        "spin_ratio": [each[0].spin_ratio for each in ends],
-        "force_angle": [each[0].force_angle for each in ends],
-        "spin_ratio_fast": [each[-1].spin_ratio for each in ends],
-        "force_angle_fast": [each[-1].force_angle for each in ends],
-        "outcome": modes.outcome(found),
-    }
-
-
-def _center(
-    parameters: Parameters, rod_angle: float, length: float, force_angle: float, share: float
-) -> Record:
-    slider, force = (
-        Slider.of(length, rod_angle, **parameters),
-        reference.heading(rational(force_angle)),
-    )
-    spin = reference.spin_ratio(slider, force, rational(share))
-    x, y = reference.motion_center(slider, force, spin)
-    size = rational(parameters["radius"])
-    motion = reference.motion_angle(slider, force, rational(share))
-    return {"center_x": x * size, "center_y": y * size, "motion_angle": motion}
-
-
-def _acceleration_cones(parameters: Parameters, rod_angle: float, length: float) -> Record:
-    slider = Slider.of(length, rod_angle, **parameters)
-    bound = cones.conservative_cone(slider)
-    exact = cones.motion_cone(slider, Effects.BOTH, modes.INFINITE_FREE.friction_coefficient)
-    return {
-        "conservative_cone_right": bound.right,
-        "conservative_cone_left": bound.left,
-        "exact_cone_right": exact.right,
-        "exact_cone_left": exact.left,
-    }
 
 
 def _tabulate(

@@ -17,20 +17,35 @@ from flint import arb, fmpq
 from planar_pushing.golden import slips
 from planar_pushing.golden.balls import Exact, cosine_sine, precise, rational, sign
 from planar_pushing.golden.reference import (
+    contact_motion,
+    exact_contact_motion,
+    is_steady,
+    spin_ratio,
+)
+from planar_pushing.golden.setting import (
     FRICTION,
     INERTIA,
     Effects,
     Heading,
     Slider,
-    contact_motion,
     edge,
-    exact_contact_motion,
     heading,
-    is_steady,
     lean,
-    spin_ratio,
 )
 from planar_pushing.golden.sticking import Motion, Sticking, sticking
+
+__all__ = [
+    "INFINITE_FREE",
+    "INFINITE_NONE",
+    "PERFECTLY_ROUGH",
+    "REST",
+    "Law",
+    "Mode",
+    "Motion",
+    "contact_modes",
+    "coulomb",
+    "outcome",
+]
 
 
 class Mode(IntEnum):
@@ -177,7 +192,7 @@ def _turn(slider: Slider, force: Heading, spin: arb, share: fmpq, pusher: Headin
         return known[0] * y - known[1] * x  # type: ignore[index]
 
     ball = motion[0] * pusher.y - motion[1] * pusher.x
-    return sign(ball, exact if known is not None else None)
+    return sign(ball, None if known is None or pusher.exact is None else exact)
 
 
 @lru_cache(maxsize=1024)

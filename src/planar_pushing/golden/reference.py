@@ -1,17 +1,13 @@
 """Motion of the slider under one line of force, enclosed: spin ratio, motion, limit force, centre.
 
-Lengths are in units of R and angles in exact degrees. Friction and inertia act together through the
-share sigma = s / (1 + s) of inertia, 0 for friction alone and 1 for inertia alone:
-``(1 - sigma) (t - h f) + sigma (g k - h) = 0`` with ``g = (rho / R)^2``, increasing in k.
+Friction and inertia act together through the share sigma = s / (1 + s) of inertia, 0 for friction alone
+and 1 for inertia alone: ``(1 - sigma) (t - h f) + sigma (g k - h) = 0`` with ``g = (rho / R)^2``,
+increasing in k.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from dataclasses import dataclass
-from enum import StrEnum
-from functools import lru_cache, partial
+from functools import lru_cache
 
 from flint import arb, fmpq
 
@@ -22,110 +18,45 @@ from planar_pushing.golden.balls import (
     exact_cosine,
     exact_sine,
     fold,
+    has_exact_direction,
     in_degrees,
     precise,
-    rational,
     settle,
     sign,
 )
 from planar_pushing.golden.roots import increasing_root
+from planar_pushing.golden.setting import (
+    FRICTION,
+    INERTIA,
+    Effects,
+    Heading,
+    Slider,
+    direction,
+    edge,
+    heading,
+    lean,
+)
 
-FRICTION, INERTIA = fmpq(0), fmpq(1)  # shares of inertia
-
-
-class Effects(StrEnum):
-    """What resists the motion, by the names of the datasets."""
-
-    FRICTION = "support_friction"
-    INERTIA = "inertia"
-    BOTH = "support_friction+inertia"
-
-    @property
-    def shares(self) -> tuple[fmpq, ...]:
-        """Shares of inertia between which the effects leave the motion open."""
-        ends = {Effects.FRICTION: (FRICTION,), Effects.INERTIA: (INERTIA,)}
-        return ends.get(self, (FRICTION, INERTIA))
-
-
-@dataclass(frozen=True, slots=True)
-class Slider:
-    """Rod length in units of R, rod angle in degrees, ``gyration = (rho / R)^2``, W and m; all exact."""
-
-    rod_length: fmpq
-    rod_angle: fmpq
-    gyration: fmpq = fmpq(1)
-    weight: fmpq = fmpq(1)
-    mass: fmpq = fmpq(1)
-
-    @classmethod
-    def of(
-        cls,
-        rod_length: float,
-        rod_angle: float = 45.0,
-        *,
-        weight: float = 1.0,
-        mass: float = 1.0,
-        radius: float = 1.0,
-        gyration_radius: float = 1.0,
-    ) -> Slider:
-        """Slider with lengths in any one unit; doubles are taken as exact."""
-        size = rational(radius)
-        gyration = (rational(gyration_radius) / size) ** 2
-        length = rational(rod_length) / size
-        return cls(length, rational(rod_angle), gyration, rational(weight), rational(mass))
-
-
-@dataclass(frozen=True, slots=True)
-class Heading:
-    """Direction of a force: its angle in degrees, unit vector, and the same exactly.
-
-    `rational` is the angle where it is rational, `exact` gives a positive multiple of the vector.
-    """
-
-    degrees: arb
-    x: arb
-    y: arb
-    exact: Callable[[], tuple[Exact, Exact]] | None
-    rational: fmpq | None = None
-
-
-@lru_cache(maxsize=4096)
-@precise
-def heading(degrees: fmpq | float) -> Heading:
-    """Direction at an exact angle."""
-    angle = rational(degrees)
-    x, y = cosine_sine(angle)
-    return Heading(arb(angle), x, y, lambda: (exact_cosine(angle), exact_sine(angle)), angle)
-
-
-@lru_cache(maxsize=1024)
-@precise
-def edge(friction_coefficient: float, side: int) -> Heading:
-    """Edge of the friction cone, side 1 for the right and -1 for the left one; exact also at infinity."""
-    if math.isinf(friction_coefficient):
-        return heading(fmpq(90 - 90 * side))
-    mu = rational(friction_coefficient)
-    norm = (1 + mu * mu).p, (1 + mu * mu).q
-    size = (arb(norm[0]) / norm[1]).sqrt()
-    degrees = 90 - side * in_degrees(arb(mu).atan())
-    return Heading(degrees, side * mu / size, 1 / size, lambda: (side * mu, fmpq(1)))
-
-
-@precise
-def lean(slider: Slider, force: Heading) -> tuple[arb, arb]:
-    """Cosine and sine of the rod angle minus the force angle; zeros are exact."""
-    if force.rational is not None:
-        return cosine_sine(slider.rod_angle - force.rational)
-    c, s = cosine_sine(slider.rod_angle)
-
-    def exact(turn: int) -> Exact:
-        x, y = force.exact()  # type: ignore[misc]
-        return x * exact_cosine(slider.rod_angle - turn) + y * exact_sine(slider.rod_angle - turn)
-
-    known = partial(exact, 0), partial(exact, 90)
-    cosine = settle(force.x * c + force.y * s, force.exact and known[0])
-    sine = settle(force.x * s - force.y * c, force.exact and known[1])
-    return cosine, sine if cosine != 0 else sine.sgn()
+__all__ = [
+    "FRICTION",
+    "INERTIA",
+    "Effects",
+    "Heading",
+    "Slider",
+    "contact_motion",
+    "direction",
+    "edge",
+    "exact_contact_motion",
+    "heading",
+    "is_steady",
+    "lean",
+    "limit_point",
+    "motion_angle",
+    "motion_center",
+    "motion_degrees",
+    "spin_of_arm",
+    "spin_ratio",
+]
 
 
 @precise
@@ -183,8 +114,10 @@ def exact_contact_motion(slider: Slider, force: Heading, share: fmpq) -> tuple[E
     if force.exact is None:
         return None
     x, y = force.exact()
-    if lean(slider, force)[0] == 0:
+    if slider.rod_length == 0 or lean(slider, force)[0] == 0:
         return x, y
+    if not has_exact_direction(slider.rod_angle):
+        return None
     if share != INERTIA and not is_steady(slider, force):
         return None
     c, s = exact_cosine(slider.rod_angle), exact_sine(slider.rod_angle)

@@ -11,16 +11,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import chain, islice, pairwise
 
 from flint import arb
 
 from planar_pushing.golden import ring
 from planar_pushing.golden.balls import Undecided, precise, sign
-from planar_pushing.golden.reference import FRICTION, INERTIA, Heading, Slider, spin_of_arm
+from planar_pushing.golden.reference import spin_of_arm
 from planar_pushing.golden.roots import increasing_root
+from planar_pushing.golden.setting import FRICTION, INERTIA, Heading, Slider
 
 #: Parts narrower than this, relative to k, become gaps.
 _GAP = arb(2) ** -40
+
+#: Parts after which the subdivision counts as endless.
+_MOST = 4096
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +115,12 @@ def parts(edge: Edge) -> list[Part]:
     cuts = [low.lower(), high.upper()]
     if low < 1 < high:
         cuts.insert(1, arb(1))
-    found = [part for a, b in zip(cuts[:-1], cuts[1:], strict=True) for part in _divide(edge, a, b)]
+    if edge.stays and edge.lever.is_zero():  # no motion under this force leaves the fence
+        return []
+    divided = chain.from_iterable(_divide(edge, a, b) for a, b in pairwise(cuts))
+    found = list(islice(divided, _MOST))
+    if len(found) == _MOST:
+        raise Undecided("the normal motion has no sign of slope that balls can tell")
     return list(_merged(edge, found))
 
 

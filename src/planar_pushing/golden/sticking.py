@@ -12,15 +12,16 @@ from planar_pushing.golden import ring
 from planar_pushing.golden.balls import (
     Exact,
     cosine_sine,
-    exact_cosine,
-    exact_sine,
+    exact_direction,
+    has_exact_direction,
     in_degrees,
     precise,
     settle,
     sign,
 )
-from planar_pushing.golden.reference import Effects, Slider, spin_of_arm
+from planar_pushing.golden.reference import spin_of_arm
 from planar_pushing.golden.roots import increasing_root
+from planar_pushing.golden.setting import Effects, Slider
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,12 +80,14 @@ def _exact_force(
     slider: Slider, effects: Effects, pusher_angle: fmpq, along: arb, aside: arb
 ) -> tuple[Exact, Exact] | None:
     """Positive multiple of the force where it is algebraic."""
-    x, y = exact_cosine(pusher_angle), exact_sine(pusher_angle)
+    if not has_exact_direction(pusher_angle):
+        return None
+    x, y = exact_direction(pusher_angle)
     if _straight(slider, along, aside):
         return x, y
-    if effects is not Effects.INERTIA:
+    if effects is not Effects.INERTIA or not has_exact_direction(slider.rod_angle):
         return None
-    c, s = exact_cosine(slider.rod_angle), exact_sine(slider.rod_angle)
+    c, s = exact_direction(slider.rod_angle)
     lighter = 1 / (1 + slider.rod_length**2 / slider.gyration)
     first, second = x * c + y * s, (x * s - y * c) * lighter
     return first * c + second * s, first * s - second * c

@@ -23,6 +23,11 @@ UNITS: dict[str, tuple[str, str]] = {
     "friction_cone_right": ("degree", "right edge of the friction cone"),
     "inertia_share": ("1", "s / (1 + s) with s = m a / W: 0 is friction alone, 1 inertia alone"),
     "law": ("1", "type of the contact law"),
+    "limit_force_left": ("force", "force on the limit curve at the left edge of the friction cone"),
+    "limit_force_right": (
+        "force",
+        "force on the limit curve at the right edge of the friction cone",
+    ),
     "mode": ("1", "contact mode"),
     "motion_angle": ("degree", "angle of the contact motion"),
     "motion_cone_left": ("degree", "left edge of the motion cone"),

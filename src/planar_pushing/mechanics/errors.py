@@ -39,6 +39,10 @@ class InvalidFile(PlanarPushingError):
     """A scene, study or dataset file that cannot be used; the message names file and key."""
 
 
+class InvalidResult(PlanarPushingError):
+    """Results that differ from the golden data; the message is the verdict."""
+
+
 def require_number(
     name: str, given: object, allows: Callable[[float], bool], allowed: str, remedy: str
 ) -> float:

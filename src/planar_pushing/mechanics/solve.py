@@ -56,7 +56,7 @@ class Candidates:
     @property
     def force_angle(self) -> Array:
         """Phi in (-pi, pi], shape S + (branches,)."""
-        return np.arctan2(self.force[..., 1], self.force[..., 0] + 0.0)
+        return np.arctan2(self.force[..., 1] + 0.0, self.force[..., 0])
 
 
 def contact_motion(scene: Scene, twist: Array) -> Array:
@@ -135,8 +135,9 @@ def candidates(scene: Scene, pusher_motion: npt.ArrayLike) -> tuple[Candidates, 
     left, right_edge = _slip(scene, pusher, ContactMode.SLIP_LEFT)
     inside = replace(scene.contact.force_angles, closed=False).contains(stick.force_angle)
     slips = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
-    moves = np.hypot(pusher[..., :1], pusher[..., 1:]) > 0
-    sticks = inside | (stick.consistent & ~slips[..., None]) | (left_edge | right_edge)[..., None]
+    at_edge = np.asarray(left_edge | right_edge)[..., None]
+    moves = np.any(pusher != 0, axis=-1, keepdims=True)
+    sticks = inside | (stick.consistent & ~np.asarray(slips)[..., None]) | at_edge
     return _separate(pusher), replace(stick, consistent=sticks & moves), right, left
 
 

@@ -213,6 +213,7 @@ class StudyFile(FileModel):
     grid: Grid
     scenes: dict[str, PushEntry]
     figures: dict[str, FigureEntry]
+    golden: str | None = None
     tolerances: dict[str, Tolerance] = Field(default_factory=dict)
 
     def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:

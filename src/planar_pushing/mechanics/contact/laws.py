@@ -50,8 +50,8 @@ class Coulomb:
 
     @property
     def force_angles(self) -> AngleInterval:
-        half = math.atan(self.friction_coefficient)
-        return AngleInterval(math.pi / 2 - half, math.pi / 2 + half)
+        right = math.atan2(1.0, self.friction_coefficient)
+        return AngleInterval(right, math.pi - right)
 
     @property
     def slips(self) -> bool:
