@@ -28,7 +28,7 @@ golden: $(READY) ## compute the golden data anew and print the differences; WRIT
 	$(BIN)/python -m planar_pushing.golden.update $(if $(WRITE),--write)
 
 images: $(READY) ## compare the figures with their stored images; WRITE=1 stores them
-	$(BIN)/python -m planar_pushing.golden.images $(if $(WRITE),--write)
+	$(BIN)/python -m planar_pushing.figures.images $(if $(WRITE),--write)
 
 dictionary: $(READY) ## write results/README.md from the attributes of the datasets
 	$(BIN)/python -m planar_pushing.study.dictionary

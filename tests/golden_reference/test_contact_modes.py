@@ -1,6 +1,7 @@
 """Contact modes: published cases, ties, every law, and completeness against a dense scan of signs."""
 
 import math
+from itertools import pairwise
 
 import pytest
 from flint import arb, ctx
@@ -61,16 +62,16 @@ def test_slow_pulling_without_fast_pulling():
 
 
 def test_two_slips_past_the_minimum_of_the_normal_motion():
-    """mu = 1.4, l = 2: n . u falls to -0.0400 at |f| = 1.42 and is back at 0 near |f| = 2.21."""
+    """mu = 1.4, l = 2: n . u falls to -0.0400 at |f| = 1.409 and is back at 0 at |f| = 2.225."""
     slider, force = Slider.of(2), edge(1.4, 1)
     motions, parts = modes.cover(slider, 1.4, 1)
     assert [part.rise for part in parts] == [-1, 0, 1]
     assert abs(parts[1].start + arb("0.0400")) < 5e-5
     k = parts[1].low
     size = motions.speed(k) + ring.profile(k)[0]
-    assert abs(size - 1.42) < 5e-3
+    assert abs(size - 1.409) < 5e-4
     (level,) = slips.slip_spins(motions, parts, arb(0))
-    assert abs(motions.speed(level) + ring.profile(level)[0] - 2.21) < 5e-3
+    assert abs(motions.speed(level) + ring.profile(level)[0] - 2.225) < 5e-4
     found = solve(2, Effects.BOTH, coulomb(1.4), 1.42, -1)
     assert counts(found) == [1, 0, 0, 2]
     slow, fast = found[LEFT]
@@ -94,7 +95,7 @@ def test_slips_are_complete_against_a_dense_scan(mu, side, length):
     values = [float(motions.normal_motion(arb(k))) for k in grid]
     for target in (-1.0, -0.3, -0.04, -0.01, 0.013, 0.5, 3.0):
         signs = [value > target for value in values]
-        changes = sum(a != b for a, b in zip(signs[:-1], signs[1:], strict=True))
+        changes = sum(a != b for a, b in pairwise(signs))
         assert len(slips.slip_spins(motions, parts, arb(target))) == changes
 
 
@@ -176,7 +177,11 @@ def test_sticking_motions_balance_the_torque(effects, angle, rod_angle):
 def test_one_effect_has_no_scale_and_two_have_one():
     for effects in (Effects.FRICTION, Effects.INERTIA):
         one, other = (solve(2, effects, coulomb(2.0), size, -10) for size in (0.1, 10))
-        assert one == other
+        assert counts(one) == counts(other)
+        for mode in Mode:
+            for first, second in zip(one[mode], other[mode], strict=True):
+                assert first.spin_ratio.overlaps(second.spin_ratio)
+                assert first.force_angle.overlaps(second.force_angle)
     slow, fast = (solve(2, Effects.BOTH, coulomb(2.0), size, -10)[STICK][0] for size in (1e-9, 1e9))
     friction, inertia = (
         solve(2, each, coulomb(2.0), 1, -10)[STICK][0] for each in list(Effects)[:2]

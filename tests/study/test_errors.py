@@ -141,6 +141,12 @@ AXIS = "a list of increasing numbers, or {start, stop, step} with step > 0"
         ("figure_06: {rod_length: 2", "figure_06: {rod_length: 4",
          "figures.figure_06.rod_length: (4.0,) given; allowed: values of the grid, "
          "(0.0, 1.0, 2.0, 5.0); change it or add it to the grid"),
+        ("rod_angle: [45, 90]", "rod_angle: [60, 90]",
+         "grid.rod_angle: (60.0, 90.0) given; allowed: values that include [45.0], "
+         "which the figures plot; add them"),
+        ("inertia_share: {start: 0, stop: 1, step: 0.5}", "inertia_share: [0, 0.5]",
+         "grid.inertia_share: (0.0, 0.5) given; allowed: values that include [1.0], "
+         "which the figures plot; add them"),
         ("effects: [support_friction, inertia, support_friction+inertia]", "effects: []",
          "grid.effects: [] given; allowed: a list with at least one entry; change the value"),
         ("effects: [support_friction, inertia", "effects: [friction, inertia",

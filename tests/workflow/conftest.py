@@ -21,10 +21,11 @@ class Copy:
     """The project's copy at `root`."""
 
     root: Path
+    study: str = "workflow/config/smoke.yaml"
 
     def command(self, *arguments: str) -> list[str]:
-        study = ["--config", "study=workflow/config/smoke.yaml"]
-        return [sys.executable, "-m", "snakemake", *arguments, "--cores", "2", *study]
+        run = [sys.executable, "-m", "snakemake", *arguments, "--cores", "2"]
+        return [*run, "--config", f"study={self.study}"]
 
     @property
     def environment(self) -> dict[str, str]:

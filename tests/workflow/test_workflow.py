@@ -2,14 +2,16 @@
 
 import os
 import re
+import shutil
 import signal
 import subprocess
 import time
+from dataclasses import replace
 
 import pytest
 
 from planar_pushing.figures.catalog import FIGURES
-from planar_pushing.study.store import DATASETS
+from planar_pushing.study.store import DATASETS, read_dataset, write_dataset
 
 
 def jobs(said):
@@ -80,6 +82,24 @@ def test_an_edited_module_is_rebuilt_once(built):
     assert jobs(built.snakemake())["figure"] == 1
     assert built.digests() == before
     assert "Nothing to be done" in built.snakemake("--dry-run")
+
+
+def test_golden_check_fails_the_run_and_says_why(built):
+    smoke = (built.root / built.study).read_text(encoding="utf-8")
+    (built.root / "golden.yaml").write_text(f"{smoke}\ngolden: golden\n", encoding="utf-8")
+    checked = replace(built, study="golden.yaml")
+    cones = read_dataset(built.root / "results/data/motion_cones.nc")
+    write_dataset(cones, built.root / "golden/motion_cones.nc")
+    assert jobs(checked.snakemake("golden")) == {"golden": 1, "golden_verdict": 1}
+    passed = (built.root / "results/tables/golden_verdict.txt").read_text(encoding="utf-8")
+    assert passed.startswith("passed: ")
+    cones["motion_cone_left"][0, 0, 0, 0] += 1e-9
+    write_dataset(cones, built.root / "golden/motion_cones.nc")
+    said = checked.snakemake("golden", code=1)
+    assert "FAILED: 1 of 8 variables differ from the golden data" in said
+    assert "FAIL motion_cones: motion_cone_left: 1 of 96 differ; worst 1e-09" in said
+    assert "effects=support_friction, rod_length=0.0, rod_angle=45.0" in said
+    shutil.rmtree(built.root / "results/tables", ignore_errors=True)
 
 
 def test_two_clean_rebuilds_are_identical(built, fresh):

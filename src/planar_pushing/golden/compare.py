@@ -94,7 +94,7 @@ def _problem(name: str, result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]
         if dim in golden.coords:
             absent = ~np.isin(golden[dim].values, result[dim].values)
             if absent.any():
-                yield f"has no {dim} {golden[dim].values[absent][0]!r}"
+                yield f"has no {dim} {golden[dim].values[absent][0]}"
             if result[dim].attrs.get("units") != golden[dim].attrs.get("units"):
                 yield f"has {dim} in {result[dim].attrs.get('units')!r}"
         elif found.sizes[dim] != wanted.sizes[dim]:

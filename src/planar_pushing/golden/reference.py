@@ -84,6 +84,7 @@ def _spin_of_lean(length: fmpq, gyration: fmpq, share: fmpq, degrees: fmpq) -> a
     return arb(0) if arm == 0 else spin_of_arm(arm, gyration, share)
 
 
+@lru_cache(maxsize=1 << 15)
 @precise
 def spin_ratio(slider: Slider, force: Heading, share: fmpq) -> arb:
     """Spin ratio k = R omega / v under a line of force."""
@@ -105,6 +106,7 @@ def contact_motion(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]
     return force.x + pull * s, force.y - pull * c
 
 
+@lru_cache(maxsize=1 << 13)
 def exact_contact_motion(slider: Slider, force: Heading, share: fmpq) -> tuple[Exact, Exact] | None:
     """Positive multiple of the contact's motion where it is algebraic, else None.
 

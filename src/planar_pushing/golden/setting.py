@@ -72,9 +72,11 @@ class Slider:
         return cls(length, rational(rod_angle), gyration, rational(weight), rational(mass))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Heading:
     """Direction of a force: its angle in degrees, unit vector, and the same exactly.
+
+    Headings are told apart by identity: `heading` and `edge` return the same one for the same direction.
 
     `rational` is the angle where it is rational, `exact` gives a positive multiple of the vector.
     """
@@ -115,6 +117,7 @@ def edge(friction_coefficient: float, side: int) -> Heading:
     return Heading(degrees, side * mu / size, 1 / size, lambda: (side * mu, fmpq(1)))
 
 
+@lru_cache(maxsize=1 << 15)
 @precise
 def lean(slider: Slider, force: Heading) -> tuple[arb, arb]:
     """Cosine and sine of the rod angle minus the force angle; zeros are exact."""

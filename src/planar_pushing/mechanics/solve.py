@@ -56,7 +56,8 @@ class Candidates:
     @property
     def force_angle(self) -> Array:
         """Phi in (-pi, pi], shape S + (branches,)."""
-        return np.arctan2(self.force[..., 1] + 0.0, self.force[..., 0])
+        angle = np.arctan2(self.force[..., 1], self.force[..., 0])
+        return np.where(angle <= -np.pi + RESOLUTION, np.pi, angle)
 
 
 def contact_motion(scene: Scene, twist: Array) -> Array:

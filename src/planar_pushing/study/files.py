@@ -50,6 +50,13 @@ def load_study(path: PathLike) -> StudyFile:
             load_scene_file(entry.file)
         except InvalidFile as error:
             raise InvalidFile(f"{path}: scenes.{name}.file: {error}") from None
+    for key, values, needed in study.needed_values():
+        if not set(needed) <= set(values):
+            missing = sorted(set(needed) - set(values))
+            raise InvalidFile(
+                f"{path}: grid.{key}: {values!r} given; allowed: values that include {missing!r}, "
+                "which the figures plot; add them"
+            )
     for name, figure in study.figures.items():
         for key, values, allowed in figure.grid_values(study.grid):
             if not set(values) <= set(allowed):

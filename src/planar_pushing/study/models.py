@@ -216,6 +216,14 @@ class StudyFile(FileModel):
     golden: str | None = None
     tolerances: dict[str, Tolerance] = Field(default_factory=dict)
 
+    def needed_values(self) -> Iterator[tuple[str, Axis, Axis]]:
+        """Grid axis, its values, and those among them that the figures cannot do without."""
+        psi = self.slider.rod_angle
+        turns = tuple((psi + turn) % 360 for turn in (0, 90, 180, 270))
+        yield "rod_angle", self.grid.rod_angle, (psi,)
+        yield "force_angle", self.grid.force_angle, (*turns, 45.0, 90.0)
+        yield "inertia_share", self.grid.inertia_share, (0.0, 1.0)
+
     def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:
         """Build the effects that a value of the effects axis stands for."""
         built: dict[str, IsotropicEffect] = {
