@@ -16,7 +16,8 @@ from planar_pushing.figures.sketch import Sketch, shown
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.study.datasets import motion_cones, scenes
 from planar_pushing.study.files import load_study
-from planar_pushing.study.models import FigureEntry, Grid, PushEntry, SceneFile
+from planar_pushing.study.models import FigureEntry, Grid, PushEntry
+from planar_pushing.study.scene_model import SceneFile
 from planar_pushing.study.store import write_dataset
 
 ROOT = Path(__file__).parents[2]

@@ -2,15 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-import xarray as xr
-from matplotlib.figure import Figure
-
 from planar_pushing.figures import scene
-from planar_pushing.figures.sketch import shown
 from planar_pushing.figures.style import COLUMN_WIDTH
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (COLUMN_WIDTH, 3.3)
 CAPTION = (
@@ -26,12 +19,4 @@ LAYERS = (
     scene.moment_arm,
 )
 
-
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
-    """Select the solution that sticks."""
-    return shown(sources["scenes/figure_11"])
-
-
-def draw(figure: Figure, data: xr.Dataset) -> None:
-    """Draw slider, fence, line of force, acceleration and acceleration centre."""
-    scene.draw_scene(figure, data, LAYERS)
+select, draw = scene.scene_figure("figure_11", LAYERS)

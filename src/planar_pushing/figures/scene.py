@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import xarray as xr
@@ -10,10 +10,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
-from planar_pushing.figures.sketch import CONE, SUPPORT_LENGTH, Sketch
+from planar_pushing.figures.sketch import CONE, SUPPORT_LENGTH, Sketch, shown
 from planar_pushing.figures.style import ABOVE, CENTER, FORCE, GUIDE, NOTE_SIZE, PUSHER, SLIP
+from planar_pushing.study.models import FigureEntry
 
 Layer = Callable[[Axes, Sketch], None]
+Select = Callable[[Mapping[str, xr.Dataset], FigureEntry], xr.Dataset]
+Draw = Callable[[Figure, xr.Dataset], None]
 
 
 def body(ax: Axes, sketch: Sketch) -> None:
@@ -129,6 +132,18 @@ LAYERS: tuple[Layer, ...] = (
     support_friction,
     status,
 )
+
+
+def scene_figure(name: str, layers: tuple[Layer, ...]) -> tuple[Select, Draw]:
+    """Select and draw of a figure that shows one solution of a scene."""
+
+    def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+        return shown(sources[f"scenes/{name}"])
+
+    def draw(figure: Figure, data: xr.Dataset) -> None:
+        draw_scene(figure, data, layers)
+
+    return select, draw
 
 
 def points_per_unit(ax: Axes) -> float:

@@ -11,19 +11,17 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
-from importlib.metadata import version
 from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
 import xarray as xr
-from flint import __FLINT_VERSION__ as FLINT_VERSION
 from flint import arb
 
 from planar_pushing.golden import cells, modes
-from planar_pushing.golden.balls import PRECISION, pack, precise
+from planar_pushing.golden.balls import pack, precise
 from planar_pushing.golden.cells import UNIT, Parameters, Record
-from planar_pushing.golden.units import UNITS
+from planar_pushing.golden.marks import marks, provenance
 
 Grid = Mapping[str, Sequence[Any]]
 Cell = Callable[..., Record]
@@ -62,11 +60,11 @@ def contact_modes(
     coords["mode"] = [mode.name for mode in modes.Mode]
     dataset = _dataset(coords, (*dims, "mode"), variables, "Contact modes", "Secs. 2 to 5")
     return dataset.assign_coords(
-        law=("contact", [kind for kind, _ in contacts.values()], _attributes("law")),
+        law=("contact", [kind for kind, _ in contacts.values()], marks("law")),
         friction_coefficient=(
             "contact",
             [law.friction_coefficient for law in laws.values()],
-            _attributes("friction_coefficient"),
+            marks("friction_coefficient"),
         ),
     )
 
@@ -123,33 +121,9 @@ def _packed(cell: Cell, point: tuple[Any, ...]) -> dict[str, Any]:
     return packed
 
 
-def _attributes(name: str) -> dict[str, Any]:
-    base, _, part = name.rpartition("_")
-    if part in ("low", "radius") and base:
-        word = {"low": "low part of the midpoint", "radius": "radius of the enclosure"}[part]
-        return {"units": UNITS[base][0], "long_name": f"{UNITS[base][1]}: {word}"}
-    return dict(zip(("units", "long_name"), UNITS[name], strict=True))
-
-
 def _dataset(
     grid: Grid, dims: tuple[str, ...], variables: dict[str, Any], title: str, source: str
 ) -> xr.Dataset:
-    coords = {name: (name, list(grid[name]), _attributes(name)) for name in dims}
-    dataset = xr.Dataset(
-        {name: (*value, _attributes(name)) for name, value in variables.items()}, coords
-    )
-    if "outcome" in dataset:
-        flags = {"flag_values": [0, 1, 2], "flag_meanings": "INCONSISTENT UNIQUE AMBIGUOUS"}
-        dataset["outcome"].attrs |= flags
-    dataset.attrs = {
-        "title": f"{title}, certified",
-        "source": source,
-        "method": "Arb elliptic integrals; roots enclosed by a change of sign between balls",
-        "precision_bits": PRECISION,
-        "python_flint": version("python-flint"),
-        "flint": FLINT_VERSION,
-    }
-    return dataset
-
-
-__all__ = ["acceleration_centers", "contact_modes", "limit_curves", "motion_cones"]
+    coords = {name: (name, list(grid[name]), marks(name)) for name in dims}
+    values = {name: (*value, marks(name)) for name, value in variables.items()}
+    return xr.Dataset(values, coords, provenance(title) | {"source": source})

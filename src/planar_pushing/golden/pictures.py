@@ -272,7 +272,7 @@ FIGURES: dict[str, Callable[[Study], Golden]] = {
 def figure(name: str, study: Study) -> xr.Dataset:
     """Certified values of what a figure plots."""
     values, coords = FIGURES[name](study)
-    return certified(values, coords, f"Plotted values of {name}, certified")
+    return certified(values, coords, f"Plotted values of {name}")
 
 
 @precise
@@ -281,4 +281,4 @@ def scene(name: str, study: Study) -> xr.Dataset:
     file, push = study["scenes"][name]
     kinds = slider_of(file)[1].value.split("+")
     coords = {"xy": list(XY), "effect": kinds}
-    return certified(scene_values(file, push), coords, f"Scene {name}, certified")
+    return certified(scene_values(file, push), coords, f"Scene {name}")

@@ -20,7 +20,8 @@ from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.fields import FileModel
-from planar_pushing.study.models import SceneFile, StudyFile
+from planar_pushing.study.models import StudyFile
+from planar_pushing.study.scene_model import SceneFile
 
 Model = TypeVar("Model", bound=FileModel)
 PathLike = str | os.PathLike[str]

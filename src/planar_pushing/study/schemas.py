@@ -6,7 +6,8 @@ import json
 from pathlib import Path
 
 from planar_pushing.study.fields import FileModel
-from planar_pushing.study.models import SceneFile, StudyFile
+from planar_pushing.study.models import StudyFile
+from planar_pushing.study.scene_model import SceneFile
 
 SCHEMAS: dict[str, type[FileModel]] = {"scene": SceneFile, "study": StudyFile}
 

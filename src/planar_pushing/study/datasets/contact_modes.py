@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from planar_pushing.mechanics.candidates import Candidates, candidates, outcomes
 from planar_pushing.mechanics.contact import (
     ContactLaw,
     ContactMode,
@@ -17,7 +18,6 @@ from planar_pushing.mechanics.contact import (
 from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.solve import Candidates, candidates, outcomes
 from planar_pushing.study.datasets.base import parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile

@@ -21,7 +21,8 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import Solutions, solve
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.models import PushEntry, SceneFile, StudyFile
+from planar_pushing.study.models import PushEntry, StudyFile
+from planar_pushing.study.scene_model import SceneFile
 
 AXES = ()
 
