@@ -45,7 +45,8 @@ lock: ## resolve the dependencies anew (needs uv)
 		--custom-compile-command "make lock" --output-file requirements.lock pyproject.toml requirements.build
 
 clean: ## remove everything that was generated
-	rm -rf $(VENV) .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
+	find src tests -name __pycache__ -prune -exec rm -rf {} +
 	find results -mindepth 1 -not -name README.md -delete
 
 help:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,8 +13,14 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.cones import can_pull, friction_cone, motion_cone, slips_while_pushing
-from planar_pushing.mechanics.errors import InvalidValue, PlanarPushingError
+from planar_pushing.mechanics.errors import (
+    InvalidValue,
+    PlanarPushingError,
+    require_number,
+    require_positive,
+)
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.study.describe import plain
 from planar_pushing.study.files import load_scene, load_scene_file
 from planar_pushing.study.models import PushEntry
 from planar_pushing.study.query import select
@@ -116,15 +121,6 @@ def _draw(args: argparse.Namespace) -> dict[str, Any]:
     return {"written": str(args.output)}
 
 
-def _plain(value: Any) -> Any:
-    """JSON has no infinities: they become the words inf and -inf."""
-    if isinstance(value, dict):
-        return {key: _plain(each) for key, each in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(each) for each in value]
-    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
-
-
 def _text(value: Any, indent: int = 0) -> str:
     """Readable lines of nested results."""
     if isinstance(value, list) and value and isinstance(value[0], dict):
@@ -144,6 +140,16 @@ def _text(value: Any, indent: int = 0) -> str:
             else f"{' ' * indent}{key}: {_text(each)}" if key else str(each)
         )  # fmt: skip
     return "\n".join(lines)
+
+
+def _check_push(args: argparse.Namespace) -> None:
+    """Refuse angles and magnitudes that are no motion of the fence."""
+    for name in ("pusher_angle", "force_angle"):
+        if getattr(args, name, None) is not None:
+            given = getattr(args, name)
+            require_number(name, given, np.isfinite, "a finite number of degrees", "give one angle")
+    magnitude = getattr(args, "pusher_magnitude", 1.0)
+    require_positive("pusher_magnitude", magnitude, "turn the pusher around by its angle")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -168,6 +174,7 @@ def _parser() -> argparse.ArgumentParser:
     push(solving, required=True)
     scene(command("cone", _cone, "Print the friction cone and the motion cone, in degrees."))
     query = command("query", _query, "Print a part of a dataset: --axis-name value picks a value.")
+    query.usage = "planar-pushing query DATASET [--AXIS VALUE ...] [--results FOLDER] [--json]"
     query.add_argument("dataset", metavar="DATASET", help=", ".join(DATASETS))
     query.add_argument(
         "--results", type=Path, default=Path("results"), help="folder of the results"
@@ -188,11 +195,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error(f"unrecognized arguments: {' '.join(rest)}")
     args.where = rest
     try:
+        _check_push(args)
         result = args.action(args)
     except PlanarPushingError as error:
         print(f"planar-pushing {args.command}: {error}", file=sys.stderr)
         return 2
-    print(json.dumps(_plain(result), indent=2) if args.json else _text(result))
+    print(json.dumps(plain(result), indent=2) if args.json else _text(result))
     return 0
 
 

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import ArrowStyle, FancyArrowPatch
 
 from planar_pushing.figures import render, style
+from planar_pushing.figures.catalog import CAPTIONS
 from planar_pushing.figures.scene import draw_scene
 from planar_pushing.figures.sketch import Sketch, shown
 from planar_pushing.mechanics.contact import ContactMode
@@ -111,7 +112,7 @@ def test_no_label_covers_another_or_is_clipped(picture):
 def test_the_caption_and_the_size_suit_a_column_or_a_page(name):
     module = render.figure_module(name)
     assert module.SIZE[0] in (style.COLUMN_WIDTH, style.PAGE_WIDTH)
-    assert module.CAPTION.endswith(".")
+    assert CAPTIONS[name].endswith(".")
 
 
 @pytest.mark.parametrize("data", ["figure_02"], indirect=True)

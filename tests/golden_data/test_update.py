@@ -81,4 +81,4 @@ def test_images_are_stored_by_command_alone(tmp_path, capsys):
     Image.new("RGB", (900, 600), "black").save(tmp_path / "results/figures/figure_05.png")
     capsys.readouterr()
     assert images.main(arguments) == 1
-    assert "figure_05: differs, 255.00 grey levels" in capsys.readouterr().out
+    assert "figure_05: differs, 255.00 colour levels" in capsys.readouterr().out

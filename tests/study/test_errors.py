@@ -67,6 +67,11 @@ def message(load, tmp_path, text):
         ("slider: {rod_length: 5, rod_angle: 45, radius: 1}", "slider: 5",
          "slider: 5 given; allowed: a mapping with the keys rod_length, rod_angle, radius; "
          "change the value"),
+        ("contact: {law: coulomb, friction_coefficient: 2}", "contact: rough",
+         "contact: 'rough' given; allowed: a mapping; change the value"),
+        ("title: A scene", "title: 3", "title: 3 given; allowed: text; change the value"),
+        ("weight: 1", "weight: " + 400 * "1",
+         f"effects[0].weight: {400 * '1'} given; allowed: a finite number > 0; change the value"),
         ("radius: 1}\ncontact", "radius: 1, radius: 2}\ncontact",
          "not YAML: line 2, column 51: found duplicate key \"radius\" with value \"2\" "
          "(original value: \"1\"); mend the line"),
@@ -108,7 +113,7 @@ def test_not_text(tmp_path):
         load_scene(path)
 
 
-AXIS = "a list of increasing numbers, or {start, stop, step} with step > 0"
+AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
 
 
 @pytest.mark.parametrize(
@@ -125,6 +130,9 @@ AXIS = "a list of increasing numbers, or {start, stop, step} with step > 0"
         ("force_angle: {start: 0, stop: 360, step: 15}", "force_angle: {start: 0, stop: 360, step: 0}",
          f"grid.force_angle: {{'start': 0, 'stop': 360, 'step': 0}} given; allowed: {AXIS}, "
          "and at least one number; change the value"),
+        ("force_angle: {start: 0, stop: 360, step: 15}", "force_angle: {start: 0, stop: 360, step: 7}",
+         f"grid.force_angle: {{'start': 0, 'stop': 360, 'step': 7}} given; allowed: {AXIS}, "
+         "and at least one number; change the value"),
         ("force_angle: {start: 0, stop: 360, step: 15}", "force_angle: {start: 0, stop: 360}",
          f"grid.force_angle: {{'start': 0, 'stop': 360}} given; allowed: {AXIS}; change the value"),
         ("[0, 1.5, 2, inf]", "[-1, 2, inf]",
@@ -132,6 +140,28 @@ AXIS = "a list of increasing numbers, or {start, stop, step} with step > 0"
         ("rod_angle: [45, 90]", "rod_angle: [0, 90]",
          "grid.rod_angle[0]: 0 given; allowed: degrees in the open interval (0, 180); "
          "change the value"),
+        ("  figure_07: {rod_length: [1, 2, 5]}\n", "",
+         "figures.figure_07: missing; allowed: an entry for each of figure_01, figure_05, figure_06, "
+         "figure_07, figure_10, figure_12, figure_13; add it"),
+        ("  figure_07: {rod_length: [1, 2, 5]}\n", "  figure_07: {}\n",
+         "figures.figure_07.rod_length: missing; allowed: values of the grid; add it"),
+        ("  figure_07: {", "  figure_99: {",
+         "figures.figure_07: missing; allowed: an entry for each of figure_01, figure_05, figure_06, "
+         "figure_07, figure_10, figure_12, figure_13; add it"),
+        ("  figure_12: {file", "  figure_99: {file",
+         "scenes.figure_12: missing; allowed: an entry for each of figure_02, figure_03, figure_08, "
+         "figure_09a, figure_09b, figure_11, figure_12; add it"),
+        ("inertia: {mass: 1, gyration_radius: 1}", "inertia: {mass: 1, gyration_radius: 2}",
+         "inertia.gyration_radius: 2.0 given; allowed: the radius of the ring, 1.0, "
+         "which the paper's bound presumes; change it"),
+        ("grid:\n", "golden: nowhere\ngrid:\n",
+         "golden: 'nowhere' given; allowed: a folder of golden data; leave the key out"),
+        ("[0, 1.5, 2, inf]", "[0, 1.5, 2]",
+         "grid.friction_coefficient: (0.0, 1.5, 2.0) given; allowed: values that include [inf], "
+         "which the figures plot; add them"),
+        ("effects: [support_friction, inertia, support_friction+inertia]", "effects: [inertia]",
+         "grid.effects: ('inertia',) given; allowed: values that include ['support_friction', "
+         "'support_friction+inertia'], which the figures plot; add them"),
         ("force_angle: 62", "force_angle: 62, pusher_angle: 3",
          "scenes.figure_02: {'file': 'workflow/scenes/figure_02.yaml', 'force_angle': 62, "
          "'pusher_angle': 3} given; allowed: exactly one of pusher_angle and force_angle; "

@@ -8,7 +8,6 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.mechanics.planar import (
     contact_motion_angle,
-    cross,
     direction,
     moment_arm,
     motion_center,
@@ -70,11 +69,6 @@ def test_direction_elsewhere():
     assert np.array_equal(vectors[..., 0], np.cos(angle))
     assert np.array_equal(vectors[..., 1], np.sin(angle))
     assert vectors[1, 1, 1] > 0
-
-
-def test_cross_is_the_signed_area():
-    assert cross(np.array([1.0, 0.0]), np.array([0.0, 2.0])) == 2
-    assert cross(np.array([0.0, 2.0]), np.array([1.0, 0.0])) == -2
 
 
 def test_moment_arm_sign():

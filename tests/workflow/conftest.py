@@ -67,7 +67,9 @@ def copy_project(root: Path) -> Copy:
     for part in PARTS:
         source, target = PROJECT / part, root / part
         if source.is_dir() and not source.is_symlink():
-            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copytree(
+                source, target, ignore=shutil.ignore_patterns("__pycache__", ".*_cache")
+            )
         else:
             shutil.copy(source, target, follow_symlinks=False)
     return Copy(root)

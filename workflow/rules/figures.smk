@@ -33,6 +33,7 @@ rule figure:
         figure=r"figure_\d\d",
     params:
         settings=figure_settings,
+        caption=lambda wildcards: CAPTIONS[wildcards.figure],
     message:
         "Drawing {wildcards.figure}"
     script:

@@ -1,4 +1,4 @@
-"""The figures and the datasets that each is drawn from; read without importing matplotlib."""
+"""The figures: what each is drawn from, and its caption; read without importing matplotlib."""
 
 from __future__ import annotations
 
@@ -17,4 +17,80 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "figure_11": ("scenes/figure_11",),
     "figure_12": ("acceleration_centers", "scenes/figure_12"),
     "figure_13": ("contact_modes", "motion_cones"),
+}
+
+#: Our captions.
+CAPTIONS: dict[str, str] = {
+    "figure_01": (
+        "The pushing problem: a fence pushes a ring of radius 1 at the free end of its rod."
+        " Filled arrowheads are forces, open ones are velocities and accelerations; angles "
+        "are measured from the fence."
+    ),
+    "figure_02": (
+        "Quasi-static pushing. The support friction of a slider that turns about the "
+        "velocity centre, drawn along the ring, balances the force f of the pusher; the "
+        "pusher moves into the slider."
+    ),
+    "figure_03": (
+        "Quasi-static pulling. The force f passes close by the ring centre on its other "
+        "side: the contact sticks although the pusher moves away from the slider."
+    ),
+    "figure_04": (
+        "Coordinates: x-y on the pusher, x'-y' on the ring centre with y' along the force "
+        "f. The velocity centre lies on the x' axis."
+    ),
+    "figure_05": (
+        "Limit curves for several rod lengths l, in units of the ring's radius: the forces "
+        "through the contact under which the slider moves quasi-statically. Without a rod "
+        "the curve is a circle, for an infinite rod a segment along it. Open arrows are the"
+        " contact's velocities, normal to the curve; at the four force angles drawn they "
+        "are parallel to the force."
+    ),
+    "figure_06": (
+        "From the friction cone through the limit curve to the velocity cone. Each force "
+        "inside the friction cone is a point of the limit curve, and the normal there is "
+        "the contact's velocity; the cone's edges map to the edges of the velocity cone, "
+        "whose right edge points away from the slider: pulling."
+    ),
+    "figure_07": (
+        "Velocity cones for infinite friction and several rod lengths. Each spans 180 "
+        "degrees and leans away from the friction cone (the half plane above the fence): "
+        "below the fence on its right side the fence pulls, above the fence on its left "
+        "side the contact slips."
+    ),
+    "figure_08": (
+        "Slip with infinite friction. The pusher velocity lies to the left of the shaded "
+        "velocity cone, so the slider slips to the right: f and the slider velocity lie on "
+        "the left edges of their cones."
+    ),
+    "figure_09": (
+        "Acceleration cones. The edges of the friction cone have the acceleration centres "
+        "c_r and c_l as their force duals; between them the friction cone allows the solid "
+        "part of the line of centres, with rotation to the left (+) or to the right (-)."
+    ),
+    "figure_10": (
+        "Without support friction ellipses take the limit curves' place; their major axis "
+        "lies along the rod. On the ellipse of one of the rod lengths the forces of a "
+        "friction cone are drawn with the accelerations that they cause, normal to the "
+        "ellipse; these sweep the acceleration cone."
+    ),
+    "figure_11": (
+        "Pulling from rest, with support friction and inertia. About an acceleration centre"
+        " on the ring both resist along one line, tangent to the ring opposite to the "
+        "centre, whatever their magnitudes."
+    ),
+    "figure_12": (
+        "Slip with infinite friction, support friction and inertia. Possible acceleration "
+        "centres and accelerations of the contact: the paper's bound from the geometry of "
+        "the line of force (light), and the exact set (dark), which narrows to a point "
+        "where the line of force touches the ring. A fence that accelerates at an angle "
+        "between the cone and 180 degrees makes the contact slip, whatever its magnitude."
+    ),
+    "figure_13": (
+        "Consistent contact modes over the coefficient of friction (linear in its angle) "
+        "and the angle of the fence's motion. The strips on the right are infinite friction"
+        " without tangential force at zero normal force (definition 2) and perfectly rough "
+        "contact. Dots are edges of the motion cones; with both effects the cone covers all"
+        " magnitudes of the motion, the map is drawn for one."
+    ),
 }

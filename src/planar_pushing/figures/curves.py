@@ -28,8 +28,6 @@ from planar_pushing.figures.style import DARK, GUIDE, KIND_COLORS, NOTE_SIZE
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.study.models import FigureEntry
 
-#: The paper's rod angle, degrees; the datasets over other angles are cut there.
-ROD_ANGLE = 45.0
 #: Ends of curves that close on themselves.
 BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}
 
@@ -42,10 +40,20 @@ def rod_lengths(settings: FigureEntry, default: tuple[float, ...]) -> tuple[floa
     return given if isinstance(given, tuple) else (given,)
 
 
+def _slider(dataset: xr.Dataset) -> dict[str, float]:
+    """The study's slider, from the parameters of a dataset over its grid."""
+    found: dict[str, float] = json.loads(dataset.attrs["parameters"])["slider"]
+    return found
+
+
+def rod_angle(dataset: xr.Dataset) -> float:
+    """The study's rod angle, degrees; a dataset over other angles is cut there."""
+    return float(_slider(dataset)["rod_angle"])
+
+
 def radius(dataset: xr.Dataset) -> xr.Variable:
     """Radius of the ring that a dataset over the grid was computed for."""
-    value = float(json.loads(dataset.attrs["parameters"])["slider"]["radius"])
-    return named((), value, "length", "radius of the ring")
+    return named((), float(_slider(dataset)["radius"]), "length", "radius of the ring")
 
 
 def named(dims: Iterable[str] | str, values: object, units: str, long_name: str) -> xr.Variable:
@@ -65,7 +73,9 @@ def titled(dataset: xr.Dataset, title: str, sources: Mapping[str, xr.Dataset]) -
 
 def curves(limit_curves: xr.Dataset, effects: str, lengths: tuple[float, ...]) -> xr.Dataset:
     """Limit curves under some effects at the paper's rod angle, one for each rod length."""
-    cut = limit_curves.sel(effects=effects, rod_angle=ROD_ANGLE, rod_length=list(lengths))
+    cut = limit_curves.sel(
+        effects=effects, rod_angle=rod_angle(limit_curves), rod_length=list(lengths)
+    )
     return cut[["force_x", "force_y"]].drop_vars("effects")
 
 
@@ -79,9 +89,10 @@ def cone_mapping(
 
     `where` names effects, rod length and friction coefficient.
     """
-    edges = motion_cones.sel({"rod_angle": ROD_ANGLE, **where})
+    psi = rod_angle(motion_cones)
+    edges = motion_cones.sel({"rod_angle": psi, **where})
     on = {name: value for name, value in where.items() if name != "friction_coefficient"}
-    curve = limit_curves.sel({"rod_angle": ROD_ANGLE, **on})
+    curve = limit_curves.sel({"rod_angle": psi, **on})
     right, left = float(edges.friction_cone_right), float(edges.friction_cone_left)
     between = [angle for angle in inside if right < angle < left]
     angle = np.array([right, *between, left])

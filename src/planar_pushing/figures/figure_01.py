@@ -14,18 +14,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
+from planar_pushing.figures.curves import number, radius, rod_angle
 from planar_pushing.figures.style import COLUMN_WIDTH, DARK, FORCE, GUIDE, MOTION, NOTE_SIZE, PUSHER
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (COLUMN_WIDTH, 2.45)
-CAPTION = (
-    "The pushing problem: a fence pushes a ring of radius 1 at the free end of its rod. Filled arrowheads "
-    "are forces, open ones are velocities and accelerations; angles are measured from the fence."
-)
-ROD_ANGLE = 45.0
 ROD_LENGTH = 3.0
 FRICTION_COEFFICIENT = 0.5
-RADIUS = 1.0
 SPEED = 2.9
 LONG_NAMES = {
     "force_angle": "force angle",
@@ -37,9 +32,10 @@ LONG_NAMES = {
 def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select one slipping contact: its force angle and the two velocity angles."""
     length, mu = settings.rod_length, settings.friction_coefficient
-    row = sources["motion_cones"].sel(
+    cones = sources["motion_cones"]
+    row = cones.sel(
         effects="support_friction",
-        rod_angle=ROD_ANGLE,
+        rod_angle=rod_angle(cones),
         rod_length=ROD_LENGTH if length is None else length,
         friction_coefficient=FRICTION_COEFFICIENT if mu is None else mu,
     )
@@ -48,6 +44,7 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
         {
             "rod_length": row["rod_length"].variable,
             "rod_angle": row["rod_angle"].variable,
+            "radius": radius(cones),
             "force_angle": row["friction_cone_left"].variable,
             "slider_angle": edge,
             "pusher_angle": 0.5 * (edge + 180.0),
@@ -62,15 +59,13 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
 def draw(figure: Figure, data: xr.Dataset) -> None:
     """Draw slider and fence with their lengths, vectors and angles."""
     psi, length = float(data["rod_angle"]), float(data["rod_length"])
-    ring = length * drawing.unit(psi)
-    ax = drawing.schematic(
-        figure, (-SPEED - 0.2, ring[0] + RADIUS, -0.45, ring[1] + RADIUS), pad=8.0
-    )
-    drawing.fence(ax, -SPEED - 0.2, ring[0] + RADIUS, depth=0.16)
-    drawing.slider(ax, ring, RADIUS)
+    ring, size = length * drawing.unit(psi), float(data["radius"])
+    ax = drawing.schematic(figure, (-SPEED - 0.2, ring[0] + size, -0.45, ring[1] + size), pad=8.0)
+    drawing.fence(ax, -SPEED - 0.2, ring[0] + size, depth=0.16)
+    drawing.slider(ax, ring, size)
     _vectors(ax, data)
     _angles(ax, data)
-    _lengths(ax, ring, psi)
+    _lengths(ax, ring, psi, size)
     drawing.declutter(ax)
 
 
@@ -84,24 +79,22 @@ def _vectors(ax: Axes, data: xr.Dataset) -> None:
 
 
 def _angles(ax: Axes, data: xr.Dataset) -> None:
-    for radius, name, symbol, color, at in (
+    for reach, name, symbol, color, at in (
         (0.5, "rod_angle", rf"${float(data['rod_angle']):g}^\circ$", DARK, 0.5),
         (1.05, "force_angle", r"$\phi$", FORCE, 0.62),
         (1.35, "slider_angle", r"$\theta_s$", MOTION, 0.62),
         (1.65, "pusher_angle", r"$\theta_p$", PUSHER, 0.62),
     ):
-        drawing.angle_arc(ax, (0, 0), 0, float(data[name]), radius, symbol, color=color, at=at)
+        drawing.angle_arc(ax, (0, 0), 0, float(data[name]), reach, symbol, color=color, at=at)
 
 
-def _lengths(ax: Axes, ring: np.ndarray, psi: float) -> None:
+def _lengths(ax: Axes, ring: np.ndarray, psi: float, size: float) -> None:
     aside = drawing.unit(psi - 90)
     drawing.label(ax, 0.55 * ring, "$l$", offset=(8 * aside[0], 8 * aside[1]))
-    drawing.guide(ax, ring, ring + RADIUS * drawing.unit(0), color=DARK, style="-")
-    drawing.label(ax, ring + 0.5 * RADIUS * drawing.unit(0), "$1$", offset=(0.0, 7.0))
+    drawing.guide(ax, ring, ring + size * drawing.unit(0), color=DARK, style="-")
+    drawing.label(ax, ring + 0.5 * size * drawing.unit(0), f"${number(size)}$", offset=(0.0, 7.0))
     drawing.label(ax, (0, 0), r"$\mu$", offset=(0.0, -13.0))
-    drawing.label(
-        ax, ring + RADIUS * drawing.unit(90), "slider", offset=(0.0, -12.0), size=NOTE_SIZE
-    )
+    drawing.label(ax, ring + size * drawing.unit(90), "slider", offset=(0.0, -12.0), size=NOTE_SIZE)
     drawing.label(ax, (-1.6, 0), "pusher", offset=(0.0, -13.0), size=NOTE_SIZE)
     corner = (ring[0] + 0.1, 0.0)
     drawing.coordinate_axes(ax, corner, 0, 0.6, ("$x$", "$y$"), color=GUIDE)

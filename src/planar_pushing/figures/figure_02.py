@@ -6,10 +6,6 @@ from planar_pushing.figures import scene
 from planar_pushing.figures.style import COLUMN_WIDTH
 
 SIZE = (COLUMN_WIDTH, 2.8)
-CAPTION = (
-    "Quasi-static pushing. The support friction of a slider that turns about the velocity centre, "
-    "drawn along the ring, balances the force f of the pusher; the pusher moves into the slider."
-)
 LAYERS = (
     scene.body,
     scene.force,

@@ -6,10 +6,6 @@ from planar_pushing.figures import scene
 from planar_pushing.figures.style import COLUMN_WIDTH
 
 SIZE = (COLUMN_WIDTH, 3.1)
-CAPTION = (
-    "Quasi-static pulling. The force f passes close by the ring centre on its other side: the contact "
-    "sticks although the pusher moves away from the slider."
-)
 LAYERS = (
     scene.body,
     scene.force,

@@ -14,10 +14,6 @@ from planar_pushing.figures.style import CENTER, COLUMN_WIDTH, DARK, FORCE
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (COLUMN_WIDTH, 3.0)
-CAPTION = (
-    "Coordinates: x-y on the pusher, x'-y' on the ring centre with y' along the force f. The velocity "
-    "centre lies on the x' axis."
-)
 
 
 def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:

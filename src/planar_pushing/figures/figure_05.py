@@ -10,11 +10,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.curves import (
-    ROD_ANGLE,
     curves,
     family,
     named,
     on_curve,
+    rod_angle,
     rod_lengths,
     titled,
 )
@@ -24,12 +24,6 @@ from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (3.4, 3.4)
-CAPTION = (
-    "Limit curves for several rod lengths l, in units of the ring's radius: the forces through the "
-    "contact under which the slider moves quasi-statically. Without a rod the curve is a circle, "
-    "for an infinite rod a segment along it. Open arrows are the contact's velocities, normal to "
-    "the curve; at the four force angles drawn they are parallel to the force."
-)
 #: Force angles from the rod at which force and velocity are parallel, degrees.
 PARALLEL = (0.0, 90.0, 180.0, 270.0)
 
@@ -37,11 +31,12 @@ PARALLEL = (0.0, 90.0, 180.0, 270.0)
 def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
     """Select the curves, the limit of an infinite rod, and the velocities at the special angles."""
     grid = sources["limit_curves"]
+    psi = rod_angle(grid)
     data = curves(grid, "support_friction", rod_lengths(settings, (0.0, 0.5, 1.0, 2.0, 5.0)))
-    angles = (ROD_ANGLE + np.array(PARALLEL)) % 360
+    angles = (psi + np.array(PARALLEL)) % 360
     special = grid.sel(
         effects="support_friction",
-        rod_angle=ROD_ANGLE,
+        rod_angle=psi,
         rod_length=data.rod_length,
         force_angle=angles,
     ).rename(force_angle="parallel_angle")
@@ -49,7 +44,7 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
     data["parallel_motion_angle"] = special.motion_angle.drop_vars("effects")
     data.parallel_angle.attrs["long_name"] = "force angle at which force and velocity are parallel"
     # Along the rod the force translates the slider, whatever the rod's length.
-    ends = np.array([ROD_ANGLE, (ROD_ANGLE + 180) % 360])
+    ends = np.array([psi, (psi + 180) % 360])
     force = special.force.sel(parallel_angle=ends).isel(rod_length=-1).values
     tips = force[:, None] * direction(np.deg2rad(ends))
     data["infinite_rod_x"] = named(

@@ -22,12 +22,6 @@ from planar_pushing.figures.style import DARK
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 2.5)
-CAPTION = (
-    "From the friction cone through the limit curve to the velocity cone. Each force inside the "
-    "friction cone is a point of the limit curve, and the normal there is the contact's velocity; "
-    "the cone's edges map to the edges of the velocity cone, whose right edge points away from the "
-    "slider: pulling."
-)
 #: Force angles drawn between the edges of the cone, degrees.
 INSIDE = (45.0, 90.0)
 

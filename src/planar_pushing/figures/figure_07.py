@@ -10,17 +10,12 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.curves import ROD_ANGLE, degrees, number, radius, rod_lengths, titled
+from planar_pushing.figures.curves import degrees, number, radius, rod_angle, rod_lengths, titled
 from planar_pushing.figures.drawing import cone, declutter, fence, label, schematic, slider, unit
 from planar_pushing.figures.style import DARK, MOTION, NOTE_SIZE, SLIP
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 1.7)
-CAPTION = (
-    "Velocity cones for infinite friction and several rod lengths. Each spans 180 degrees and leans "
-    "away from the friction cone (the half plane above the fence): below the fence on its right "
-    "side the fence pulls, above the fence on its left side the contact slips."
-)
 #: Sectors are named where the cone leaves this much room, degrees.
 WIDE = 155.0
 
@@ -30,7 +25,7 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
     grid = sources["motion_cones"]
     cut = grid.sel(
         effects="support_friction",
-        rod_angle=ROD_ANGLE,
+        rod_angle=rod_angle(grid),
         friction_coefficient=np.inf,
         rod_length=list(rod_lengths(settings, (0.5, 1.0, 2.0, 5.0))),
     )

@@ -6,10 +6,6 @@ from planar_pushing.figures import scene
 from planar_pushing.figures.style import COLUMN_WIDTH
 
 SIZE = (COLUMN_WIDTH, 2.8)
-CAPTION = (
-    "Slip with infinite friction. The pusher velocity lies to the left of the shaded velocity cone, so "
-    "the slider slips to the right: f and the slider velocity lie on the left edges of their cones."
-)
 LAYERS = (scene.body, scene.motion_cone, scene.force, scene.motions, scene.center)
 
 select, draw = scene.scene_figure("figure_08", LAYERS)

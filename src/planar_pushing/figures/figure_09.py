@@ -14,11 +14,6 @@ from planar_pushing.figures.style import CENTER, PAGE_WIDTH
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (PAGE_WIDTH, 3.2)
-CAPTION = (
-    "Acceleration cones. The edges of the friction cone have the acceleration centres c_r and c_l as their "
-    "force duals; between them the friction cone allows the solid part of the line of centres, with "
-    "rotation to the left (+) or to the right (-)."
-)
 PANELS = ("a", "b")
 BOX = (-2.0, 4.1, -1.0, 4.3)
 

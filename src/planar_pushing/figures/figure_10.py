@@ -21,11 +21,6 @@ from planar_pushing.figures.drawing import declutter
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 2.5)
-CAPTION = (
-    "Without support friction ellipses take the limit curves' place; their major axis lies along "
-    "the rod. On the ellipse of one of the rod lengths the forces of a friction cone are drawn with "
-    "the accelerations that they cause, normal to the ellipse; these sweep the acceleration cone."
-)
 #: Force angles drawn between the edges of the cone, degrees.
 INSIDE = (45.0, 90.0)
 #: Where the labels of the ellipses stand, degrees.
@@ -36,7 +31,7 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
     """Select the ellipses, and the forces and accelerations of the mapping."""
     data = curves(sources["limit_curves"], "inertia", rod_lengths(settings, (0.5, 1.0, 2.0, 5.0)))
     mapped = 1.0 if settings.mapped_rod_length is None else settings.mapped_rod_length
-    friction = 2.0 if settings.friction_coefficient is None else settings.friction_coefficient
+    friction = 5.0 if settings.friction_coefficient is None else settings.friction_coefficient
     where = {"effects": "inertia", "rod_length": mapped, "friction_coefficient": friction}
     data = data.merge(cone_mapping(sources["limit_curves"], sources["motion_cones"], where, INSIDE))
     return titled(data, "Ellipses of the dynamic case and an acceleration cone", sources)
@@ -47,7 +42,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     ellipses = np.stack([data.force_x, data.force_y], axis=-1)
     titles = (
         rf"friction cone, $\mu = {number(float(data.friction_coefficient))}$",
-        "ellipses of four rod lengths",
+        "ellipses of several rod lengths",
         rf"acceleration cone, $l = {number(float(data.mapped_rod_length))}$",
     )
     ax = mapping_panels(figure, data, list(ellipses), "a", titles)

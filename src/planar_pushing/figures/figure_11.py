@@ -6,10 +6,6 @@ from planar_pushing.figures import scene
 from planar_pushing.figures.style import COLUMN_WIDTH
 
 SIZE = (COLUMN_WIDTH, 3.3)
-CAPTION = (
-    "Pulling from rest, with support friction and inertia. About an acceleration centre on the ring both "
-    "resist along one line, tangent to the ring opposite to the centre, whatever their magnitudes."
-)
 LAYERS = (
     scene.body,
     scene.force,

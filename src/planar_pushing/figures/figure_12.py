@@ -28,13 +28,6 @@ from planar_pushing.mechanics.planar import moment_arm
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 3.2)
-CAPTION = (
-    "Slip with infinite friction, support friction and inertia. Possible acceleration centres and "
-    "accelerations of the contact: the paper's bound from the geometry of the line of force (light), "
-    "and the exact set (dark), which narrows to a point where the line of force touches the ring. A "
-    "fence that accelerates at an angle between the cone and 180 degrees makes the contact slip, "
-    "whatever its magnitude."
-)
 SCENE = (
     "rod_length rod_angle radius ring_center pusher_angle pusher_motion contact_motion force "
     "friction_cone_right friction_cone_left"

@@ -12,18 +12,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
-from planar_pushing.figures.curves import ROD_ANGLE, named, number, rod_lengths, titled
+from planar_pushing.figures.curves import named, number, rod_angle, rod_lengths, titled
 from planar_pushing.figures.style import DARK, LIGHT, NOTE_SIZE
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 3.6)
-CAPTION = (
-    "Consistent contact modes over the coefficient of friction (linear in its angle) and the angle of "
-    "the fence's motion. The strips on the right are infinite friction without tangential force at zero "
-    "normal force (definition 2) and perfectly rough contact. Dots are edges of the motion cones; with "
-    "both effects the cone covers all magnitudes of the motion, the map is drawn for one."
-)
 #: Each set of consistent modes: its name, colour and hatch; hatched where the solutions are several.
 SEPARATE, STICK, RIGHT, LEFT = (1 << mode for mode in ContactMode)
 STYLES: dict[int, tuple[str, str, str]] = {
@@ -87,7 +81,8 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
     length = rod_lengths(settings, (2.0,))[0]
     magnitude = settings.pusher_magnitude or 1.0
     modes = sources["contact_modes"].sel(rod_length=length, pusher_magnitude=magnitude)
-    cones = sources["motion_cones"].sel(rod_length=length, rod_angle=ROD_ANGLE)
+    cones = sources["motion_cones"]
+    cones = cones.sel(rod_length=length, rod_angle=rod_angle(cones))
     angle = np.rad2deg(np.arctan(modes.friction_coefficient.values))
     data = xr.Dataset({"modes": mode_sets(modes.consistent)})
     data = data.drop_vars("friction_coefficient")

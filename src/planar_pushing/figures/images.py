@@ -15,15 +15,16 @@ from PIL import Image
 
 from planar_pushing.figures.catalog import FIGURES
 from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.jobs import run_command
 
 #: Stored images are this wide, pixels: wide enough to see a moved label.
 WIDTH = 720
-#: Largest root mean square difference of the grey levels, 0 to 255.
+#: Largest root mean square difference of the colour levels, 0 to 255.
 TOLERANCE = 2.0
 
 
 def thumbnail(path: Path) -> Image.Image:
-    """Grey picture of the stored width.
+    """Picture of the stored width, in RGB.
 
     Raises
     ------
@@ -55,7 +56,7 @@ def main(arguments: list[str] | None = None) -> int:
         picture = args.results / "figures" / f"{name}.png"
         stored = args.golden / "images" / f"{name}.png"
         gap = difference(picture, stored) if stored.is_file() else np.inf
-        print(f"{name}: {'unchanged' if gap <= TOLERANCE else 'differs'}, {gap:.2f} grey levels")
+        print(f"{name}: {'unchanged' if gap <= TOLERANCE else 'differs'}, {gap:.2f} colour levels")
         if gap > TOLERANCE:
             changed += 1
             if args.write:
@@ -65,4 +66,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main))

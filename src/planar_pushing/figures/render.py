@@ -34,7 +34,6 @@ class FigureModule(Protocol):
     """What a module figure_NN provides."""
 
     SIZE: tuple[float, float]
-    CAPTION: str
 
     def select(self, sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset: ...
 

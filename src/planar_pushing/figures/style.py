@@ -12,15 +12,10 @@ import matplotlib.style
 COLUMN_WIDTH = 3.4
 PAGE_WIDTH = 7.0
 
-# Okabe and Ito's palette, told apart with every kind of colour vision.
-BLACK = "#000000"
-ORANGE = "#E69F00"
-SKY = "#56B4E9"
+# From Okabe and Ito's palette, told apart with every kind of colour vision.
 GREEN = "#009E73"
-YELLOW = "#F0E442"
 BLUE = "#0072B2"
 VERMILION = "#D55E00"
-PURPLE = "#CC79A7"
 DARK = "#333333"
 GREY = "#777777"
 LIGHT = "#BBBBBB"

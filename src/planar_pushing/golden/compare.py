@@ -123,8 +123,6 @@ def _compare_variable(
         for part in ("_low", "_radius")
     )
     error = _difference(computed, middle, low)
-    if wanted.attrs.get("units") == "degree":
-        error = np.minimum(error, np.abs(error - 360))
     finite = np.where(np.isfinite(middle), np.abs(middle), 0.0)
     allowed = tolerance.relative * finite + tolerance.absolute + radius
     return _worst(label, wanted, computed, error, allowed)

@@ -20,6 +20,7 @@ import xarray as xr
 from planar_pushing.golden import generate, modes, pictures
 from planar_pushing.golden.compare import MARKS, golden_variables
 from planar_pushing.study.files import load_scene_file, load_study
+from planar_pushing.study.jobs import run_command
 from planar_pushing.study.models import StudyFile
 from planar_pushing.study.store import read_dataset, write_dataset
 
@@ -78,6 +79,11 @@ def golden_files(study: StudyFile) -> Iterator[tuple[str, xr.Dataset]]:
         yield name, pictures.figure(name, values)
 
 
+def stored_names(golden: Path) -> list[str]:
+    """Names of the stored golden files."""
+    return [path.stem for path in golden.glob("*.nc")]
+
+
 def differences(name: str, new: xr.Dataset, path: Path) -> list[str]:
     """How new golden data differ from the stored ones, beyond their own radii."""
     if not path.is_file():
@@ -120,14 +126,18 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--golden", default="tests/golden", type=Path)
     parser.add_argument("--write", action="store_true", help="store the new golden data")
     args = parser.parse_args(arguments)
-    start, changed = time.perf_counter(), 0
+    start, changed, seen = time.perf_counter(), 0, set()
     for name, new in golden_files(load_study(args.study)):
+        seen.add(name)
         path = args.golden / f"{name}.nc"
         found = differences(name, new, path)
         changed += len(found)
         print("\n".join(found) if found else f"{name}: unchanged", flush=True)
         if found and args.write:
             write_dataset(new, path)
+    for name in sorted(set(stored_names(args.golden)) - seen):
+        changed += 1
+        print(f"{name}: no longer a part of the study; remove its file")
     print(f"{changed} differences, {time.perf_counter() - start:.0f} s")
     if changed and args.write:
         print(f"stored in {args.golden}; look at them, commit them, and run the check")
@@ -137,4 +147,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_command(main))

@@ -42,7 +42,7 @@ class Candidates:
 
     @property
     def spin_ratio(self) -> Array:
-        """K = R omega / v with v along the force, shape S + (branches,); 0 at rest."""
+        """Spin ratio k = R omega / v with v along the force, shape S + (branches,); 0 at rest."""
         speed = np.hypot(self.twist[..., 0], self.twist[..., 1])
         spin = self.twist[..., 2]
         with np.errstate(divide="ignore", over="ignore"):
@@ -53,7 +53,7 @@ class Candidates:
 
     @property
     def force_angle(self) -> Array:
-        """Phi in (-pi, pi], shape S + (branches,)."""
+        """Force angle phi in (-pi, pi], shape S + (branches,)."""
         angle = np.arctan2(self.force[..., 1], self.force[..., 0])
         return np.where(angle <= -np.pi + RESOLUTION, np.pi, angle)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics import response
 from planar_pushing.mechanics.angles import AngleInterval
 from planar_pushing.mechanics.cones import friction_cone, spin_ratio
 from planar_pushing.mechanics.errors import InvalidValue
@@ -29,18 +28,6 @@ def motion_centers(
     slider = scene.slider
     k = spin_ratio(scene, force_angle, inertia_share)
     return motion_center(force_angle, k, slider.rod_length, slider.rod_angle, slider.radius)
-
-
-def exact_spin_ratios(scene: Scene, force_angle: npt.ArrayLike) -> tuple[Array, Array]:
-    """Ends of the spin ratios that a force angle allows, nearest translation first.
-
-    With both effects every ratio strictly between the ends occurs at one magnitude of the motion.
-    """
-    slider = scene.slider
-    arm = moment_arm(slider.length_ratio, slider.rod_angle, force_angle)
-    kinds = [response.of_degree(scene.scaled_effects, degree) for degree in (1, 2)]
-    ends = np.sort([np.abs(response.spin_ratio(kind, arm, None)) for kind in kinds if kind], axis=0)
-    return np.copysign(ends[0], arm), np.copysign(ends[-1], arm)
 
 
 def conservative_spin_ratios(moment_arm: npt.ArrayLike) -> tuple[Array, Array]:

@@ -50,11 +50,6 @@ def direction(angle: npt.ArrayLike) -> Array:
     return np.where(on_axis, np.rint(vectors), vectors)
 
 
-def cross(a: Array, b: Array) -> Array:
-    """Signed area ``a_x b_y - a_y b_x`` of plane vectors, shape S + (2,) -> S."""
-    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
-
-
 def moment_arm(
     rod_length: npt.ArrayLike, rod_angle: npt.ArrayLike, force_angle: npt.ArrayLike
 ) -> Array:

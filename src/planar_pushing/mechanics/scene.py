@@ -48,7 +48,7 @@ class Slider:
 
     @property
     def length_ratio(self) -> float:
-        """L / R."""
+        """Rod length in units of the radius, l / R."""
         return self.rod_length / self.radius
 
 

@@ -84,17 +84,18 @@ PACKAGES = ("planar-pushing", "numpy", "scipy", "xarray", "h5netcdf", "h5py")
 
 def to_json(value: object) -> str:
     """JSON of plain values and models, with infinities as the word inf and keys in order."""
-    return json.dumps(_plain(value), sort_keys=True, allow_nan=False)
+    return json.dumps(plain(value), sort_keys=True, allow_nan=False)
 
 
-def _plain(value: object) -> object:
+def plain(value: object) -> object:
+    """Value as JSON has it; infinities, which JSON lacks, become the words inf and -inf."""
     if isinstance(value, BaseModel):
-        return _plain(value.model_dump())
+        return plain(value.model_dump())
     if isinstance(value, dict):
-        return {str(key): _plain(each) for key, each in value.items()}
+        return {str(key): plain(each) for key, each in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_plain(each) for each in value]
-    return "inf" if isinstance(value, float) and math.isinf(value) else value
+        return [plain(each) for each in value]
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def describe(dataset: xr.Dataset, *, title: str, source: str, parameters: object) -> xr.Dataset:

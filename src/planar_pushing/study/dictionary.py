@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import xarray as xr
 
 from planar_pushing.study.describe import NOTES
+from planar_pushing.study.jobs import run_command
 from planar_pushing.study.store import DATASETS, group_names, open_dataset
 
 HEAD = """# Data dictionary
 
-Everything in this folder but this page is generated: `data/` holds the datasets, `figures/` the figures
-with the numbers that they plot in `figures/data/`, `tables/` the golden verdict, `logs/` and `benchmarks/`
-a file for each job. `make dictionary` writes this page from the attributes of the datasets.
+The pipeline generates everything in this folder except this page: `data/` holds the datasets, `figures/`
+the figures, with the numbers that they plot in `figures/data/`, `tables/` the golden verdict, `logs/` and
+`benchmarks/` a file for each job. `make dictionary` writes this page from the attributes of the datasets.
 
 The datasets are netCDF4 files; `planar_pushing.open_dataset("motion_cones")` opens one with xarray. Angles
 are degrees, counter-clockwise from the fence.
@@ -56,7 +58,7 @@ def _table(dataset: xr.Dataset) -> Iterator[str]:
         yield f"| `{name}` | {dims} | {variable.attrs['units']} | {meaning} |"
 
 
-def main() -> None:
+def main() -> int:
     """Write the page into the results folder that it describes."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", default="results")
@@ -64,7 +66,8 @@ def main() -> None:
     path = Path(folder) / "README.md"
     path.write_text(dictionary_text(folder), encoding="utf-8")
     print(f"wrote {path}")
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(run_command(main))

@@ -52,9 +52,15 @@ NotEmpty = BeforeValidator(_not_empty)
 
 def _number(given: object, allows: Callable[[float], bool], allowed: str) -> float:
     number = math.inf if given == "inf" else given
-    if isinstance(number, bool) or not isinstance(number, (int, float)) or not allows(number):
+    if isinstance(number, bool) or not isinstance(number, (int, float)):
         raise refuse(allowed)
-    return float(number)
+    try:
+        value = float(number)
+    except OverflowError:
+        raise refuse(allowed) from None
+    if not allows(value):
+        raise refuse(allowed)
+    return value
 
 
 def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
@@ -66,7 +72,7 @@ def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
     ]
 
 
-AXIS = "a list of increasing numbers, or {start, stop, step} with step > 0"
+AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
 
 
 def _expand(given: object) -> object:
@@ -94,6 +100,8 @@ def _steps(start: float, stop: float, step: float) -> list[float]:
     if step <= 0 or stop < start:
         return []
     count = round((stop - start) / step)
+    if abs(count * step - (stop - start)) > 1e-9 * step:
+        return []
     return [round(start + i * (stop - start) / max(count, 1), 12) for i in range(count + 1)]
 
 

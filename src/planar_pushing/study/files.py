@@ -15,12 +15,12 @@ from pydantic_core import ErrorDetails
 from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
-from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction
+from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction, PerfectlyRough
 from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.fields import FileModel
-from planar_pushing.study.models import StudyFile
+from planar_pushing.study.models import FIGURE_KEYS, SCENES, FigureEntry, Grid, StudyFile
 from planar_pushing.study.scene_model import SceneFile
 
 Model = TypeVar("Model", bound=FileModel)
@@ -46,26 +46,57 @@ def load_scene_file(path: PathLike) -> SceneFile:
 def load_study(path: PathLike) -> StudyFile:
     """Read a study file and check the scenes that it names; errors as in `load_scene`."""
     study = _load(path, StudyFile)
-    for name, entry in study.scenes.items():
+    for problem in _study_problems(study):
+        raise InvalidFile(f"{path}: {problem}")
+    return study
+
+
+def _study_problems(study: StudyFile) -> Iterator[str]:
+    """What keeps a well-formed study from being computed and drawn."""
+    for name, push in study.scenes.items():
         try:
-            load_scene_file(entry.file)
+            load_scene_file(push.file)
         except InvalidFile as error:
-            raise InvalidFile(f"{path}: scenes.{name}.file: {error}") from None
-    for key, values, needed in study.needed_values():
-        if not set(needed) <= set(values):
-            missing = sorted(set(needed) - set(values))
-            raise InvalidFile(
-                f"{path}: grid.{key}: {values!r} given; allowed: values that include {missing!r}, "
+            yield f"scenes.{name}.file: {error}"
+    for kind, given, needed in (
+        ("scenes", study.scenes, SCENES),
+        ("figures", study.figures, FIGURE_KEYS),
+    ):
+        for name in needed:
+            if name not in given:
+                yield f"{kind}.{name}: missing; allowed: an entry for each of {', '.join(needed)}; add it"
+        for name in given:
+            if name not in needed:
+                yield f"{kind}.{name}: unknown; allowed: {', '.join(needed)}; remove it"
+    for key, values, wanted in study.needed_values():
+        missing = [value for value in wanted if value not in values]
+        if missing:
+            yield (
+                f"grid.{key}: {values!r} given; allowed: values that include {missing!r}, "
                 "which the figures plot; add them"
             )
     for name, figure in study.figures.items():
-        for key, values, allowed in figure.grid_values(study.grid):
-            if not set(values) <= set(allowed):
-                raise InvalidFile(
-                    f"{path}: figures.{name}.{key}: {values!r} given; "
-                    f"allowed: values of the grid, {allowed!r}; change it or add it to the grid"
-                )
-    return study
+        yield from _figure_problems(name, figure, study.grid)
+    if study.inertia.gyration_radius != study.slider.radius:
+        yield (
+            f"inertia.gyration_radius: {study.inertia.gyration_radius!r} given; allowed: the radius of "
+            f"the ring, {study.slider.radius!r}, which the paper's bound presumes; change it"
+        )
+    if study.golden and not list(Path(study.golden).glob("*.nc")):
+        yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
+
+
+def _figure_problems(name: str, figure: FigureEntry, grid: Grid) -> Iterator[str]:
+    """Values of a figure that are missing, or not on the grid."""
+    for key in FIGURE_KEYS[name]:
+        if getattr(figure, key) is None:
+            yield f"figures.{name}.{key}: missing; allowed: values of the grid; add it"
+    for key, values, allowed in figure.grid_values(grid):
+        if not set(values) <= set(allowed):
+            yield (
+                f"figures.{name}.{key}: {values!r} given; allowed: values of the grid, {allowed!r}; "
+                "change it or add it to the grid"
+            )
 
 
 def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
@@ -110,7 +141,10 @@ def _contact_entry(scene: Scene) -> dict[str, Any]:
             return {"law": "coulomb", "friction_coefficient": float(mu)}
         case InfiniteFriction(at_zero_normal=kind):
             return {"law": "infinite_friction", "at_zero_normal": kind}
-    return {"law": "perfectly_rough"}
+        case PerfectlyRough():
+            return {"law": "perfectly_rough"}
+    allowed = "Coulomb, InfiniteFriction and PerfectlyRough"
+    raise InvalidValue("contact", scene.contact, allowed, "save a scene of one of these laws")
 
 
 def _effect_entry(effect: object) -> dict[str, Any]:
@@ -131,9 +165,12 @@ def replacing(path: PathLike) -> Iterator[Path]:
     Its name is always the same, so that what a killed run leaves behind the next one replaces.
     """
     target = Path(path)
-    target.parent.mkdir(parents=True, exist_ok=True)
     temporary = target.with_name(f".{target.name}.part")
-    temporary.unlink(missing_ok=True)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        temporary.write_bytes(b"")
+    except OSError as error:
+        raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
     try:
         yield temporary
         temporary.replace(target)
@@ -199,4 +236,8 @@ def _explain(path: Path, error: ErrorDetails) -> str:
             allowed = f"a mapping with the key {context['discriminator']}"
         case "literal_error":
             allowed = context["expected"]
+        case "model_attributes_type" | "dict_type":
+            allowed = "a mapping"
+        case "string_type":
+            allowed = "text"
     return f"{path}: {key or 'the file'}: {given!r} given; allowed: {allowed}; {remedy}"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import logging
 import platform
+import sys
 import time
 import traceback
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from importlib.util import find_spec
@@ -42,6 +43,15 @@ def job_log(path: str) -> Iterator[logging.Logger]:
     finally:
         logger.removeHandler(handler)
         handler.close()
+
+
+def run_command(main: Callable[[], int]) -> int:
+    """Run a command of the Makefile; 2 with one message where an input is wrong."""
+    try:
+        return main()
+    except PlanarPushingError as error:
+        print(error, file=sys.stderr)
+        return 2
 
 
 @cache

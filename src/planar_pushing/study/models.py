@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal, Self, get_args
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -70,7 +70,10 @@ class Grid(FileModel):
 
 
 class PushEntry(FileModel):
-    """A scene of the study and the fence's motion: its angle, or the force angle it sustains."""
+    """A scene of the study and the fence's motion: its angle, or the force angle it sustains.
+
+    With friction and inertia the force angle is that of equal shares.
+    """
 
     file: str
     pusher_angle: Degrees | None = None
@@ -112,6 +115,19 @@ class Tolerance(FileModel):
     absolute: NonNegative = 0.0
 
 
+#: Values that each figure takes from the study; the other figures show the scene of their name.
+FIGURE_KEYS: dict[str, tuple[str, ...]] = {
+    "figure_01": ("rod_length", "friction_coefficient"),
+    "figure_05": ("rod_length",),
+    "figure_06": ("rod_length", "friction_coefficient"),
+    "figure_07": ("rod_length",),
+    "figure_10": ("rod_length", "mapped_rod_length", "friction_coefficient"),
+    "figure_12": ("rod_length",),
+    "figure_13": ("rod_length", "pusher_magnitude"),
+}
+SCENES = tuple(f"figure_{name}" for name in ("02", "03", "08", "09a", "09b", "11", "12"))
+
+
 class StudyFile(FileModel):
     """The grid of every dataset, the scenes, and the values that the paper leaves open."""
 
@@ -125,13 +141,15 @@ class StudyFile(FileModel):
     golden: str | None = None
     tolerances: dict[str, Tolerance] = Field(default_factory=dict)
 
-    def needed_values(self) -> Iterator[tuple[str, Axis, Axis]]:
+    def needed_values(self) -> Iterator[tuple[str, tuple[object, ...], tuple[object, ...]]]:
         """Grid axis, its values, and those among them that the figures cannot do without."""
-        psi = self.slider.rod_angle
+        psi, grid = self.slider.rod_angle, self.grid
         turns = tuple((psi + turn) % 360 for turn in (0, 90, 180, 270))
-        yield "rod_angle", self.grid.rod_angle, (psi,)
-        yield "force_angle", self.grid.force_angle, (*turns, 45.0, 90.0)
-        yield "inertia_share", self.grid.inertia_share, (0.0, 1.0)
+        yield "effects", grid.effects, get_args(EffectsName)
+        yield "rod_angle", grid.rod_angle, (psi,)
+        yield "friction_coefficient", grid.friction_coefficient, (math.inf,)
+        yield "force_angle", grid.force_angle, (*turns, 45.0, 90.0)
+        yield "inertia_share", grid.inertia_share, (0.0, 1.0)
 
     def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:
         """Build the effects that a value of the effects axis stands for."""

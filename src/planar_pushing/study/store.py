@@ -65,16 +65,25 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
         with xr.open_dataset(path, engine="h5netcdf", group=group) as dataset:
             return dataset.load()
     except FileNotFoundError:
-        raise InvalidFile(f"{path}: no such dataset; build it with make or snakemake") from None
+        raise _missing(path) from None
     except (OSError, KeyError) as error:
         what = f"group {group!r} of a netCDF4 file" if group else "a netCDF4 file"
         raise InvalidFile(f"{path}: is not {what} ({error}); build it anew") from None
 
 
+def _missing(path: PathLike) -> InvalidFile:
+    return InvalidFile(f"{path}: no such dataset; build it with make or snakemake")
+
+
 def group_names(path: PathLike) -> list[str]:
-    """Names of a file's groups, in order."""
-    with h5netcdf.File(path, "r") as file:
-        return sorted(file.groups)
+    """Names of a file's groups, in order; errors as in `read_dataset`."""
+    try:
+        with h5netcdf.File(path, "r") as file:
+            return sorted(file.groups)
+    except FileNotFoundError:
+        raise _missing(path) from None
+    except OSError as error:
+        raise InvalidFile(f"{path}: is not a netCDF4 file ({error}); build it anew") from None
 
 
 def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:

@@ -56,7 +56,7 @@ def _horner(coefficients: Array, x: Array) -> Array:
 
 
 def _inner_profile(k: Array) -> tuple[Array, Array]:
-    """F and t for 0 <= k <= 1, shape of `k`."""
+    """Force f and torque t for 0 <= k <= 1, shape of `k`."""
     m, complement = k * k, (1 - k) * (1 + k)
     e = ellipe(m)
     torque = (e - complement * ellipkm1(np.maximum(complement, TINY))) / np.maximum(k, 0.5)

@@ -33,7 +33,10 @@ EFFECT_NAMES = {1: "support_friction", 2: "inertia"}
 
 
 def pusher_angle(scene: Scene, push: PushEntry) -> float:
-    """Angle of the fence's motion, degrees: given, or the slider's own under a force angle."""
+    """Angle of the fence's motion, degrees: given, or the slider's own under a force angle.
+
+    With friction and inertia the slider's motion is that of equal shares.
+    """
     if push.force_angle is None:
         return float(push.pusher_angle or 0.0)
     share = None if response.is_homogeneous(scene.effects) else 0.5
