@@ -114,7 +114,7 @@ def _slip(scene: Scene, pusher: Array, mode: ContactMode) -> tuple[Candidates, F
         mode=mode,
         consistent=exists & (slip > tolerance),
         twist=twist,
-        force=np.linalg.norm(_force(scene, twist), axis=-1)[..., None] * heading,
+        force=np.hypot(*np.moveaxis(_force(scene, twist), -1, 0))[..., None] * heading,
     )
     return found, np.asarray((exists & (np.abs(slip) <= tolerance)).any(axis=-1))
 

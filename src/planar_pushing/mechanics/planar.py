@@ -111,7 +111,7 @@ def motion_center(
     """
     along = direction(np.subtract(force_angle, QUARTER_TURN))
     ratio = np.asarray(spin_ratio, dtype=float)[..., None]
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         offset = -np.asarray(radius)[..., None] / np.where(ratio == 0, 0.0, ratio) * along
     offset = np.where(along == 0, 0.0, offset)
     center = np.asarray(rod_length)[..., None] * direction(rod_angle)

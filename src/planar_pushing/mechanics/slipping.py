@@ -65,7 +65,7 @@ class _Edge:
         kinds = (response.of_degree(self.effects, degree) for degree in (1, 2))
         slow, fast = (float(response.spin_ratio(kind, self.arm, None)) for kind in kinds)
         end = np.copysign(np.inf, self.advance(np.array(fast)))
-        if abs(fast - slow) <= 1e-6 * slow:
+        if abs(fast - slow) <= 1e-6 * slow or slow < response.VANISHING:
             return np.array([slow, fast]), np.array([0.0, end])
         nodes = self._nodes(slow, fast)
         values = self.normal_motion(nodes)
