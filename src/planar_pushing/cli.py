@@ -64,19 +64,18 @@ def _cone(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _pairs(words: Sequence[str]) -> dict[str, str]:
-    """Axis names and values from ``--axis-name value`` pairs."""
-    wanted = {}
-    names, values = words[::2], words[1::2]
-    for name, value in zip(names, [*values, None], strict=False):
-        if not name.startswith("--") or value is None:
-            raise InvalidValue(
-                "query",
-                " ".join(words),
-                "pairs such as --rod-length 2",
-                "name an axis, then its value",
-            )
-        wanted[name[2:].replace("-", "_")] = value
-    return wanted
+    """Axis names and values from ``--axis-name value`` or ``--axis-name=value``."""
+    split = (word.split("=", 1) if word.startswith("--") else [word] for word in words)
+    parts = [part for pair in split for part in pair]
+    names = [part[2:].replace("-", "_") for part in parts[::2] if part.startswith("--")]
+    if 2 * len(names) != len(parts) or len(set(names)) < len(names):
+        raise InvalidValue(
+            "query",
+            " ".join(words),
+            "pairs such as --rod-length 2, each axis once",
+            "name an axis, then its value",
+        )
+    return dict(zip(names, parts[1::2], strict=True))
 
 
 def _query(args: argparse.Namespace) -> dict[str, Any]:
@@ -87,20 +86,26 @@ def _query(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _table(found: xr.Dataset) -> str:
-    """Chosen values in one line, then what remains: lines of single values, or a table."""
-    units = {name: v.attrs.get("units", "1") for name, v in found.variables.items()}
-    marks = {name: "" if unit == "1" else f" [{unit}]" for name, unit in units.items()}
-    chosen = [f"{name}={found[name].item()}" for name, c in found.coords.items() if not c.ndim]
-    rest = found.drop_vars([name for name, c in found.coords.items() if not c.ndim])
-    if rest.sizes:
-        frame = rest.to_dataframe()
-        frame.columns = [f"{name}{marks[name]}" for name in frame.columns]
-        body = frame.to_string(max_rows=40)
-    else:
-        width = max(len(f"{name}{marks[name]}") for name in rest.data_vars)
-        lines = (f"{f'{n}{marks[n]}':<{width}}  {v.item()}" for n, v in rest.data_vars.items())
-        body = "\n".join(lines)
-    return "\n".join([", ".join(chosen), body] if chosen else [body])
+    """Chosen values in one line, then single values in lines, and a table for each set of axes."""
+    marks = {}
+    for name, variable in found.variables.items():
+        unit = variable.attrs.get("units", "1")
+        marks[name] = str(name) if unit == "1" else f"{name} [{unit}]"
+    chosen = [name for name, coord in found.coords.items() if not coord.ndim]
+    rest = found.drop_vars(chosen)
+    singles = [name for name, variable in rest.data_vars.items() if not variable.ndim]
+    width = max((len(marks[name]) for name in singles), default=0)
+    blocks = [", ".join(f"{name}={found[name].item()}" for name in chosen)] if chosen else []
+    if singles:
+        blocks.append("\n".join(f"{marks[n]:<{width}}  {rest[n].item()}" for n in singles))
+    for dims in dict.fromkeys(
+        variable.dims for variable in rest.data_vars.values() if variable.ndim
+    ):
+        names = [name for name, variable in rest.data_vars.items() if variable.dims == dims]
+        frame = rest[names].to_dataframe()[names]
+        frame.columns = [marks[name] for name in names]
+        blocks.append(frame.to_string(max_rows=40))
+    return "\n".join(blocks)
 
 
 def _draw(args: argparse.Namespace) -> dict[str, Any]:

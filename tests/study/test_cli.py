@@ -78,6 +78,20 @@ def test_query(capsys, results):
     assert "motion_cone_right [degree]    -14.036243467" in out
 
 
+def test_query_with_equals_signs(capsys, results):
+    words = ["--effects=inertia", "--rod-length=2", "--rod-angle=45", "--friction-coefficient=inf"]
+    code, out, _ = run(capsys, "query", "motion_cones", "--results", results, *words)
+    assert code == 0
+    assert "motion_cone_right [degree]    -33.69006752597" in out
+
+
+def test_query_of_several_axes_prints_a_table_each(capsys, results):
+    code, out, _ = run(capsys, "query", "motion_cones", "--results", results, "--rod-length", "2")
+    assert code == 0
+    assert out.splitlines()[0] == "rod_length=2.0"
+    assert out.count("motion_cone_right [degree]") == 1
+
+
 def test_query_json(capsys, results):
     words = ["--rod-length", "2", "--friction-coefficient", "inf", "--json"]
     code, out, _ = run(capsys, "query", "motion_cones", "--results", results, *words)
