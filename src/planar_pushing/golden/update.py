@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.golden import generate, modes, pictures
+from planar_pushing.golden import generate, modes, pictures, plotted
 from planar_pushing.golden.compare import MARKS, golden_variables
 from planar_pushing.study.files import load_scene_file, load_study
 from planar_pushing.study.jobs import run_command
@@ -53,7 +53,7 @@ def golden_files(study: StudyFile) -> Iterator[tuple[str, xr.Dataset]]:
     """Name and content of every golden file of a study."""
     values, grid = plain(study), study.grid.model_dump()
     coarse = {"force_angle": [phi for phi in grid["force_angle"] if phi % STEP == 0]}
-    parameters = pictures.parameters(values)
+    parameters = plotted.parameters(values)
     psi = study.slider.rod_angle
     yield "limit_curves", generate.limit_curves(grid | coarse, parameters, PROCESSES)
     yield "motion_cones", generate.motion_cones(grid, parameters, PROCESSES)
