@@ -250,7 +250,10 @@ LAWS = st.one_of(
 @settings(max_examples=40, deadline=None)
 @given(
     contact=LAWS,
-    angle=st.one_of(st.floats(-180, 180), st.sampled_from([-180, -90, 0, 45, 90, 180])),
+    angle=st.one_of(
+        st.integers(-180_000, 180_000).map(lambda n: n / 1000),
+        st.sampled_from([-180, -90, 0, 45, 90, 180]),
+    ),
     effects=st.sampled_from([(RING,), (INERTIA,), (RING, INERTIA)]),
     magnitude=st.floats(1e-3, 1e3),
     rod_length=st.one_of(st.floats(0, 10), st.sampled_from([0.0, 1e-9, 1.0, 10.0])),

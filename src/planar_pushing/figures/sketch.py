@@ -115,17 +115,21 @@ class Sketch:
         return (0.6 if along else 0.95) * self.reach * self.force / size if size else self.force
 
     @property
+    def heading(self) -> Array:
+        """Unit vector along the force; zero where there is none."""
+        size = float(np.hypot(*self.force)) or 1.0
+        return np.asarray(self.force / size)
+
+    @property
     def foot(self) -> Array:
         """Point of the line of force that is nearest to the ring centre."""
-        size = float(np.hypot(*self.force)) or 1.0
-        return np.asarray((self.force @ self.ring) * self.force / size**2)
+        return np.asarray((self.heading @ self.ring) * self.heading)
 
     @property
     def end_of_line(self) -> Array:
         """Where the line of force is drawn to: past the slider."""
-        past = float(self.force @ self.ring) < 0
-        size = float(np.hypot(*self.force)) or 1.0
-        return np.asarray(self.foot + (-1 if past else 1) * 1.2 * self.radius * self.force / size)
+        past = float(self.heading @ self.ring) < 0
+        return np.asarray(self.foot + (-1 if past else 1) * 1.2 * self.radius * self.heading)
 
     def drawn_motion(self, motion: Array) -> Array:
         longest = max(float(np.hypot(*self.pusher)), float(np.hypot(*self.motion)))
