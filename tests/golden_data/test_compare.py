@@ -7,7 +7,8 @@ import pytest
 import xarray as xr
 
 from planar_pushing.golden.check import check_results, golden_names
-from planar_pushing.golden.compare import compare, golden_variables, verdict
+from planar_pushing.golden.compare import compare, verdict
+from planar_pushing.golden.enclosures import golden_variables
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.models import Tolerance
 from planar_pushing.study.store import write_dataset
@@ -59,8 +60,8 @@ def test_parts_of_an_enclosure_are_no_variables():
         (1e-15, 0.0, Tolerance(), False),
         (1e-15, 1e-14, Tolerance(), True),
         (1e-15, 0.0, Tolerance(absolute=1e-14), True),
-        (3e-15, 0.0, Tolerance(relative=1e-15), True),
-        (8e-15, 0.0, Tolerance(relative=1e-15), False),
+        (3e-15, 0.0, Tolerance(ulp=4), True),
+        (8e-15, 0.0, Tolerance(ulp=4), False),
     ],
 )
 def test_tolerance_and_radius(step, radius, tolerance, passes):
@@ -87,7 +88,7 @@ def test_infinities_are_values(value):
     values = np.c_[VALUES, [7.0, 8.0]]
     values[0, 2] = value
     changed = result(size=(("a", "x"), values, {"units": "length"}))
-    generous = {"size": Tolerance(relative=1.0, absolute=1e300)}
+    generous = {"size": Tolerance(ulp=1e300, absolute=1e300)}
     check = only(compare("data", changed, golden(), generous), "size")
     assert check.passed is (value == np.inf)
 
@@ -100,7 +101,7 @@ def test_a_full_turn_is_a_difference():
 
 def test_a_wrong_count_fails():
     changed = result(count=(("a",), np.array([1, 3], np.int8), {"units": "1"}))
-    check = only(compare("data", changed, golden(), {"count": Tolerance(relative=0.1)}), "count")
+    check = only(compare("data", changed, golden(), {"count": Tolerance(ulp=4)}), "count")
     assert (check.passed, check.failed) == (False, 1)
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from planar_pushing.figures import images
 from planar_pushing.golden import pictures, update
-from planar_pushing.golden.compare import golden_variables
+from planar_pushing.golden.enclosures import golden_variables
 from planar_pushing.study.files import load_study
 from planar_pushing.study.store import read_dataset, write_dataset
 
@@ -13,13 +13,16 @@ from planar_pushing.study.store import read_dataset, write_dataset
 def few():
     """Golden data of two small files."""
     values = update.plain(load_study("workflow/config/smoke.yaml"))
-    return [(name, pictures.figure(name, values)) for name in ("figure_01", "figure_07")]
+    files = {name: pictures.figure(name, values) for name in ("figure_01", "figure_07")}
+    return {name: data.assign_attrs(checked_by_integrals=3) for name, data in files.items()}
 
 
 @pytest.fixture
 def command(few, monkeypatch, tmp_path, capsys):
     """Run the command on these files; its status and what it printed."""
-    monkeypatch.setattr(update, "golden_files", lambda _: iter(few))
+    monkeypatch.setattr(
+        update, "golden_files", lambda _: {name: data.copy() for name, data in few.items()}
+    )
 
     def run(*arguments):
         code = update.main(["--golden", str(tmp_path), *arguments])
@@ -40,7 +43,11 @@ def test_storing_is_not_green_and_checking_again_is(command):
     assert command("--write")[0] == 1
     code, said = command()
     assert code == 0
-    assert "figure_01: unchanged\nfigure_07: unchanged\n0 differences" in said
+    assert (
+        "figure_01: unchanged\nfigure_07: unchanged\n6 numbers lie in the enclosures of both routes"
+        in said
+    )
+    assert "0 differences" in said
 
 
 def test_differences_are_printed(command, tmp_path):
@@ -60,7 +67,7 @@ def test_differences_are_printed(command, tmp_path):
 
 
 def test_enclosures_are_narrow(few):
-    for _, data in few:
+    for data in few.values():
         for name in golden_variables(data):
             if f"{name}_radius" in data:
                 assert (data[f"{name}_radius"] <= 1e-25 * abs(data[name])).all()

@@ -5,10 +5,10 @@ import math
 import pytest
 from flint import arb, ctx, fmpq
 
-from golden_reference import integrals
 from planar_pushing.golden import cones, reference, ring
 from planar_pushing.golden.balls import PRECISION
 from planar_pushing.golden.cones import motion_cone, pulls, slips_while_pushing
+from planar_pushing.golden.integrals import printed
 from planar_pushing.golden.setting import FRICTION, INERTIA, Effects, Slider, edge, heading
 
 HALF = fmpq(1, 2)
@@ -107,8 +107,10 @@ def test_friction_roots_are_certified_by_the_second_route(length, force_angle):
     slider, force = Slider.of(length), heading(force_angle)
     k = abs(reference.spin_ratio(slider, force, FRICTION))
     arm = abs(slider.rod_length * arb.sin_pi_fmpq((slider.rod_angle - force_angle) / 180))
-    assert integrals.imbalance(k.lower(), arm) < 0
-    assert integrals.imbalance(k.upper(), arm) > 0
+    with ctx.workprec(PRECISION):
+        (f_low, t_low), (f_high, t_high) = printed(k.lower()), printed(k.upper())
+    assert t_low - arm * f_low < 0  # Eq. (7)
+    assert t_high - arm * f_high > 0
     assert k.rad() < arb(10) ** -36 * k
 
 
@@ -118,7 +120,7 @@ def test_mixed_roots_lie_between_the_pure_ones(share, arm):
     ends = [reference.spin_of_arm(arb(arm), fmpq(1), each) for each in (FRICTION, INERTIA)]
     k = reference.spin_of_arm(arb(arm), fmpq(1), share)
     assert min(ends, key=float) < k < max(ends, key=float)
-    force, torque = integrals.profile(k.mid())
+    force, torque = printed(k.mid())
     residual = (1 - share) * (torque - arm * force) + share * (k.mid() - arm)
     assert abs(residual) < arb(10) ** -28
 

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+from planar_pushing.golden.enclosures import golden_variables
 from planar_pushing.study.models import Tolerance
 
 #: A variable that no tolerance names must agree exactly.
@@ -59,13 +60,6 @@ class Check:
         if self.problem:
             return np.inf
         return self.error / self.allowed if self.allowed else np.inf if self.error else 0.0
-
-
-def golden_variables(golden: xr.Dataset) -> list[str]:
-    """Variables that a golden file certifies, without their low parts and radii."""
-    names = [str(name) for name in golden.data_vars]
-    parts = {f"{name}{part}" for name in names for part in ("_low", "_radius")}
-    return [name for name in names if name not in parts]
 
 
 def compare(
@@ -124,7 +118,7 @@ def _compare_variable(
     )
     error = _difference(computed, middle, low)
     finite = np.where(np.isfinite(middle), np.abs(middle), 0.0)
-    allowed = tolerance.relative * finite + tolerance.absolute + radius
+    allowed = tolerance.ulp * np.spacing(finite) + tolerance.absolute + radius
     return _worst(label, wanted, computed, error, allowed)
 
 

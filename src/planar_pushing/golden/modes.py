@@ -90,7 +90,7 @@ PERFECTLY_ROUGH = Law(math.inf, adhesive=True)
 
 @precise
 def contact_modes(
-    slider: Slider, effects: Effects, law: Law, magnitude: float, pusher_angle: float
+    slider: Slider, effects: Effects, law: Law, magnitude: float, pusher_angle: float | fmpq
 ) -> dict[Mode, list[Motion]]:
     """Consistent motions of each mode, slowest first.
 
@@ -101,7 +101,7 @@ def contact_modes(
     law : Law
     magnitude : float
         Of the pusher's motion, > 0, exact.
-    pusher_angle : float
+    pusher_angle : float or fmpq
         Degrees, exact.
     """
     size, pusher = rational(magnitude), heading(pusher_angle)

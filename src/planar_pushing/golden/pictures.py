@@ -13,7 +13,6 @@ from planar_pushing.golden import cells
 from planar_pushing.golden.balls import precise
 from planar_pushing.golden.certified import Values, certified
 from planar_pushing.golden.plotted import (
-    ANGLES,
     Study,
     center,
     cone,
@@ -87,7 +86,7 @@ def _figure_05(study: Study) -> Golden:
         "infinite_rod_x": (("end",), [each["force_x"] for each in ends]),
         "infinite_rod_y": (("end",), [each["force_y"] for each in ends]),
     }
-    coords = {"rod_length": list(lengths), "force_angle": list(map(float, ANGLES))}
+    coords = {"rod_length": list(lengths), "force_angle": list(map(float, study["curve_angles"]))}
     return values, coords | {"parallel_angle": order}
 
 
@@ -97,7 +96,7 @@ def _figure_06(study: Study) -> Golden:
     curve = curves(study, "support_friction", [length])
     values: Values = {name: (("force_angle",), nested[0]) for name, (_, nested) in curve.items()}
     values |= mapping(study, "support_friction", length, mu)
-    return values, {"force_angle": list(map(float, ANGLES))}
+    return values, {"force_angle": list(map(float, study["curve_angles"]))}
 
 
 def _figure_07(study: Study) -> Golden:
@@ -124,7 +123,10 @@ def _figure_10(study: Study) -> Golden:
     lengths, mapped = settings["rod_length"], settings["mapped_rod_length"]
     values = curves(study, "inertia", lengths)
     values |= mapping(study, "inertia", mapped, settings["friction_coefficient"])
-    return values, {"rod_length": list(lengths), "force_angle": list(map(float, ANGLES))}
+    return values, {
+        "rod_length": list(lengths),
+        "force_angle": list(map(float, study["curve_angles"])),
+    }
 
 
 def _figure_12(study: Study) -> Golden:
@@ -135,7 +137,7 @@ def _figure_12(study: Study) -> Golden:
     plotted = ("ring_center", "pusher_angle", "pusher_motion", *friction)
     values: Values = {name: shown[name] for name in plotted}
     values |= {name: (("xy",), shown[name][1][0]) for name in ("contact_motion", "force")}
-    angles = [float(phi) for phi in ANGLES if phi <= 180 and phi != psi]
+    angles = [float(phi) for phi in study["curve_angles"] if phi <= 180 and phi != psi]
     ring = shown["ring_center"][1]
     for i, name in enumerate(XY):
         rows = [

@@ -15,8 +15,6 @@ from planar_pushing.golden.certified import Values
 from planar_pushing.golden.scenes import Scene, slider_of
 from planar_pushing.golden.setting import heading, lean
 
-#: Force angles compared along the limit curves, degrees.
-ANGLES = tuple(range(0, 361, 15))
 #: Plain values of a study.
 Study = Mapping[str, Any]
 
@@ -51,7 +49,9 @@ def center(study: Study, length: float, phi: float, share: float) -> Any:
 
 def curves(study: Study, effects: str, lengths: Sequence[float]) -> Values:
     """Limit curves of several rod lengths."""
-    points = [[point(study, effects, each, phi) for phi in ANGLES] for each in lengths]
+    points = [
+        [point(study, effects, each, phi) for phi in study["curve_angles"]] for each in lengths
+    ]
     dims = ("rod_length", "force_angle")
     return {
         name: (dims, [[each[name] for each in row] for row in points])

@@ -1,11 +1,14 @@
-"""Friction of the ring (Eqs. 2-3) by Arb's elliptic integrals, with W = R = 1.
+"""Friction of the ring (Eqs. 2-3), with W = R = 1, on either of two routes.
 
 Force `f` and torque `t` at the spin ratio k >= 0. The friction potential is convex and homogeneous:
 along increasing k, f falls from 1 to 0 and t rises from 0 to 1, and ``f' = -k t'``. Wide balls are
-therefore enclosed by their ends. Duality, f(k) = t(1/k), carries k > 1.
+therefore enclosed by their ends. A process evaluates exact arguments by Arb's elliptic integrals until
+`use` chooses another route for it.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 from flint import acb, arb, ctx
 
@@ -16,29 +19,47 @@ _ACCURACY = 160
 _SMALL = arb(2) ** -6
 
 Profile = tuple[arb, arb]
+#: Evaluates Eqs. (2)-(3) at an exact k > 0.
+Route = Callable[[arb], Profile]
 
 
 def profile(k: arb) -> Profile:
     """Force f and torque t of the ring at the spin ratio k >= 0, exact or a ball."""
     if not k.is_exact():
-        found = _closed_form(k)
-        if found is not None and _accuracy(found) >= k.rel_accuracy_bits() - 20 >= 40:
-            return found
         (f_low, t_low), (f_high, t_high) = profile(k.lower()), profile(k.upper())
         return f_high.union(f_low), t_low.union(t_high)
-    if k == 0:
-        return arb(1), arb(0)
+    return _route(k) if k > 0 else (arb(1), arb(0))
+
+
+def elliptic(k: arb) -> Profile:
+    """Eqs. (2)-(3) by elliptic integrals; duality, f(k) = t(1/k), carries k > 1."""
     if k == 1:
         return 2 / arb.pi(), 2 / arb.pi()
-    return _refined(k)
+    precision = ctx.prec
+    while True:  # next to k = 1 the parameter cancels
+        with ctx.workprec(precision):
+            found = _inside(k) if k < 1 else _inside(1 / k)[::-1]
+        if min(int(each.rel_accuracy_bits()) for each in found) >= _ACCURACY:
+            return found
+        precision *= 2
+
+
+_route: Route = elliptic
+
+
+def use(route: Route) -> None:
+    """Evaluate the ring by this route from now on: call it before anything else in a process."""
+    global _route
+    _route = route
 
 
 def slope(k: arb) -> arb:
-    """Derivative t'(k) at an exact k > 0 other than 1, where it is infinite."""
-    if k > 1:
-        return slope(1 / k) / k**3
-    _, torque = _inside(k)
-    return 2 / arb.pi() * acb(k * k).elliptic_k().real - torque / k
+    """Derivative t'(k) at an exact k > 0 other than 1, where it is infinite.
+
+    ``k (1 - k^2) t' = k f - t`` is Legendre's equation for E and K in terms of f and t.
+    """
+    force, torque = profile(k)
+    return (k * force - torque) / (k * (1 - k) * (1 + k))
 
 
 def least_slope(low: arb, high: arb) -> arb:
@@ -54,30 +75,6 @@ def greatest_slope(low: arb, high: arb) -> arb:
     """Upper bound of t' over [low, high], infinite where an end is 1."""
     peak = high if high <= 1 else low
     return arb.pos_inf() if peak == 1 else slope(peak).upper()
-
-
-def _accuracy(pair: Profile) -> int:
-    return min(int(each.rel_accuracy_bits()) for each in pair)
-
-
-def _refined(k: arb) -> Profile:
-    """Raise the precision until the closed form is accurate: next to k = 1 the parameter cancels."""
-    precision = ctx.prec
-    while True:
-        with ctx.workprec(precision):
-            found = _closed_form(k)
-        if found is not None and _accuracy(found) >= _ACCURACY:
-            return found
-        precision *= 2
-
-
-def _closed_form(k: arb) -> Profile | None:
-    if k < 1:
-        return _inside(k)
-    if k > 1:
-        force, torque = _inside(1 / k)
-        return torque, force
-    return None
 
 
 def _inside(k: arb) -> Profile:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from flint import arb, fmpq
@@ -47,12 +47,12 @@ def slider_of(scene: Mapping[str, Any]) -> tuple[Slider, Effects]:
     return slider, Effects("+".join(kinds[kind] for kind in kinds if kind in found))
 
 
-def pusher_degrees(slider: Slider, effects: Effects, push: Mapping[str, Any]) -> arb:
-    """Angle of the fence's motion: given, or the slider's own under a force angle."""
+def pusher_degrees(slider: Slider, effects: Effects, push: Mapping[str, Any]) -> fmpq:
+    """Angle of the fence's motion: given, or the double nearest to the slider's own under a force angle."""
     if push["force_angle"] is None:
-        return arb(rational(push["pusher_angle"]))
+        return rational(push["pusher_angle"])
     share = fmpq(1, 2) if effects is Effects.BOTH else effects.shares[0]
-    return motion_angle(slider, heading(push["force_angle"]), share)
+    return rational(float(motion_angle(slider, heading(push["force_angle"]), share).mid()))
 
 
 @precise
@@ -62,8 +62,8 @@ def scene_values(scene: Mapping[str, Any], push: Mapping[str, Any]) -> Values:
     law, size = law_of(scene["contact"]), rational(scene["slider"]["radius"])
     degrees = pusher_degrees(slider, effects, push)
     magnitude = rational(push["pusher_magnitude"])
-    pusher = direction(degrees)
-    found = modes.contact_modes(slider, effects, law, float(magnitude), float(degrees.mid()))
+    pusher = heading(degrees)
+    found = modes.contact_modes(slider, effects, law, float(magnitude), degrees)
     moving = [(mode, motion) for mode, motions in found.items() for motion in motions]
     solutions = [
         _solution(slider, effects, mode, motion, magnitude, pusher) for mode, motion in moving
@@ -72,7 +72,7 @@ def scene_values(scene: Mapping[str, Any], push: Mapping[str, Any]) -> Values:
     ring_center = [slider.rod_length * size * c, slider.rod_length * size * s]
     vectors = ("solution", "xy")
     values: Values = {
-        "pusher_angle": ((), degrees),
+        "pusher_angle": ((), arb(degrees)),
         "pusher_motion": (("xy",), [magnitude * pusher.x, magnitude * pusher.y]),
         "ring_center": (("xy",), ring_center),
         "outcome": ((), modes.outcome(found)),
@@ -88,7 +88,8 @@ def scene_values(scene: Mapping[str, Any], push: Mapping[str, Any]) -> Values:
             [_center(ring_center, size, motion) for _, motion in moving],
         ),
     }
-    return values | _support(slider, effects, values) | cone_values(slider, effects, law, size)
+    values |= _support(slider, effects, values)
+    return values | cone_values(slider, effects, law, size, push["cone_samples"])
 
 
 def _solution(
@@ -150,11 +151,13 @@ def _support(slider: Slider, effects: Effects, values: Values) -> Values:
     return {"support_motion": (dims, motions), "support_force": (dims, forces)}
 
 
-def cone_values(slider: Slider, effects: Effects, law: modes.Law, size: fmpq) -> Values:
-    """Friction cone and motion cone, and the motions under each effect along the friction cone."""
+def cone_values(
+    slider: Slider, effects: Effects, law: modes.Law, size: fmpq, numbers: Iterable[int]
+) -> Values:
+    """Friction cone and motion cone, and the motions under each effect at samples of the friction cone."""
     mu = law.friction_coefficient
     forces, motions = cones.friction_cone(mu), cones.motion_cone(slider, effects, mu)
-    samples = [_sample(forces, mu, i) for i in range(CONE_SAMPLES)]
+    samples = [_sample(forces, mu, i) for i in numbers]
     c, s = cosine_sine(slider.rod_angle)
     ring_center = [slider.rod_length * size * c, slider.rod_length * size * s]
     angles, centers = [], []

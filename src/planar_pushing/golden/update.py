@@ -1,7 +1,8 @@
 """Compute the golden data anew and print how they differ from the stored ones: `make golden`.
 
-Storing them takes `--write`. A run that finds or makes a difference ends with status 1, so that
-changed golden data are never green in the run that changed them.
+Both routes are run: the whole by elliptic integrals, a part by the printed integrals. Data on which they
+disagree are never stored, and storing others takes `--write`. A run that finds or makes a difference
+ends with status 1, so that changed golden data are never green in the run that changed them.
 """
 
 from __future__ import annotations
@@ -9,74 +10,55 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.golden import generate, modes, pictures, plotted
-from planar_pushing.golden.compare import MARKS, golden_variables
+from planar_pushing.golden.compare import MARKS
+from planar_pushing.golden.enclosures import disjoint, golden_variables
+from planar_pushing.golden.jobs import STEP, Study, contacts, golden_jobs
+from planar_pushing.golden.scenes import CONE_SAMPLES
+from planar_pushing.golden.second import agreement, second_route
+from planar_pushing.mechanics.errors import InvalidResult
 from planar_pushing.study.files import load_scene_file, load_study
 from planar_pushing.study.jobs import run_command
 from planar_pushing.study.models import StudyFile
 from planar_pushing.study.store import read_dataset, write_dataset
 
-#: Coefficients of friction of the certified contact modes, where the study has them.
-COEFFICIENTS = (0.0, 0.5, 1.0, 1.25, 1.3, 1.4, 1.5, 2.0, 5.0, 100.0)
-STEP = 15
 PROCESSES = 2
+#: Root attribute of a golden file: how many of its numbers the second route encloses as well.
+CHECKED = "checked_by_integrals"
 
 
 def plain(study: StudyFile) -> dict[str, Any]:
     """The study as plain values: the golden data share no code with the mechanics."""
     values: dict[str, Any] = study.model_dump()
+    samples = {"cone_samples": tuple(range(CONE_SAMPLES))}
     values["scenes"] = {
-        name: (load_scene_file(push.file).model_dump(), push.model_dump())
+        name: (load_scene_file(push.file).model_dump(), push.model_dump() | samples)
         for name, push in study.scenes.items()
     }
-    coulomb = {
-        f"coulomb_{mu:g}": ("coulomb", modes.coulomb(mu))
-        for mu in study.grid.contact_friction_coefficient
-    }
-    values["contacts"] = coulomb | {
-        "infinite_friction_free": ("infinite_friction", modes.INFINITE_FREE),
-        "infinite_friction_none": ("infinite_friction", modes.INFINITE_NONE),
-        "perfectly_rough": ("perfectly_rough", modes.PERFECTLY_ROUGH),
-    }
+    values["contacts"] = contacts(tuple(study.grid.contact_friction_coefficient))
+    values["curve_angles"] = tuple(range(0, 361, STEP))
     return values
 
 
-def golden_files(study: StudyFile) -> Iterator[tuple[str, xr.Dataset]]:
-    """Name and content of every golden file of a study."""
-    values, grid = plain(study), study.grid.model_dump()
-    coarse = {"force_angle": [phi for phi in grid["force_angle"] if phi % STEP == 0]}
-    parameters = plotted.parameters(values)
-    psi = study.slider.rod_angle
-    yield "limit_curves", generate.limit_curves(grid | coarse, parameters, PROCESSES)
-    yield "motion_cones", generate.motion_cones(grid, parameters, PROCESSES)
-    half = {"force_angle": [phi for phi in coarse["force_angle"] if 0 <= phi <= 180]}
-    yield (
-        "acceleration_centers",
-        generate.acceleration_centers(grid | half, psi, parameters, PROCESSES),
-    )
-    finite = (law.friction_coefficient for _, law in values["contacts"].values())
-    kept = {mu for mu in finite if mu in COEFFICIENTS or mu == float("inf")}
-    contacts = {
-        label: (kind, law)
-        for label, (kind, law) in values["contacts"].items()
-        if law.friction_coefficient in kept
-    }
-    near = {
-        "pusher_angle": [a for a in grid["pusher_angle"] if a % STEP == 0 or abs(a) in (1, 179)]
-    }
-    yield "contact_modes", generate.contact_modes(grid | near, contacts, psi, parameters, PROCESSES)
-    for name in study.scenes:
-        yield f"scenes.{name}", pictures.scene(name, values)
-    for name in pictures.FIGURES:
-        yield name, pictures.figure(name, values)
+def golden_files(values: Study) -> dict[str, xr.Dataset]:
+    """Content of every golden file of a study, given as plain values; second route included.
+
+    Raises
+    ------
+    InvalidResult
+        Where the two routes disagree.
+    """
+    files = {name: job(PROCESSES) for name, job in golden_jobs(values)}
+    for name, second in second_route(values, PROCESSES):
+        found = agreement(values, name, second, files[name])
+        if found.apart:
+            raise InvalidResult(f"{name}: the two routes disagree on {', '.join(found.apart)}")
+        files[name].attrs[CHECKED] = found.count
+    return files
 
 
 def stored_names(golden: Path) -> list[str]:
@@ -91,6 +73,9 @@ def differences(name: str, new: xr.Dataset, path: Path) -> list[str]:
     stored = read_dataset(path)
     gone = set(golden_variables(stored)) - set(golden_variables(new))
     found = [f"{name}: {each} is no longer certified" for each in sorted(gone)]
+    counts = [data.attrs.get(CHECKED) for data in (new, stored)]
+    if counts[0] != counts[1]:
+        found.append(f"{name}: {counts[0]} numbers are checked by the integrals, were {counts[1]}")
     for each in sorted(set(golden_variables(new)) & set(golden_variables(stored))):
         if new[each].shape != stored[each].shape or not new[each].coords.equals(
             stored[each].coords
@@ -98,25 +83,11 @@ def differences(name: str, new: xr.Dataset, path: Path) -> list[str]:
             found.append(f"{name}: {each} has other coordinates")
         elif any(new[each].attrs.get(key) != stored[each].attrs.get(key) for key in MARKS):
             found.append(f"{name}: {each} has other units or flags")
-        elif (apart := _disjoint(each, new, stored)).any():
+        elif (apart := disjoint(each, new, stored)).any():
             found.append(f"{name}: {each} changes at {apart.sum()} of {apart.size} points")
     fresh = set(golden_variables(new)) - set(golden_variables(stored))
     found += [f"{name}: {each} is new" for each in sorted(fresh)]
     return found
-
-
-def _disjoint(name: str, new: xr.Dataset, stored: xr.Dataset) -> npt.NDArray[np.bool_]:
-    """Where the enclosures of a variable in two golden files do not overlap."""
-    if f"{name}_low" not in new:
-        return np.asarray(new[name].values != stored[name].values)
-    high, low, radius = (name, f"{name}_low", f"{name}_radius")
-    with np.errstate(invalid="ignore"):
-        gap = np.abs(
-            new[high].values - stored[high].values + (new[low].values - stored[low].values)
-        )
-    same = new[high].values == stored[high].values
-    infinite = same & ~np.isfinite(new[high].values)
-    return np.asarray(~infinite & ~(gap <= new[radius].values + stored[radius].values))
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -126,18 +97,20 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--golden", default="tests/golden", type=Path)
     parser.add_argument("--write", action="store_true", help="store the new golden data")
     args = parser.parse_args(arguments)
-    start, changed, seen = time.perf_counter(), 0, set()
-    for name, new in golden_files(load_study(args.study)):
-        seen.add(name)
+    start, changed = time.perf_counter(), 0
+    files = golden_files(plain(load_study(args.study)))
+    for name, new in files.items():
         path = args.golden / f"{name}.nc"
         found = differences(name, new, path)
         changed += len(found)
         print("\n".join(found) if found else f"{name}: unchanged", flush=True)
         if found and args.write:
             write_dataset(new, path)
-    for name in sorted(set(stored_names(args.golden)) - seen):
+    for name in sorted(set(stored_names(args.golden)) - set(files)):
         changed += 1
         print(f"{name}: no longer a part of the study; remove its file")
+    checked = sum(each.attrs[CHECKED] for each in files.values())
+    print(f"{checked} numbers lie in the enclosures of both routes")
     print(f"{changed} differences, {time.perf_counter() - start:.0f} s")
     if changed and args.write:
         print(f"stored in {args.golden}; look at them, commit them, and run the check")

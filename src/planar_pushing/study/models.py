@@ -109,9 +109,9 @@ class FigureEntry(FileModel):
 
 
 class Tolerance(FileModel):
-    """Largest difference from a golden value: a part of the value plus an amount in its unit."""
+    """Largest difference from a golden value: units in the last place plus an amount in its unit."""
 
-    relative: NonNegative = 0.0
+    ulp: NonNegative = 0.0
     absolute: NonNegative = 0.0
 
 
