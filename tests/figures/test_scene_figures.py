@@ -16,10 +16,10 @@ from planar_pushing.figures.scene import draw_scene
 from planar_pushing.figures.sketch import Sketch, shown
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.study.datasets import motion_cones, scenes
-from planar_pushing.study.files import load_study
 from planar_pushing.study.models import FigureEntry, Grid, PushEntry
 from planar_pushing.study.scene_model import SceneFile
 from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
 
 ROOT = Path(__file__).parents[2]
 NAMES = ("figure_01", "figure_02", "figure_03", "figure_04", "figure_08", "figure_09", "figure_11")

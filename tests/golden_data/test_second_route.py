@@ -8,8 +8,8 @@ import pytest
 from planar_pushing.golden import ring, second, update
 from planar_pushing.golden.enclosures import golden_variables
 from planar_pushing.golden.integrals import printed
-from planar_pushing.study.files import load_study
 from planar_pushing.study.store import read_dataset
+from planar_pushing.study.study_file import load_study
 
 GOLDEN = Path("tests/golden")
 FILE = "figure_07"

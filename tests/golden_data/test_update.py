@@ -5,8 +5,8 @@ import pytest
 from planar_pushing.figures import images
 from planar_pushing.golden import pictures, update
 from planar_pushing.golden.enclosures import golden_variables
-from planar_pushing.study.files import load_study
 from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.study_file import load_study
 
 
 @pytest.fixture(scope="module")

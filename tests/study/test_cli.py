@@ -9,9 +9,9 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.cli import main
-from planar_pushing.study.files import load_study
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
 
 SCENE = "workflow/scenes/figure_03.yaml"
 

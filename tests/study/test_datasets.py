@@ -10,9 +10,9 @@ import xarray as xr
 import planar_pushing as pp
 from planar_pushing.study.describe import VARIABLES
 from planar_pushing.study.dictionary import dictionary_text
-from planar_pushing.study.files import load_study
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import DATASETS, group_names, write_dataset
+from planar_pushing.study.study_file import load_study
 
 DIMS = {
     "limit_curves": ("effects", "rod_length", "rod_angle", "force_angle"),

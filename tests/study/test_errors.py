@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from planar_pushing import InvalidFile, load_scene
-from planar_pushing.study.files import load_study
+from planar_pushing.study.study_file import load_study
 
 SCENE = """\
 title: A scene
@@ -160,8 +160,13 @@ AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 tha
          "grid.friction_coefficient: (0.0, 1.5, 2.0) given; allowed: values that include [inf], "
          "which the figures plot; add them"),
         ("effects: [support_friction, inertia, support_friction+inertia]", "effects: [inertia]",
-         "grid.effects: ('inertia',) given; allowed: values that include ['support_friction', "
-         "'support_friction+inertia'], which the figures plot; add them"),
+         "scenes.figure_02: unknown, or of effects that grid.effects does not list; allowed: figure_09a, "
+         "figure_09b; remove it"),
+        ("inertia: {mass: 1, gyration_radius: 1}\n", "",
+         "grid.effects: 'inertia' given; allowed: effects that the study has parameters for; "
+         "add the key inertia, or remove the entry"),
+        ("workflow/scenes/figure_03.yaml, force_angle: 36", "nowhere.yaml, force_angle: 36",
+         "scenes.figure_03.file: nowhere.yaml: no such file; give the path of a YAML file"),
         ("force_angle: 62", "force_angle: 62, pusher_angle: 3",
          "scenes.figure_02: {'file': 'workflow/scenes/figure_02.yaml', 'force_angle': 62, "
          "'pusher_angle': 3} given; allowed: exactly one of pusher_angle and force_angle; "

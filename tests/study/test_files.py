@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from planar_pushing.study.files import load_scene_file, load_study, replacing
+from planar_pushing.study.files import load_scene_file, replacing
 from planar_pushing.study.schemas import SCHEMAS, schema_text
+from planar_pushing.study.study_file import load_study
 
 POSITIVE = st.floats(1e-6, 1e6)
 LAWS = st.one_of(

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from planar_pushing.cli import main
-from planar_pushing.study.files import load_study
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
 
 README = Path("README.md").read_text(encoding="utf-8")
 

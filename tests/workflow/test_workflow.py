@@ -148,3 +148,24 @@ def test_a_missing_study_stops_before_any_job(fresh):
     (fresh.root / "workflow/config/smoke.yaml").unlink()
     said = fresh.snakemake(code=1)
     assert "workflow/config/smoke.yaml: no such file; give the path of a YAML file" in said
+
+
+def without_inertia(smoke):
+    """The smoke study without the effect, and without the scenes and figures that show it."""
+    dropped = ("inertia:", *(f"figure_{n}:" for n in ("09a", "09b", "10", "11", "12")))
+    lines = [line for line in smoke.splitlines() if not line.strip().startswith(dropped)]
+    every = "effects: [support_friction, inertia, support_friction+inertia]"
+    return "\n".join(lines).replace(every, "effects: [support_friction]")
+
+
+def test_a_study_without_an_effect_has_no_job_for_it(fresh):
+    study = fresh.root / "workflow/config/smoke.yaml"
+    study.write_text(without_inertia(study.read_text(encoding="utf-8")), encoding="utf-8")
+    said = fresh.snakemake("--dry-run", "--printshellcmds", "all")
+    jobs = said[: said.index("Reasons:")] if "Reasons:" in said else said
+    assert "acceleration_centers" not in jobs
+    assert not any(f"figure_{n}" in jobs for n in ("09", "10", "11", "12"))
+    fresh.snakemake("results/figures/figure_13.svg", "results/data/scenes.nc")
+    modes = read_dataset(fresh.root / "results/data/contact_modes.nc")
+    assert list(modes.effects.values) == ["support_friction"]
+    assert "inertia" not in modes.attrs["parameters"]

@@ -3,7 +3,7 @@ from snakemake.exceptions import WorkflowError
 
 from planar_pushing.figures.catalog import CAPTIONS, FIGURES
 from planar_pushing.mechanics.errors import PlanarPushingError
-from planar_pushing.study.files import load_study
+from planar_pushing.study.study_file import load_study
 from planar_pushing.study.jobs import modules
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import study_slice
@@ -14,6 +14,10 @@ try:
     STUDY = load_study(STUDY_FILE)
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
+
+#: What the study's effects allow: nothing else has a job.
+COMPUTED = [name for name in DATASETS if STUDY.computes(name)]
+DRAWN = [name for name in FIGURES if STUDY.computes(name)]
 
 
 def scene_files(wildcards):

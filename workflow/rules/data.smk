@@ -1,7 +1,7 @@
 # The datasets, one job each: a grid is vectorised inside its job.
 rule data:
     input:
-        expand("results/data/{dataset}.nc", dataset=DATASETS),
+        expand("results/data/{dataset}.nc", dataset=COMPUTED),
 
 
 rule dataset:
@@ -17,7 +17,7 @@ rule dataset:
     benchmark:
         "results/benchmarks/data/{dataset}.tsv"
     wildcard_constraints:
-        dataset="|".join(DATASETS),
+        dataset="|".join(COMPUTED),
     params:
         study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
     message:

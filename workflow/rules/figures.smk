@@ -3,7 +3,7 @@ rule figures:
     input:
         expand(
             "results/figures/{figure}.{kind}",
-            figure=FIGURES,
+            figure=DRAWN,
             kind=["svg", "pdf", "png"],
         ),
 
@@ -30,7 +30,7 @@ rule figure:
     benchmark:
         "results/benchmarks/figures/{figure}.tsv"
     wildcard_constraints:
-        figure=r"figure_\d\d",
+        figure="|".join(DRAWN),
     params:
         settings=figure_settings,
         caption=lambda wildcards: CAPTIONS[wildcards.figure],

@@ -12,8 +12,8 @@ rule golden:
 rule golden_verdict:
     input:
         results=[
-            expand("results/data/{dataset}.nc", dataset=DATASETS),
-            expand("results/figures/data/{figure}.nc", figure=FIGURES),
+            expand("results/data/{dataset}.nc", dataset=COMPUTED),
+            expand("results/figures/data/{figure}.nc", figure=DRAWN),
         ],
         golden=sorted(map(str, Path(STUDY.golden or ".").glob("*.nc"))),
         modules=modules("golden.check", "golden.compare"),

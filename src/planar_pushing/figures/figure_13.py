@@ -98,7 +98,7 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
 
 def draw(figure: Figure, data: xr.Dataset) -> None:
     """Draw one map for each set of effects, over one legend."""
-    axes = figure.subplots(1, data.sizes["effects"], sharey=True)
+    axes = figure.subplots(1, data.sizes["effects"], sharey=True, squeeze=False)[0]
     figure.subplots_adjust(left=0.07, right=0.995, bottom=0.34, top=0.93, wspace=0.08)
     shown = data.sel(pusher_angle=data.pusher_angle >= LOWEST)
     found: set[int] = set()

@@ -21,10 +21,11 @@ from planar_pushing.golden.jobs import STEP, Study, contacts, golden_jobs
 from planar_pushing.golden.scenes import CONE_SAMPLES
 from planar_pushing.golden.second import agreement, second_route
 from planar_pushing.mechanics.errors import InvalidResult
-from planar_pushing.study.files import load_scene_file, load_study
+from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.jobs import run_command
 from planar_pushing.study.models import StudyFile
 from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.study_file import load_study
 
 PROCESSES = 2
 #: Root attribute of a golden file: how many of its numbers the second route encloses as well.

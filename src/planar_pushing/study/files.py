@@ -20,7 +20,6 @@ from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.fields import FileModel
-from planar_pushing.study.models import FIGURE_KEYS, SCENES, FigureEntry, Grid, StudyFile
 from planar_pushing.study.scene_model import SceneFile
 
 Model = TypeVar("Model", bound=FileModel)
@@ -40,63 +39,7 @@ def load_scene(path: PathLike) -> Scene:
 
 def load_scene_file(path: PathLike) -> SceneFile:
     """Read a scene file with its title; errors as in `load_scene`."""
-    return _load(path, SceneFile)
-
-
-def load_study(path: PathLike) -> StudyFile:
-    """Read a study file and check the scenes that it names; errors as in `load_scene`."""
-    study = _load(path, StudyFile)
-    for problem in _study_problems(study):
-        raise InvalidFile(f"{path}: {problem}")
-    return study
-
-
-def _study_problems(study: StudyFile) -> Iterator[str]:
-    """What keeps a well-formed study from being computed and drawn."""
-    for name, push in study.scenes.items():
-        try:
-            load_scene_file(push.file)
-        except InvalidFile as error:
-            yield f"scenes.{name}.file: {error}"
-    for kind, given, needed in (
-        ("scenes", study.scenes, SCENES),
-        ("figures", study.figures, FIGURE_KEYS),
-    ):
-        for name in needed:
-            if name not in given:
-                yield f"{kind}.{name}: missing; allowed: an entry for each of {', '.join(needed)}; add it"
-        for name in given:
-            if name not in needed:
-                yield f"{kind}.{name}: unknown; allowed: {', '.join(needed)}; remove it"
-    for key, values, wanted in study.needed_values():
-        missing = [value for value in wanted if value not in values]
-        if missing:
-            yield (
-                f"grid.{key}: {values!r} given; allowed: values that include {missing!r}, "
-                "which the figures plot; add them"
-            )
-    for name, figure in study.figures.items():
-        yield from _figure_problems(name, figure, study.grid)
-    if study.inertia.gyration_radius != study.slider.radius:
-        yield (
-            f"inertia.gyration_radius: {study.inertia.gyration_radius!r} given; allowed: the radius of "
-            f"the ring, {study.slider.radius!r}, which the paper's bound presumes; change it"
-        )
-    if study.golden and not list(Path(study.golden).glob("*.nc")):
-        yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
-
-
-def _figure_problems(name: str, figure: FigureEntry, grid: Grid) -> Iterator[str]:
-    """Values of a figure that are missing, or not on the grid."""
-    for key in FIGURE_KEYS[name]:
-        if getattr(figure, key) is None:
-            yield f"figures.{name}.{key}: missing; allowed: values of the grid; add it"
-    for key, values, allowed in figure.grid_values(grid):
-        if not set(values) <= set(allowed):
-            yield (
-                f"figures.{name}.{key}: {values!r} given; allowed: values of the grid, {allowed!r}; "
-                "change it or add it to the grid"
-            )
+    return load_model(path, SceneFile)
 
 
 def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
@@ -178,7 +121,8 @@ def replacing(path: PathLike) -> Iterator[Path]:
         temporary.unlink(missing_ok=True)
 
 
-def _load(path: PathLike, model: type[Model]) -> Model:
+def load_model(path: PathLike, model: type[Model]) -> Model:
+    """Read a YAML file as a model of its content; errors as in `load_scene`."""
     path = Path(path)
     try:
         content = YAML(typ="safe", pure=True).load(path.read_text(encoding="utf-8"))

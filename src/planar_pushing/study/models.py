@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal, Self, get_args
+from typing import Annotated, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -47,12 +47,20 @@ class FrictionParameters(FileModel):
 
     weight: Positive
 
+    def effect(self) -> RingFriction:
+        """Build the effect."""
+        return RingFriction(weight=self.weight)
+
 
 class InertiaParameters(FileModel):
     """Parameters of the inertia."""
 
     mass: Positive
     gyration_radius: Positive
+
+    def effect(self) -> Inertia:
+        """Build the effect."""
+        return Inertia(mass=self.mass, gyration_radius=self.gyration_radius)
 
 
 class Grid(FileModel):
@@ -127,14 +135,25 @@ FIGURE_KEYS: dict[str, tuple[str, ...]] = {
 }
 SCENES = tuple(f"figure_{name}" for name in ("02", "03", "08", "09a", "09b", "11", "12"))
 
+_FRICTION: EffectsName = "support_friction"
+_INERTIA: EffectsName = "inertia"
+_BOTH: EffectsName = "support_friction+inertia"
+#: Effects without which a dataset, scene or figure is not computed; the others take what there is.
+NEEDS: dict[str, EffectsName] = {
+    **dict.fromkeys((f"figure_{n}" for n in ("01", "02", "03", "04", "05", "06")), _FRICTION),
+    **dict.fromkeys(("figure_07", "figure_08"), _FRICTION),
+    **dict.fromkeys(("figure_09", "figure_09a", "figure_09b", "figure_10"), _INERTIA),
+    **dict.fromkeys(("figure_11", "figure_12", "acceleration_centers"), _BOTH),
+}
+
 
 class StudyFile(FileModel):
     """The grid of every dataset, the scenes, and the values that the paper leaves open."""
 
     title: str
     slider: RingEntry
-    support_friction: FrictionParameters
-    inertia: InertiaParameters
+    support_friction: FrictionParameters | None = None
+    inertia: InertiaParameters | None = None
     grid: Grid
     scenes: dict[str, PushEntry]
     figures: dict[str, FigureEntry]
@@ -145,21 +164,24 @@ class StudyFile(FileModel):
         """Grid axis, its values, and those among them that the figures cannot do without."""
         psi, grid = self.slider.rod_angle, self.grid
         turns = tuple((psi + turn) % 360 for turn in (0, 90, 180, 270))
-        yield "effects", grid.effects, get_args(EffectsName)
         yield "rod_angle", grid.rod_angle, (psi,)
         yield "friction_coefficient", grid.friction_coefficient, (math.inf,)
         yield "force_angle", grid.force_angle, (*turns, 45.0, 90.0)
         yield "inertia_share", grid.inertia_share, (0.0, 1.0)
 
+    def computes(self, name: str) -> bool:
+        """Whether a dataset, scene or figure has the effects that it needs."""
+        return NEEDS.get(name, self.grid.effects[0]) in self.grid.effects
+
+    @property
+    def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:
+        """Parameters of the effects that the study lists, by name."""
+        known = {"support_friction": self.support_friction, "inertia": self.inertia}
+        return {name: part for name, part in known.items() if part is not None}
+
     def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:
         """Build the effects that a value of the effects axis stands for."""
-        built: dict[str, IsotropicEffect] = {
-            "support_friction": RingFriction(weight=self.support_friction.weight),
-            "inertia": Inertia(
-                mass=self.inertia.mass, gyration_radius=self.inertia.gyration_radius
-            ),
-        }
-        return tuple(built[part] for part in name.split("+"))
+        return tuple(self.parts[part].effect() for part in name.split("+"))
 
     def ring(self, rod_length: float, rod_angle: float | None = None) -> Slider:
         """Build the study's slider with this rod; the angle in degrees."""

@@ -6,6 +6,7 @@ import importlib
 from typing import Any
 
 import xarray as xr
+from pydantic import TypeAdapter
 
 from planar_pushing.study.models import Grid, PushEntry, StudyFile
 
@@ -21,14 +22,16 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
     grid = {axis: list(getattr(study.grid, axis)) for axis in _builder(name).AXES}
-    return {part: getattr(study, part).model_dump() for part in COMMON} | {"grid": grid}
+    common = {part: getattr(study, part) for part in COMMON}
+    listed = {part: each.model_dump() for part, each in common.items() if each is not None}
+    return listed | {"grid": grid}
 
 
 def build_dataset(name: str, values: dict[str, Any]) -> xr.Dataset | dict[str, xr.Dataset]:
     """Build a dataset from a slice of a study; what the slice leaves out cannot be read."""
     fields = StudyFile.model_fields
     parts: dict[str, Any] = {
-        part: fields[part].annotation.model_validate(values[part])  # type: ignore[union-attr]
+        part: TypeAdapter[Any](fields[part].annotation or Any).validate_python(values[part])
         for part in COMMON
         if part in values
     }

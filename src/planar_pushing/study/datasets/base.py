@@ -22,11 +22,7 @@ def axes(study: StudyFile, names: tuple[str, ...]) -> dict[str, list[Any]]:
 
 def parameters(study: StudyFile) -> dict[str, object]:
     """Slider and effects of the study, for the dataset's attributes."""
-    return {
-        "slider": study.slider,
-        "support_friction": study.support_friction,
-        "inertia": study.inertia,
-    }
+    return {"slider": study.slider, **study.parts}
 
 
 def assemble(

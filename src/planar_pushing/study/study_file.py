@@ -1,0 +1,91 @@
+"""Study files: reading one, and what keeps a well-formed study from being computed and drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.files import PathLike, load_model, load_scene_file
+from planar_pushing.study.models import FIGURE_KEYS, SCENES, FigureEntry, Grid, StudyFile
+
+#: Effects of a study by the types of a scene file.
+EFFECTS = {"ring_friction": "support_friction", "inertia": "inertia"}
+
+
+def load_study(path: PathLike) -> StudyFile:
+    """Read a study file and check the scenes that it names; errors as in `load_scene`."""
+    study = load_model(path, StudyFile)
+    for problem in _study_problems(study):
+        raise InvalidFile(f"{path}: {problem}")
+    return study
+
+
+def _study_problems(study: StudyFile) -> Iterator[str]:
+    """What keeps a well-formed study from being computed and drawn."""
+    yield from _effects_problems(study)
+    for name, push in study.scenes.items():
+        try:
+            kinds = {EFFECTS[effect.type] for effect in load_scene_file(push.file).effects}
+        except InvalidFile as error:
+            yield f"scenes.{name}.file: {error}"
+            continue
+        if not kinds <= set(study.parts):
+            yield (
+                f"scenes.{name}.file: {push.file} lists {', '.join(sorted(kinds))}; allowed: the effects "
+                f"of the study, {', '.join(study.parts)}; name another scene"
+            )
+    for kind, given, known in (
+        ("scenes", study.scenes, SCENES),
+        ("figures", study.figures, tuple(FIGURE_KEYS)),
+    ):
+        needed = [name for name in known if study.computes(name)]
+        for name in needed:
+            if name not in given:
+                yield f"{kind}.{name}: missing; allowed: an entry for each of {', '.join(needed)}; add it"
+        for name in given:
+            if name not in needed:
+                yield (
+                    f"{kind}.{name}: unknown, or of effects that grid.effects does not list; "
+                    f"allowed: {', '.join(needed)}; remove it"
+                )
+    for key, values, wanted in study.needed_values():
+        missing = [value for value in wanted if value not in values]
+        if missing:
+            yield (
+                f"grid.{key}: {values!r} given; allowed: values that include {missing!r}, "
+                "which the figures plot; add them"
+            )
+    for name, figure in study.figures.items():
+        yield from _figure_problems(name, figure, study.grid)
+    if study.inertia and study.inertia.gyration_radius != study.slider.radius:
+        yield (
+            f"inertia.gyration_radius: {study.inertia.gyration_radius!r} given; allowed: the radius of "
+            f"the ring, {study.slider.radius!r}, which the paper's bound presumes; change it"
+        )
+    if study.golden and not list(Path(study.golden).glob("*.nc")):
+        yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
+
+
+def _effects_problems(study: StudyFile) -> Iterator[str]:
+    """Effects of the grid that the study has no parameters for."""
+    for name in study.grid.effects:
+        for part in name.split("+"):
+            if part not in study.parts:
+                yield (
+                    f"grid.effects: {name!r} given; allowed: effects that the study has parameters for; "
+                    f"add the key {part}, or remove the entry"
+                )
+
+
+def _figure_problems(name: str, figure: FigureEntry, grid: Grid) -> Iterator[str]:
+    """Values of a figure that are missing, or not on the grid."""
+    for key in FIGURE_KEYS[name]:
+        if getattr(figure, key) is None:
+            yield f"figures.{name}.{key}: missing; allowed: values of the grid; add it"
+    for key, values, allowed in figure.grid_values(grid):
+        if not set(values) <= set(allowed):
+            yield (
+                f"figures.{name}.{key}: {values!r} given; allowed: values of the grid, {allowed!r}; "
+                "change it or add it to the grid"
+            )
