@@ -1,0 +1,1 @@
+"""What a scene costs: how often each of its effects is evaluated, and how long it takes."""
