@@ -10,6 +10,7 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/data.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/golden.smk"
+include: "workflow/rules/claims.smk"
 
 
 localrules:
@@ -17,6 +18,7 @@ localrules:
     data,
     figures,
     golden,
+    claims,
 
 
 rule all:
@@ -25,3 +27,4 @@ rule all:
         rules.data.input,
         rules.figures.input,
         rules.golden.input,
+        rules.claims.input,

@@ -13,7 +13,16 @@ from pathlib import Path
 import pytest
 
 PROJECT = Path(__file__).parents[2]
-PARTS = ("Snakefile", "profiles", "workflow", "src", "pyproject.toml", "README.md", "LICENSE")
+PARTS = (
+    "Snakefile",
+    "profiles",
+    "workflow",
+    "src",
+    "paper",
+    "pyproject.toml",
+    "README.md",
+    "LICENSE",
+)
 
 
 @dataclass(frozen=True)

@@ -132,6 +132,7 @@ RodAngle = number(
     type="number", exclusiveMinimum=0, exclusiveMaximum=180,
 )  # fmt: skip
 Degrees = number("a finite number of degrees", math.isfinite)
+Number = number("a number, or inf", lambda x: not math.isnan(x))
 Share = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
 FrictionCoefficient = number(
     "a number >= 0, or inf", lambda x: x >= 0,

@@ -1,0 +1,157 @@
+"""Eqs. (1)-(7): friction of the ring, the force in the fence's frame, the balance of torque."""
+
+from __future__ import annotations
+
+from flint import arb
+
+from planar_pushing.claims import identities as ids
+from planar_pushing.claims import integrals, ring_boxes
+from planar_pushing.claims.cover import cover
+from planar_pushing.claims.registry import check
+from planar_pushing.claims.verdicts import Evidence, Verdict, identity, inequality, least, together
+from planar_pushing.golden import ring
+from planar_pushing.golden.balls import exact_direction, rational
+
+#: Velocity of the ring's point at theta, over v, in the primed frame.
+_POINT = (-ids.k * ids.s, 1 + ids.k * ids.c)
+_RATES = "derivatives of the integrands with respect to k, as polynomials"
+
+
+@check
+def sideways_force(spin_ratio: float) -> Evidence:
+    """Eq. (1): the integrand is odd about theta = pi."""
+    turned = _POINT[0].compose(-ids.s, *_POINT[0].context().gens()[1:])
+    odd = identity(
+        {"the integrand plus its mirror image": ids.normal(_POINT[0] + turned)},
+        "the integrand is odd about theta = pi, exactly; the integral by acb.integral",
+    )
+    force = integrals.sideways(arb(rational(spin_ratio)))
+    within = arb(10) ** -30 - abs(force)
+    return together(inequality(within, odd.method, value=force, unit="W"), odd)
+
+
+def _speed_differs(cross_term: float) -> ids.Polynomial:
+    """Square of the point's speed minus the printed radicand."""
+    printed = 1 + ids.k**2 + rational(cross_term) * ids.k * ids.c
+    return ids.normal(ids.dot(_POINT, _POINT) - printed)
+
+
+@check
+def force_integral(cross_term: float) -> Evidence:
+    """Eq. (2): the y' part of the unit velocity of the ring's points."""
+    return identity(
+        {
+            "the numerator": ids.normal(_POINT[1] - (1 + ids.k * ids.c)),
+            "the radicand": _speed_differs(cross_term),
+        },
+        "friction against the velocity of every point, as polynomials in cos and sin",
+    )
+
+
+@check
+def torque_integral(cross_term: float) -> Evidence:
+    """Eq. (3): its moment about the ring's centre."""
+    moment = ids.cross((ids.c, ids.s), _POINT)
+    return identity(
+        {
+            "the numerator": ids.normal(moment - (ids.k + ids.c)),
+            "the radicand": _speed_differs(cross_term),
+        },
+        "friction against the velocity of every point, as polynomials in cos and sin",
+    )
+
+
+@check
+def closed_forms(least_ratio: float, greatest_ratio: float, count: float) -> Evidence:
+    """Eqs. (2)-(3) as complete elliptic integrals, against the integrals as printed."""
+    low, high, steps = arb(rational(least_ratio)), arb(rational(greatest_ratio)), int(count) - 1
+    grid = [(low * (high / low) ** (arb(i) / steps)).mid() for i in range(steps + 1)]
+    gaps = [
+        abs(one - other)
+        for k in grid
+        for one, other in zip(ring.profile(k), integrals.printed(k), strict=True)
+    ]
+    widest = -least(-gap for gap in gaps)
+    return inequality(
+        arb(10) ** -25 - widest,
+        "largest distance of 2/pi E(k^2) and 2/pi (E - (1 - k^2) K) / k, and of their duals, "
+        "from acb.integral",
+        value=widest,
+        points=len(gaps),
+        holds=Verdict.VERIFIED,
+    )
+
+
+def _turned(force: tuple[ids.Polynomial, ids.Polynomial]) -> tuple[ids.Polynomial, ids.Polynomial]:
+    """A vector of the primed frame in the fence's, x' at phi - 90 degrees."""
+    return force[0] * ids.y + force[1] * ids.x, -force[0] * ids.x + force[1] * ids.y
+
+
+@check
+def force_along_fence() -> Evidence:
+    """Eq. (4)."""
+    force = _turned((0 * ids.f, ids.f))[0]
+    return identity({"f_x": ids.normal(force - ids.f * ids.x)}, "rotation of the frame, exactly")
+
+
+@check
+def force_across_fence() -> Evidence:
+    """Eq. (5)."""
+    force = _turned((0 * ids.f, ids.f))[1]
+    return identity({"f_y": ids.normal(force - ids.f * ids.y)}, "rotation of the frame, exactly")
+
+
+@check
+def torque_about_contact(rod_angle: float) -> Evidence:
+    """Eq. (6): the wrench at the centre l (cos psi, sin psi), moved to the contact."""
+    moved = ids.cross((ids.l * ids.p, ids.l * ids.q), (ids.f * ids.x, ids.f * ids.y))
+    difference = ids.normal(moved - ids.l * ids.f * (ids.y * ids.p - ids.x * ids.q))
+    angle, drawn = (exact_direction(rational(degrees)) for degrees in (rod_angle, 45.0))
+    differences = {"l f sin(phi - psi)": difference}
+    differences |= {f"psi = {rod_angle:g}": a - b for a, b in zip(angle, drawn, strict=True)}
+    return identity(differences, "moment of the force about the contact, exactly")
+
+
+@check
+def unique_balance() -> Evidence:
+    """Eq. (7): for every force angle one spin ratio balances the torque."""
+    numerator = 1 + ids.k * ids.c, ids.k + ids.c
+    radicand = 1 + ids.k**2 + 2 * ids.k * ids.c
+    rates = [each.derivative("k") * radicand - each * (ids.k + ids.c) for each in numerator]
+    lemma = identity(
+        {
+            "t' minus the mean of sin^2 / speed^3": ids.normal(rates[1] - ids.s**2),
+            "f' plus k t'": ids.normal(rates[0] + ids.k * rates[1]),
+        },
+        _RATES,
+    )
+    inside = cover(ring_boxes.arm_slope, arb(0), arb(1))
+    method = (
+        "t' > 0 and f' = -k t' from the integrands; lower bound of the slope of t / f on [0, 1]; "
+        "duality maps it to k > 1 and the range to [0, inf)"
+    )
+    return together(inside.evidence(method), lemma)
+
+
+@check
+def center_on_axis() -> Evidence:
+    """Below Eq. (7): the point at -v / omega on x' is at rest."""
+    distance = -ids.ONE  # times v / omega
+    return identity(
+        {"velocity": ids.normal(ids.k + ids.k * distance)}, "rigid motion in the primed frame"
+    )
+
+
+@check
+def rotation_sense_as_printed(spin_ratio: float) -> Evidence:
+    """Below Eq. (7): -tau_0' has the sign of omega, with v > 0 and omega > 0."""
+    _, torque = ring.profile(arb(rational(spin_ratio)))
+    method = "sign of -tau_0' of Eq. (3) for omega > 0"
+    return inequality(-torque, method, unit="W R")
+
+
+@check
+def rotation_sense() -> Evidence:
+    """tau_0' has the sign of omega: t / k > 0 on [0, 1], and t rises."""
+    inside = cover(ring_boxes.turn, arb(0), arb(1))
+    return inside.evidence("least t / k on [0, 1]; t rises with k, so t > 0 beyond")

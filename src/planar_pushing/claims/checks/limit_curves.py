@@ -1,0 +1,204 @@
+"""The limit curve of Sec. 3: its shape, its extrema, its normal, its limits."""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from planar_pushing.claims import identities as ids
+from planar_pushing.claims import ring_boxes
+from planar_pushing.claims.cover import cover, greatest
+from planar_pushing.claims.registry import check
+from planar_pushing.claims.verdicts import (
+    Evidence,
+    facts,
+    identity,
+    inequality,
+    near,
+    together,
+)
+from planar_pushing.golden import ring
+from planar_pushing.golden.balls import rational
+from planar_pushing.golden.reference import contact_motion, limit_point, spin_of_arm, spin_ratio
+from planar_pushing.golden.setting import FRICTION, Effects, Slider, heading, lean
+
+_SLOPE = "t' > 0 on [0, 1], lower bound on boxes; Eq. (3)'s integrand makes it so for every k"
+
+
+def _rising_torque() -> Evidence:
+    return cover(ring_boxes.slope, arb(0), arb(1)).evidence(_SLOPE)
+
+
+@check
+def surface_normal() -> Evidence:
+    """The twist (v, omega) is normal to the limit surface: f' + k t' = 0."""
+    radicand = 1 + ids.k**2 + 2 * ids.k * ids.c
+    force, torque = 1 + ids.k * ids.c, ids.k + ids.c
+    rates = [each.derivative("k") * radicand - each * (ids.k + ids.c) for each in (force, torque)]
+    return identity(
+        {"f' + k t'": ids.normal(rates[0] + ids.k * rates[1])},
+        "derivatives of the integrands of Eqs. (2)-(3) with respect to k, exactly",
+    )
+
+
+@check
+def surface_convex() -> Evidence:
+    """The normal (1, k) of the surface's meridian turns one way as (f, t) runs along it."""
+    turning = ids.cross((-ids.k * ids.e, ids.e), (-ids.k * ids.a - ids.e, ids.a))
+    method = "the meridian turns at the rate t'^2, an identity; least t' on [0, 1]"
+    # e is t' and a is t'': the tangent is (-k e, e), and its derivative (-e - k a, a).
+    turned = identity({"turning minus t'^2": ids.normal(turning - ids.e**2)}, method)
+    return together(cover(ring_boxes.slope, arb(0), arb(1)).evidence(method), turned)
+
+
+@check
+def motion_normal_to_curve() -> Evidence:
+    """v_s is normal to the limit curve at f.
+
+    In the frame of the rod f is (a, t / l) with ``a^2 = f^2 - t^2 / l^2`` and v_s is
+    ``(a, t / l + k l f)`` times 1 / f; e is t', and f' = -k e.
+    """
+    slope_along = ids.f * (-ids.k * ids.e) * ids.l**2 - ids.t * ids.e  # l^2 a a'
+    work = slope_along + (ids.t + ids.k * ids.l**2 * ids.f) * ids.e
+    return identity({"v_s . df": ids.normal(work)}, "v_s . df = 0, an identity given f' = -k t'")
+
+
+@check
+def parallel_at_four_angles(along: float, across: float) -> Evidence:
+    """Force and v_s are parallel where k l cos(psi - phi) = 0, and nowhere else."""
+    turn = ids.cross((ids.x, ids.y), ids.MOTION)
+    leaning = ids.l * ids.k * (ids.p * ids.x + ids.q * ids.y)
+    method = "f x v_s = -k l cos(psi - phi), an identity; k = 0 only at phi = psi; exact angles"
+    found, slider = {}, Slider.of(1.0)
+    for degrees, part in ((along, 1), (along + 180, 1), (across, 0), (across + 180, 0)):
+        found[f"phi = {degrees:g}"] = lean(slider, heading(degrees))[part] == 0
+    return together(
+        facts(found, method),
+        identity({"f x v_s": ids.normal(turn + leaning)}, method),
+        _rising_torque(),
+    )
+
+
+@check
+def greatest_force(force_angle: float, force: float) -> Evidence:
+    """The force is greatest at phi and phi + 180, where the slider translates."""
+    method = "f falls with |k| from W at k = 0; k = 0 exactly where the line meets the centre"
+    slider, found = Slider.of(1.0), {}
+    for degrees in (force_angle, force_angle + 180):
+        spin = spin_ratio(slider, heading(degrees), FRICTION)
+        found[f"translation at {degrees:g}"] = bool(spin == 0)
+        found[f"force {force:g} W"] = bool(ring.profile(abs(spin))[0] == rational(force))
+    return together(facts(found, method), _rising_torque())
+
+
+@check
+def least_force(force_angle: float) -> Evidence:
+    """The force is least at phi and phi + 180, where the moment arm is greatest."""
+    method = "f falls and the moment arm rises with |k|; the arm is l exactly across the rod"
+    sizes = {
+        f"arm at {degrees:g}": abs(lean(Slider.of(1.0), heading(degrees))[1]) == 1
+        for degrees in (force_angle, force_angle + 180)
+    }
+    return together(facts(sizes, method), _rising_torque())
+
+
+@check
+def motion_along_force(along: float, across: float) -> Evidence:
+    """theta_s = phi along and across the rod: v_s has no part across f there, exactly."""
+    method = "f x v_s = -k l cos(psi - phi) vanishes, exactly"
+    slider, found = Slider.of(1.0), {}
+    for degrees in (along, across, along + 180, across + 180):
+        force = heading(degrees)
+        cosine, sine = lean(slider, force)
+        found[f"phi = {degrees:g}"] = bool(cosine == 0 or sine == 0)
+        motion = contact_motion(slider, force, spin_ratio(slider, force, FRICTION))
+        found[f"same sense at {degrees:g}"] = motion[0] * force.x + motion[1] * force.y > 0
+    return facts(found, method)
+
+
+@check
+def never_an_ellipse() -> Evidence:
+    """(1 - f^2) / t^2 would be constant on an ellipse; it is 2 at k = 0 and less at k = 1.
+
+    In the frame of the rod the curve is (sqrt(f^2 - t^2 / l^2), t / l). It meets its axes at right
+    angles, so an ellipse would have these axes, and ``1 - f^2`` would be a multiple of t^2 on an
+    interval of k and hence, both being analytic, on all of [0, 1).
+    """
+    force, torque = ring.profile(arb(1))
+    start = 2 * ring_boxes.loss(arb(0), arb(0)) / ring_boxes.turn(arb(0), arb(0)) ** 2
+    end = (1 - force**2) / torque**2
+    method = (
+        "(1 - f^2) / t^2 at k = 0 minus at k = 1; it is constant if any limit curve is an ellipse"
+    )
+    return inequality(start - end, method)
+
+
+def _off_ellipse(length: arb, low: arb, high: arb) -> arb:
+    """Part by which f falls short of the ellipse with the same extrema, on a box of k."""
+    _, tip = limit_spin(length)
+    squeeze = (1 / tip**2 - 1) / length**2
+    force, torque = ring_boxes.force(low, high), ring_boxes.torque(low, high)
+    return 1 - (force**2 + squeeze * torque**2).sqrt()
+
+
+def limit_spin(length: arb) -> tuple[arb, arb]:
+    """Greatest spin ratio on the limit curve, and the force there."""
+    k = spin_of_arm(length, fmpq(1), FRICTION)
+    return k, ring.profile(k)[0]
+
+
+@check
+def distance_from_ellipse(rod_length: float, part: float, within: float) -> Evidence:
+    """Largest radial distance from the ellipse with the same extrema, as a part of its radius."""
+    length = arb(rational(rod_length))
+    end, _ = limit_spin(length)
+    top = greatest(lambda a, b: _off_ellipse(length, a, b), arb(0), end.lower(), within / 8)
+    return near(top, part, within, "branch and bound over the spin ratios of the curve", "1")
+
+
+@check
+def tends_to_circle(coefficient: float) -> Evidence:
+    """1 - f <= coefficient H^2 for every k in [0, 1]: the radii lie within that part of l^2."""
+    most = rational(coefficient)
+
+    def margin(low: arb, high: arb) -> arb:
+        arm = ring_boxes.turn(low, low) / ring.profile(low)[0]
+        return most * arm**2 - ring_boxes.loss(high, high)
+
+    method = "coefficient * (H / k)^2 - (1 - f) / k^2 on boxes of [0, 1], that is l <= 1"
+    return cover(margin, arb(0), arb(1)).evidence(method)
+
+
+@check
+def tends_to_segment(rod_length: float, half_width: float, within: float) -> Evidence:
+    """The force across the rod is t W / l < W / l for every l; its greatest value at one l."""
+    _, tip = limit_spin(arb(rational(rod_length)))
+    number = near(
+        tip, half_width, within, "t < 1 for every k, so the half-width is below W / l", "W"
+    )
+    below = cover(ring_boxes.loss, arb(0), arb(1)).evidence("t(1 / k) = f(k) < 1 on (0, 1]")
+    return together(number, below)
+
+
+@check
+def ellipse_of_inertia(
+    rod_length: float, gyration_radius: float, ratio: float, within: float
+) -> Evidence:
+    """Fig. 10: F_along^2 + (1 + (l / rho)^2) F_across^2 = c^2, with the ratio of the axes."""
+    # v^2 (1 + e h^2) = 1 with e = 1 / rho^2: a^2 and b^2 are the squares of the parts of f / v.
+    arm = ids.l**2 * ids.s**2
+    unit = 1 + ids.e * arm
+    curve = ids.c**2 + ids.s**2 * (1 + ids.e * ids.l**2) - unit
+    exact = identity({"the ellipse": ids.normal(curve)}, "kinetic energy of the motion, exactly")
+    slider = Slider.of(rod_length, gyration_radius=gyration_radius)
+    sizes = [limit_point(slider, Effects.INERTIA, heading(degrees))[0] for degrees in (45, 135)]
+    return together(near(sizes[1] / sizes[0], ratio, within, exact.method), exact)
+
+
+@check
+def acceleration_normal_to_ellipse() -> Evidence:
+    """Fig. 10: a_s is (cos, (1 + e l^2) sin) in the frame of the rod, the ellipse's gradient."""
+    motion = ids.c, ids.s + ids.e * ids.l * ids.s * ids.l
+    gradient = ids.c, (1 + ids.e * ids.l**2) * ids.s
+    return identity(
+        {"a_s x gradient": ids.normal(ids.cross(motion, gradient))}, "Eqs. (11)-(12), exactly"
+    )

@@ -1,0 +1,94 @@
+"""Statements about every point of an interval, by subdivision into boxes.
+
+A box is an interval [low, high] with exact ends. A function of a box returns a ball that encloses, or
+bounds from below, its values on the box.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from flint import arb
+
+from planar_pushing.claims.verdicts import Evidence, Verdict
+from planar_pushing.golden.balls import Undecided
+
+OnBox = Callable[[arb, arb], arb]
+
+#: Boxes after which a statement counts as out of reach.
+_MOST = 20_000
+
+
+@dataclass(frozen=True, slots=True)
+class Cover:
+    """Boxes that cover the interval, the least value on them, and a point of failure if any."""
+
+    least: arb
+    boxes: int
+    failure: arb | None = None
+    open: bool = False
+
+    def evidence(self, method: str, unit: str = "1", value: arb | None = None) -> Evidence:
+        """Evidence for positive values on the whole interval."""
+        verdict, reason = Verdict.PROVED, None
+        if self.failure is not None:
+            verdict = Verdict.REFUTED
+            reason = f"fails at {self.failure.str(12, radius=False)}"
+        elif self.open:
+            verdict = Verdict.UNDECIDED
+            reason = f"open after {self.boxes} boxes"
+        return Evidence(
+            verdict=verdict,
+            method=method,
+            value=self.least if value is None else value,
+            unit=unit,
+            margin=self.least,
+            points=self.boxes,
+            reason=reason,
+        )
+
+
+def cover(margin: OnBox, low: arb, high: arb, most: int = _MOST) -> Cover:
+    """Cover [low, high] by boxes on which `margin` is positive, or find a point where it is not."""
+    rest, least, boxes = [(low, high)], arb.pos_inf(), 0
+    while rest:
+        a, b = rest.pop()
+        value = margin(a, b)
+        boxes += 1
+        if value > 0:
+            least = arb.min(least, value.lower())
+            continue
+        middle = ((a + b) / 2).mid()
+        point = margin(middle, middle)
+        if point < 0:
+            return Cover(point, boxes, failure=middle)
+        if boxes >= most:
+            return Cover(value, boxes, open=True)
+        rest += [(middle, b), (a, middle)]
+    return Cover(least, boxes)
+
+
+def greatest(function: OnBox, low: arb, high: arb, width: float, most: int = _MOST) -> arb:
+    """Enclose the greatest value on [low, high] to within `width`, by branch and bound.
+
+    Raises
+    ------
+    Undecided
+        Where that takes too many boxes.
+    """
+    boxes, known, count = [(low, high)], arb.neg_inf(), 0
+    while count < most:
+        values = [(function(a, b).upper(), a, b) for a, b in boxes]
+        middles = [((a + b) / 2).mid() for a, b in boxes]
+        known = max([known, *(function(m, m).lower() for m in middles)], key=float)
+        values = [each for each in values if not each[0] < known]
+        top = max((each[0] for each in values), key=float)
+        if top - known < width:
+            return known.union(top)
+        count += len(values)
+        boxes = []
+        for _, a, b in values:
+            middle = ((a + b) / 2).mid()
+            boxes += [(a, middle), (middle, b)]
+    raise Undecided(f"the greatest value is open after {count} boxes")

@@ -1,0 +1,19 @@
+"""Judge the claims of the ledger; fail, naming them, where a verdict is not the expected one."""
+
+from planar_pushing.claims.ledger import load_ledger
+from planar_pushing.claims.table import complaint, csv_text, json_text, judge_all
+from planar_pushing.mechanics.errors import InvalidResult
+from planar_pushing.study.files import replacing
+from planar_pushing.study.jobs import job_log
+
+with job_log(snakemake.log[0]) as log:
+    judged = judge_all(load_ledger(snakemake.input.ledger))
+    if problem := complaint(judged):
+        raise InvalidResult(problem)
+    for path, text in (
+        (snakemake.output.json, json_text(judged)),
+        (snakemake.output.csv, csv_text(judged)),
+    ):
+        with replacing(path) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+    log.info("%d claims", len(judged))
