@@ -33,7 +33,7 @@ def loss(low: arb, high: arb) -> arb:
 
 def slope(low: arb, high: arb) -> arb:
     """Lower bound of t', which rises from 1/2."""
-    return arb(fmpq(1, 2)) if low == 0 else ring.slope(low).lower() if low < 1 else arb.pos_inf()
+    return arb(fmpq(1, 2)) if low == 0 else ring.slope(low) if low < 1 else arb.pos_inf()
 
 
 def arm_slope(low: arb, high: arb) -> arb:

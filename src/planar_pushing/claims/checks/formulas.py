@@ -5,8 +5,7 @@ from __future__ import annotations
 from flint import arb
 
 from planar_pushing.claims import identities as ids
-from planar_pushing.claims import integrals, ring_boxes
-from planar_pushing.claims.cover import cover
+from planar_pushing.claims import integrals, lemmas
 from planar_pushing.claims.registry import check
 from planar_pushing.claims.verdicts import Evidence, Verdict, identity, inequality, least, together
 from planar_pushing.golden import ring
@@ -14,7 +13,6 @@ from planar_pushing.golden.balls import exact_direction, rational
 
 #: Velocity of the ring's point at theta, over v, in the primed frame.
 _POINT = (-ids.k * ids.s, 1 + ids.k * ids.c)
-_RATES = "derivatives of the integrands with respect to k, as polynomials"
 
 
 @check
@@ -115,22 +113,10 @@ def torque_about_contact(rod_angle: float) -> Evidence:
 @check
 def unique_balance() -> Evidence:
     """Eq. (7): for every force angle one spin ratio balances the torque."""
-    numerator = 1 + ids.k * ids.c, ids.k + ids.c
-    radicand = 1 + ids.k**2 + 2 * ids.k * ids.c
-    rates = [each.derivative("k") * radicand - each * (ids.k + ids.c) for each in numerator]
-    lemma = identity(
-        {
-            "t' minus the mean of sin^2 / speed^3": ids.normal(rates[1] - ids.s**2),
-            "f' plus k t'": ids.normal(rates[0] + ids.k * rates[1]),
-        },
-        _RATES,
-    )
-    inside = cover(ring_boxes.arm_slope, arb(0), arb(1))
-    method = (
+    return lemmas.rising_arm(
         "t' > 0 and f' = -k t' from the integrands; lower bound of the slope of t / f on [0, 1]; "
         "duality maps it to k > 1 and the range to [0, inf)"
     )
-    return together(inside.evidence(method), lemma)
 
 
 @check
@@ -153,5 +139,4 @@ def rotation_sense_as_printed(spin_ratio: float) -> Evidence:
 @check
 def rotation_sense() -> Evidence:
     """tau_0' has the sign of omega: t / k > 0 on [0, 1], and t rises."""
-    inside = cover(ring_boxes.turn, arb(0), arb(1))
-    return inside.evidence("least t / k on [0, 1]; t rises with k, so t > 0 beyond")
+    return lemmas.same_sense("least t / k on [0, 1]; t rises with k, so t > 0 beyond")

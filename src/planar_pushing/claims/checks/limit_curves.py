@@ -5,7 +5,7 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from planar_pushing.claims import identities as ids
-from planar_pushing.claims import ring_boxes
+from planar_pushing.claims import lemmas, ring_boxes
 from planar_pushing.claims.cover import cover, greatest
 from planar_pushing.claims.registry import check
 from planar_pushing.claims.verdicts import (
@@ -24,20 +24,10 @@ from planar_pushing.golden.setting import FRICTION, Effects, Slider, heading, le
 _SLOPE = "t' > 0 on [0, 1], lower bound on boxes; Eq. (3)'s integrand makes it so for every k"
 
 
-def _rising_torque() -> Evidence:
-    return cover(ring_boxes.slope, arb(0), arb(1)).evidence(_SLOPE)
-
-
 @check
 def surface_normal() -> Evidence:
     """The twist (v, omega) is normal to the limit surface: f' + k t' = 0."""
-    radicand = 1 + ids.k**2 + 2 * ids.k * ids.c
-    force, torque = 1 + ids.k * ids.c, ids.k + ids.c
-    rates = [each.derivative("k") * radicand - each * (ids.k + ids.c) for each in (force, torque)]
-    return identity(
-        {"f' + k t'": ids.normal(rates[0] + ids.k * rates[1])},
-        "derivatives of the integrands of Eqs. (2)-(3) with respect to k, exactly",
-    )
+    return lemmas.rates()
 
 
 @check
@@ -47,7 +37,7 @@ def surface_convex() -> Evidence:
     method = "the meridian turns at the rate t'^2, an identity; least t' on [0, 1]"
     # e is t' and a is t'': the tangent is (-k e, e), and its derivative (-e - k a, a).
     turned = identity({"turning minus t'^2": ids.normal(turning - ids.e**2)}, method)
-    return together(cover(ring_boxes.slope, arb(0), arb(1)).evidence(method), turned)
+    return together(lemmas.rising_torque(method), turned)
 
 
 @check
@@ -59,7 +49,8 @@ def motion_normal_to_curve() -> Evidence:
     """
     slope_along = ids.f * (-ids.k * ids.e) * ids.l**2 - ids.t * ids.e  # l^2 a a'
     work = slope_along + (ids.t + ids.k * ids.l**2 * ids.f) * ids.e
-    return identity({"v_s . df": ids.normal(work)}, "v_s . df = 0, an identity given f' = -k t'")
+    method = "v_s . df = 0 with f' = -k t', both identities"
+    return together(identity({"v_s . df": ids.normal(work)}, method), lemmas.rates())
 
 
 @check
@@ -74,7 +65,7 @@ def parallel_at_four_angles(along: float, across: float) -> Evidence:
     return together(
         facts(found, method),
         identity({"f x v_s": ids.normal(turn + leaning)}, method),
-        _rising_torque(),
+        lemmas.rising_torque(_SLOPE),
     )
 
 
@@ -87,7 +78,7 @@ def greatest_force(force_angle: float, force: float) -> Evidence:
         spin = spin_ratio(slider, heading(degrees), FRICTION)
         found[f"translation at {degrees:g}"] = bool(spin == 0)
         found[f"force {force:g} W"] = bool(ring.profile(abs(spin))[0] == rational(force))
-    return together(facts(found, method), _rising_torque())
+    return together(facts(found, method), lemmas.rising_torque(_SLOPE))
 
 
 @check
@@ -98,7 +89,7 @@ def least_force(force_angle: float) -> Evidence:
         f"arm at {degrees:g}": abs(lean(Slider.of(1.0), heading(degrees))[1]) == 1
         for degrees in (force_angle, force_angle + 180)
     }
-    return together(facts(sizes, method), _rising_torque())
+    return together(facts(sizes, method), lemmas.rising_torque(_SLOPE))
 
 
 @check

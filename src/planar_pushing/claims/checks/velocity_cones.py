@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from flint import arb, fmpq
 
-from planar_pushing.claims import identities as ids
-from planar_pushing.claims import ring_boxes
+from planar_pushing.claims import lemmas
 from planar_pushing.claims.cover import cover
 from planar_pushing.claims.examples import modes_are
 from planar_pushing.claims.registry import check
 from planar_pushing.claims.verdicts import (
     Evidence,
     facts,
-    identity,
     inequality,
     near,
     together,
@@ -27,31 +25,6 @@ from planar_pushing.golden.setting import FRICTION, Effects, Slider, heading
 EDGES = "motion under the edge of the friction cone; the spin ratio enclosed by a change of sign"
 
 
-def work_identity() -> Evidence:
-    """Identity f . u = 1 + k h for a unit force and a unit speed of the centre."""
-    work = ids.dot((ids.x, ids.y), ids.MOTION)
-    return identity(
-        {"f . u": ids.normal(work - 1 - ids.k * ids.ARM)}, "f . u = 1 + k h, an identity"
-    )
-
-
-def turning_identity() -> Evidence:
-    """Identity u x du/dphi = 1 + k h - e l cos(psi - phi), with e = dk/dphi."""
-    rate = (
-        -ids.y + ids.e * ids.l * ids.q,
-        ids.x - ids.e * ids.l * ids.p,
-    )
-    cosine = ids.p * ids.x + ids.q * ids.y
-    turning = ids.cross(ids.MOTION, rate)
-    rest = 1 + ids.k * ids.ARM - ids.e * ids.l * cosine
-    return identity({"the turning": ids.normal(turning - rest)}, "an identity")
-
-
-def _least_work(low: arb, high: arb) -> arb:
-    """Lower bound of 1 + k h on a box: k h = k t / f >= 0 there, and so beyond by duality."""
-    return 1 + low**2 * ring_boxes.turn(low, low) / ring_boxes.force(low, high).upper()
-
-
 @check
 def friction_cone_edges(friction_coefficient: float, half_angle: float, within: float) -> Evidence:
     """Half the friction cone is arctan mu about the normal."""
@@ -62,29 +35,29 @@ def friction_cone_edges(friction_coefficient: float, half_angle: float, within: 
 @check
 def nonnegative_work(above: float) -> Evidence:
     """The work f . v_s >= 0, for every force angle, rod length and rod angle."""
-    floor = cover(lambda a, b: _least_work(a, b) - rational(above), arb(0), arb(1))
+    floor = cover(lambda a, b: lemmas.least_work(a, b) - rational(above), arb(0), arb(1))
     method = "f . v_s = 1 + k h for a unit force and a unit speed of the centre; k h >= 0 on boxes"
-    return together(floor.evidence(method), work_identity())
+    return together(floor.evidence(method), lemmas.work())
 
 
 @check
 def motion_turns_with_force(above: float) -> Evidence:
     """theta_s rises with phi: |v_s|^2 d theta_s / d phi = 1 + k h + l^2 cos^2 / H' > 0."""
-    floor = cover(lambda a, b: _least_work(a, b) - rational(above), arb(0), arb(1))
-    slope = cover(ring_boxes.arm_slope, arb(0), arb(1)).evidence("H' > 0 on boxes of [0, 1]")
+    floor = cover(lambda a, b: lemmas.least_work(a, b) - rational(above), arb(0), arb(1))
+    slope = lemmas.rising_arm("H' > 0 on boxes of [0, 1]")
     method = (
         "|v_s|^2 d theta_s / d phi = 1 + k h + l^2 cos^2(psi - phi) / H', an identity; its least "
         "value on boxes, H' > 0; every rod length and rod angle"
     )
-    return together(floor.evidence(method), slope, turning_identity())
+    return together(floor.evidence(method), slope, lemmas.turning())
 
 
 @check
 def cone_within_90_degrees() -> Evidence:
     """|theta_s - phi| < 90 degrees: its cosine has the sign of f . v_s = 1 + k h >= 1."""
-    floor = cover(_least_work, arb(0), arb(1))
-    method = "|v_s| cos(theta_s - phi) = 1 + k h >= 1, an identity and boxes; every l and psi"
-    return together(floor.evidence(method), work_identity())
+    return lemmas.positive_work(
+        "|v_s| cos(theta_s - phi) = 1 + k h >= 1, an identity and boxes; every l and psi"
+    )
 
 
 @check

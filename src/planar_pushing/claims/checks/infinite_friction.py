@@ -1,0 +1,135 @@
+"""Sec. 3.2: cones under infinite friction, slip, and the normal push."""
+
+from __future__ import annotations
+
+import math
+
+from flint import arb
+
+from planar_pushing.claims import identities as ids
+from planar_pushing.claims import lemmas
+from planar_pushing.claims.examples import modes_are
+from planar_pushing.claims.registry import check
+from planar_pushing.claims.verdicts import (
+    Evidence,
+    equal,
+    identity,
+    inequality,
+    near,
+    together,
+)
+from planar_pushing.golden.balls import rational
+from planar_pushing.golden.cones import friction_cone, motion_cone
+from planar_pushing.golden.modes import INFINITE_FREE, Mode
+from planar_pushing.golden.setting import Effects, Slider
+
+#: The span of a cone is known to this accuracy where balls add up.
+_TIGHT = 1e-30
+
+
+@check
+def infinite_friction_cone(right: float, left: float) -> Evidence:
+    """The forces into the slider, exactly."""
+    cone = friction_cone(math.inf)
+    method = "edges of the friction cone, exactly"
+    return together(
+        equal(cone.left, left, method, unit="degree"),
+        equal(cone.right, right, method, unit="degree"),
+    )
+
+
+@check
+def infinite_velocity_cone_spans(rod_length: float, span: float) -> Evidence:
+    """Turning the force by 180 degrees turns the motion by 180 degrees: k is odd in the arm."""
+    others = ids.MOTION[0].context().gens()
+    turned = [ids.s, ids.c, -ids.y, -ids.x, *others[4:6], -ids.k, *others[7:]]
+    sums = {
+        f"part {i} of the motion": ids.normal(part + part.compose(*turned))
+        for i, part in enumerate(ids.MOTION)
+    }
+    method = "the motion is odd in the force, an identity for every l and psi; one span by balls"
+    cone = motion_cone(Slider.of(rod_length), Effects.FRICTION, math.inf)
+    return together(
+        near(cone.left - cone.right, span, _TIGHT, method, "degree"), identity(sums, method)
+    )
+
+
+@check
+def velocity_cone_ends_short(rod_length: float, below: float) -> Evidence:
+    """The left edge under infinite friction, below 180 degrees."""
+    cone = motion_cone(Slider.of(rod_length), Effects.FRICTION, math.inf)
+    method = "motion under a force at 180 degrees"
+    margin = rational(below) - cone.left
+    return inequality(margin, method, value=cone.left, unit="degree", claimed=below)
+
+
+def _edge_motion(along: int) -> Evidence:
+    """Identity: under a force along the fence the arm is +- l sin(psi) and n . v_s is -k l cos(psi)."""
+    others = ids.ARM.context().gens()
+    values = [*others[:2], 0 * ids.ONE, along * ids.ONE, *others[4:]]
+    arm, normal = ids.ARM.compose(*values), ids.MOTION[1].compose(*values)
+    return identity(
+        {"the arm": arm - along * ids.l * ids.q, "n . v_s": normal + ids.k * ids.l * ids.p},
+        "arm and normal motion under a force along the fence, exactly",
+    )
+
+
+@check
+def slips_for_every_rod() -> Evidence:
+    """A force at 180 degrees turns the slider clockwise and moves the contact into it."""
+    method = (
+        "n . v_s = -k l cos(psi) with k < 0 since the arm is -l sin(psi): above the fence for every "
+        "l > 0 and 0 < psi < 90; least k / h > 0 on boxes"
+    )
+    return together(lemmas.same_sense(method), _edge_motion(-1))
+
+
+@check
+def pulls_for_every_rod() -> Evidence:
+    """A force at 0 degrees turns the slider counter-clockwise and moves the contact away."""
+    method = (
+        "n . v_s = -k l cos(psi) with k > 0 since the arm is l sin(psi): below the fence for every "
+        "l > 0 and 0 < psi < 90; least k / h > 0 on boxes"
+    )
+    return together(lemmas.same_sense(method), _edge_motion(1))
+
+
+def slips_beyond_edge(effects: Effects, rod_length: float, pusher_angle: float) -> Evidence:
+    """Evidence that every pusher motion from one angle up to 180 degrees slips to the right.
+
+    Sticking is impossible outside the cone, separation where n . w > 0. Under a force on the left edge
+    the contact moves along the cone's left edge at any speed; with equal normal parts it lags behind
+    a pusher that is farther left.
+    """
+    cone = motion_cone(Slider.of(rod_length), effects, math.inf)
+    method = "pusher angle minus the left edge of the cone, which lies within (0, 180) degrees"
+    beyond = inequality(rational(pusher_angle) - cone.left, method, value=cone.left, unit="degree")
+    inside = inequality(arb.min(cone.left, 180 - cone.left), method, unit="degree")
+    slip = modes_are((Mode.SLIP_RIGHT,), rod_length, effects, INFINITE_FREE, pusher_angle)
+    return together(beyond, inside, slip)
+
+
+@check
+def slip_with_infinite_friction(rod_length: float, pusher_angle: float) -> Evidence:
+    """Slip to the right is the only solution from this pusher angle up to 180 degrees."""
+    return slips_beyond_edge(Effects.FRICTION, rod_length, pusher_angle)
+
+
+@check
+def normal_push_sticks() -> Evidence:
+    """u_x = f . u at phi = 0, and -f . u at phi = 180: the cone holds the normal."""
+    return lemmas.positive_work(
+        "f . u = 1 + k h >= 1 at both edges, so the right edge is below and the left edge above 90 "
+        "degrees; every l, psi and share of inertia"
+    )
+
+
+@check
+def normal_push_sticks_on_any_support() -> Evidence:
+    """Slip by `a` under the force (-1, 0) or (1, 0) against it works -|a|: no support allows it."""
+    work = {
+        f"slip to the {side}": ids.dot((-turn * ids.ONE, 0 * ids.ONE), (turn * ids.a, ids.b))
+        + ids.a
+        for side, turn in (("right", 1), ("left", -1))
+    }
+    return identity(work, "f . v_s is minus the slip for a unit force on an edge, exactly")

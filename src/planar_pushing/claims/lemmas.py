@@ -1,0 +1,92 @@
+"""What several claims rest on, each with its evidence; for every rod and every force angle."""
+
+from __future__ import annotations
+
+from flint import arb
+
+from planar_pushing.claims import identities as ids
+from planar_pushing.claims import ring_boxes
+from planar_pushing.claims.cover import cover
+from planar_pushing.claims.verdicts import Evidence, identity, together
+from planar_pushing.golden import ring
+
+#: Numerators of the integrands of Eqs. (2)-(3), and the square of their denominator.
+FORCE, TORQUE = 1 + ids.k * ids.c, ids.k + ids.c
+RADICAND = 1 + ids.k**2 + 2 * ids.k * ids.c
+
+
+def rates() -> Evidence:
+    """Evidence that t' is the mean of sin^2 / speed^3, and f' = -k t', from the integrands."""
+    force, torque = (
+        each.derivative("k") * RADICAND - each * (ids.k + ids.c) for each in (FORCE, TORQUE)
+    )
+    return identity(
+        {
+            "t' minus the mean of sin^2 / speed^3": ids.normal(torque - ids.s**2),
+            "f' + k t'": ids.normal(force + ids.k * torque),
+        },
+        "derivatives of the integrands with respect to k, as polynomials",
+    )
+
+
+def duality() -> Evidence:
+    """Evidence for f(1 / k) = t(k): the integrand of Eq. (2) at 1 / k is that of Eq. (3) at k > 0."""
+    return identity(
+        {
+            "the radicand": RADICAND - _reversed(RADICAND, 2),
+            "the numerator": TORQUE - _reversed(FORCE, 1),
+        },
+        "the integrand of Eq. (2) at 1 / k is that of Eq. (3) at k > 0, exactly",
+    )
+
+
+def _reversed(polynomial: ids.Polynomial, power: int) -> ids.Polynomial:
+    """k^power times the polynomial at 1 / k."""
+    context = polynomial.context()
+    place, turned = context.names().index("k"), {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        flipped = list(exponents)
+        flipped[place] = power - flipped[place]
+        turned[tuple(flipped)] = coefficient
+    return context.from_dict(turned)
+
+
+def rising_torque(method: str) -> Evidence:
+    """Evidence for t' > 0, and with it t > 0 and a falling f, at every k > 0."""
+    return together(cover(ring_boxes.slope, arb(0), arb(1)).evidence(method), rates())
+
+
+def rising_arm(method: str) -> Evidence:
+    """Evidence that H = t / f rises from 0 to infinity: on [0, 1] by boxes, beyond by duality."""
+    return together(
+        cover(ring_boxes.arm_slope, arb(0), arb(1)).evidence(method), rates(), duality()
+    )
+
+
+def same_sense(method: str) -> Evidence:
+    """Evidence that k and the moment arm have one sign: least t / k on [0, 1], t rises beyond."""
+    return together(cover(ring_boxes.turn, arb(0), arb(1)).evidence(method), rates())
+
+
+def least_work(low: arb, high: arb) -> arb:
+    """Lower bound of 1 + k h on a box: k h = k t / f >= 0 there, and so beyond by duality."""
+    return 1 + low**2 * ring_boxes.turn(low, low) / ring.profile(low)[0]
+
+
+def work() -> Evidence:
+    """Evidence for f . u = 1 + k h with a unit force and a unit speed of the centre."""
+    done = ids.dot((ids.x, ids.y), ids.MOTION)
+    return identity({"f . u": ids.normal(done - 1 - ids.k * ids.ARM)}, "an identity")
+
+
+def positive_work(method: str) -> Evidence:
+    """Evidence for f . u > 0, whatever the share of inertia: k h >= 0 for each."""
+    return together(cover(least_work, arb(0), arb(1)).evidence(method), work())
+
+
+def turning() -> Evidence:
+    """Evidence for u x du/dphi = 1 + k h - e l cos(psi - phi), with e = dk/dphi."""
+    rate = -ids.y + ids.e * ids.l * ids.q, ids.x - ids.e * ids.l * ids.p
+    cosine = ids.p * ids.x + ids.q * ids.y
+    rest = 1 + ids.k * ids.ARM - ids.e * ids.l * cosine
+    return identity({"the turning": ids.normal(ids.cross(ids.MOTION, rate) - rest)}, "an identity")
