@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from flint import arb
 
 from planar_pushing.claims.verdicts import Evidence, Verdict
-from planar_pushing.golden.balls import Undecided
 
 OnBox = Callable[[arb, arb], arb]
 
@@ -67,28 +66,3 @@ def cover(margin: OnBox, low: arb, high: arb, most: int = _MOST) -> Cover:
             return Cover(value, boxes, open=True)
         rest += [(middle, b), (a, middle)]
     return Cover(least, boxes)
-
-
-def greatest(function: OnBox, low: arb, high: arb, width: float, most: int = _MOST) -> arb:
-    """Enclose the greatest value on [low, high] to within `width`, by branch and bound.
-
-    Raises
-    ------
-    Undecided
-        Where that takes too many boxes.
-    """
-    boxes, known, count = [(low, high)], arb.neg_inf(), 0
-    while count < most:
-        values = [(function(a, b).upper(), a, b) for a, b in boxes]
-        middles = [((a + b) / 2).mid() for a, b in boxes]
-        known = max([known, *(function(m, m).lower() for m in middles)], key=float)
-        values = [each for each in values if not each[0] < known]
-        top = max((each[0] for each in values), key=float)
-        if top - known < width:
-            return known.union(top)
-        count += len(values)
-        boxes = []
-        for _, a, b in values:
-            middle = ((a + b) / 2).mid()
-            boxes += [(a, middle), (middle, b)]
-    raise Undecided(f"the greatest value is open after {count} boxes")

@@ -81,7 +81,7 @@ def work() -> Evidence:
 
 def positive_work(method: str) -> Evidence:
     """Evidence for f . u > 0, whatever the share of inertia: k h >= 0 for each."""
-    return together(cover(least_work, arb(0), arb(1)).evidence(method), work())
+    return together(cover(least_work, arb(0), arb(1)).evidence(method), work(), same_sense(method))
 
 
 def turning() -> Evidence:

@@ -17,6 +17,7 @@ from planar_pushing.claims.ledger import NO_CHECK, Claim, Ledger
 from planar_pushing.claims.registry import CHECKS
 from planar_pushing.claims.verdicts import Evidence, Verdict
 from planar_pushing.golden.balls import precise
+from planar_pushing.mechanics.errors import InvalidFile
 
 #: Correct digits of an enclosure that the table prints.
 DIGITS = 20
@@ -38,14 +39,30 @@ class Judged:
 
 
 def judge(claim: Claim) -> Judged:
-    """Run the check of a claim on the numbers that it names."""
+    """Run the check of a claim on the numbers that it names.
+
+    Raises
+    ------
+    InvalidFile
+        Where the check is not defined for these numbers, as for a rod of infinite length.
+    """
     if claim.check == NO_CHECK:
         evidence = Evidence(verdict=Verdict.NOT_REPRODUCIBLE, method="none", reason=claim.reason)
     else:
-        evidence = CHECKS[claim.check](**claim.claimed)
+        evidence = _checked(claim)
         if claim.reason and evidence.verdict is claim.expected:
             evidence = replace(evidence, reason=claim.reason)
     return Judged(claim=claim, evidence=evidence)
+
+
+def _checked(claim: Claim) -> Evidence:
+    try:
+        return CHECKS[claim.check](**claim.claimed)
+    except (ArithmeticError, ValueError) as error:
+        raise InvalidFile(
+            f"{claim.id}.claimed: {claim.claimed!r} given; allowed: numbers that the check "
+            f"{claim.check} is defined for ({error}); change them"
+        ) from None
 
 
 def judge_all(ledger: Ledger) -> list[Judged]:
@@ -117,12 +134,12 @@ def digits(ball: arb | None) -> tuple[str | None, float | None]:
     shift = int(exponent or 0) - len(part)
     printed = fmpq(int(whole + part)) * fmpq(10) ** shift
     gap = (ball - printed).abs_upper()
-    return text, _rounded(gap, math.inf)
+    return (text if printed else "0"), _rounded(gap, math.inf)
 
 
 @precise
 def below(ball: arb) -> float | None:
-    """Largest double that the ball is not below of."""
+    """Double below every number of the ball."""
     return _rounded(ball.lower(), -math.inf) if ball.is_finite() else None
 
 

@@ -6,7 +6,7 @@ positive where it supports the claim. A claim whose margin contains zero is unde
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import reduce
@@ -20,7 +20,7 @@ Identity = Any  # fmpq_mpoly in normal form
 
 
 class Verdict(StrEnum):
-    """What a check found, in order of strength from the last to the first."""
+    """What a check found; of several the last in this order decides."""
 
     PROVED = "proved"
     VERIFIED = "verified on the grid"
@@ -142,6 +142,13 @@ def facts(found: Mapping[str, bool], method: str, **numbers: Any) -> Evidence:
         reason=f"not so: {', '.join(wrong)}" if wrong else None,
         **numbers,
     )
+
+
+def on_grid(wrong: Sequence[str], points: int, method: str) -> Evidence:
+    """Evidence for a statement at every point of a grid; `wrong` names where it fails."""
+    verdict = Verdict.REFUTED if wrong else Verdict.VERIFIED
+    reason = f"fails at {len(wrong)} points, first {wrong[0]}" if wrong else None
+    return Evidence(verdict=verdict, method=method, points=points, reason=reason)
 
 
 def together(main: Evidence, *others: Evidence) -> Evidence:

@@ -205,7 +205,10 @@ def exact_cone(rod_length: float, right: float, left: float, within: float) -> E
 
 @check
 def slip_at_every_magnitude(rod_length: float, pusher_angle: float) -> Evidence:
-    """Fig. 12: sticking needs a motion in the exact cone, whatever the magnitude."""
+    """Fig. 12: sticking needs a motion in the exact cone, whatever the magnitude.
+
+    Under a force on the left edge n . u runs from 0 to infinity, so some slip meets every pusher.
+    """
     slider = Slider.of(rod_length)
     edge = motion_cone(slider, Effects.BOTH, math.inf).left
     method = "pusher angle minus the left edge of the union over all magnitudes; modes at seven"

@@ -179,8 +179,9 @@ def rod_on_a_wall(numerator: float, denominator: float) -> Evidence:
     square = (ids.s - 2 * ids.c) ** 2
     rest = 1 + 3 * ids.c**2 - 3 * critical * ids.s * ids.c - square
     method = "1 + 3 c^2 - 3 mu s c = (s - 2 c)^2 at the least mu, an identity"
-    tangent = fmpq(2)  # s / c, where the square vanishes
-    value = arb(4 + tangent**2) / (3 * tangent)
-    return together(
-        equal(value - critical, 0.0, method), identity({"the square": ids.normal(rest)}, method)
-    )
+    found = (1 + fmpq(3, 5)) / fmpq(6, 5)  # tan psi = 2: c^2 = 1/5 and s c = 2/5
+    number = facts(
+        {"the coefficient": found == critical}, method, value=arb(found), unit="1",
+        claimed=numerator / denominator,
+    )  # fmt: skip
+    return together(number, identity({"the square": ids.normal(rest)}, method))

@@ -40,7 +40,8 @@ def force_with_center_on_ring(force: float, within: float) -> Evidence:
 def slow_pulls_fast_does_not(rod_length: float, above: float, below: float) -> Evidence:
     """Between two coefficients the velocity cone reaches below the fence, the acceleration cone not.
 
-    The right edge falls as the coefficient rises: the ends decide for all between them.
+    The right edge falls as the coefficient rises: the ends decide for all between them. The left edge
+    stays below 180 degrees even under infinite friction.
     """
     slider = Slider.of(rod_length)
     velocity = motion_angle(slider, edge(above, 1), rational(0.0))
@@ -75,8 +76,9 @@ def _dip(rod_length: float, friction_coefficient: float) -> tuple[slips.Edge, ar
     gaps = [part.low.union(part.high) for part in parts if part.rise == 0]
     if not gaps:
         raise Undecided("the normal motion has no certified extremum")
-    ends = [(part.start, part.low) for part in parts if part.start.is_finite()]
-    found = [(edges.normal_motion(gap), gap) for gap in gaps] + ends
+    found = [(edges.normal_motion(gap), gap) for gap in gaps]
+    found += [(part.start, part.low) for part in parts if part.start.is_finite()]
+    found += [(part.end, part.high) for part in parts if part.end.is_finite()]
     lowest = min(found, key=lambda each: float(each[0].lower()))
     return edges, *lowest
 

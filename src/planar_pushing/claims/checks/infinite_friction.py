@@ -8,7 +8,7 @@ from flint import arb
 
 from planar_pushing.claims import identities as ids
 from planar_pushing.claims import lemmas
-from planar_pushing.claims.examples import modes_are
+from planar_pushing.claims.examples import METHOD, found_modes, modes_are
 from planar_pushing.claims.registry import check
 from planar_pushing.claims.verdicts import (
     Evidence,
@@ -16,12 +16,17 @@ from planar_pushing.claims.verdicts import (
     identity,
     inequality,
     near,
+    on_grid,
     together,
 )
 from planar_pushing.golden.balls import rational
 from planar_pushing.golden.cones import friction_cone, motion_cone
 from planar_pushing.golden.modes import INFINITE_FREE, Mode
 from planar_pushing.golden.setting import Effects, Slider
+
+#: Grid of the pushes into the slider: rod lengths in R, pusher angles in degrees.
+_LENGTHS = (0.5, 1.0, 2.0, 5.0)
+_ANGLES = tuple(range(1, 180, 2))
 
 #: The span of a cone is known to this accuracy where balls add up.
 _TIGHT = 1e-30
@@ -52,15 +57,6 @@ def infinite_velocity_cone_spans(rod_length: float, span: float) -> Evidence:
     return together(
         near(cone.left - cone.right, span, _TIGHT, method, "degree"), identity(sums, method)
     )
-
-
-@check
-def velocity_cone_ends_short(rod_length: float, below: float) -> Evidence:
-    """The left edge under infinite friction, below 180 degrees."""
-    cone = motion_cone(Slider.of(rod_length), Effects.FRICTION, math.inf)
-    method = "motion under a force at 180 degrees"
-    margin = rational(below) - cone.left
-    return inequality(margin, method, value=cone.left, unit="degree", claimed=below)
 
 
 def _edge_motion(along: int) -> Evidence:
@@ -113,6 +109,21 @@ def slips_beyond_edge(effects: Effects, rod_length: float, pusher_angle: float) 
 def slip_with_infinite_friction(rod_length: float, pusher_angle: float) -> Evidence:
     """Slip to the right is the only solution from this pusher angle up to 180 degrees."""
     return slips_beyond_edge(Effects.FRICTION, rod_length, pusher_angle)
+
+
+@check
+def slip_exactly_outside_cone() -> Evidence:
+    """Sec. 3.2: with v_py > 0 the contact sticks inside the cone and slips outside, on a grid."""
+    wrong, points = [], 0
+    for effects in (Effects.FRICTION, Effects.INERTIA):
+        for length in _LENGTHS:
+            cone = motion_cone(Slider.of(length), effects, math.inf)
+            for angle in _ANGLES:
+                mode = Mode.STICK if angle < cone.left else Mode.SLIP_RIGHT
+                found = found_modes(length, effects, INFINITE_FREE, angle)
+                points += 1
+                wrong += [f"l = {length:g}, {angle}"] if found != {mode: 1} else []
+    return on_grid(wrong, points, METHOD)
 
 
 @check

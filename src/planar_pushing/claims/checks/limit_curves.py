@@ -6,7 +6,7 @@ from flint import arb, fmpq
 
 from planar_pushing.claims import identities as ids
 from planar_pushing.claims import lemmas, ring_boxes
-from planar_pushing.claims.cover import cover, greatest
+from planar_pushing.claims.cover import cover
 from planar_pushing.claims.registry import check
 from planar_pushing.claims.verdicts import (
     Evidence,
@@ -19,6 +19,7 @@ from planar_pushing.claims.verdicts import (
 from planar_pushing.golden import ring
 from planar_pushing.golden.balls import rational
 from planar_pushing.golden.reference import contact_motion, limit_point, spin_of_arm, spin_ratio
+from planar_pushing.golden.roots import increasing_root
 from planar_pushing.golden.setting import FRICTION, Effects, Slider, heading, lean
 
 _SLOPE = "t' > 0 on [0, 1], lower bound on boxes; Eq. (3)'s integrand makes it so for every k"
@@ -37,7 +38,8 @@ def surface_convex() -> Evidence:
     method = "the meridian turns at the rate t'^2, an identity; least t' on [0, 1]"
     # e is t' and a is t'': the tangent is (-k e, e), and its derivative (-e - k a, a).
     turned = identity({"turning minus t'^2": ids.normal(turning - ids.e**2)}, method)
-    return together(lemmas.rising_torque(method), turned)
+    inside = lemmas.same_sense("f > 0 and t / k > 0: the normal (1, k) points away from the origin")
+    return together(lemmas.rising_torque(method), turned, inside)
 
 
 @check
@@ -123,14 +125,6 @@ def never_an_ellipse() -> Evidence:
     return inequality(start - end, method)
 
 
-def _off_ellipse(length: arb, low: arb, high: arb) -> arb:
-    """Part by which f falls short of the ellipse with the same extrema, on a box of k."""
-    _, tip = limit_spin(length)
-    squeeze = (1 / tip**2 - 1) / length**2
-    force, torque = ring_boxes.force(low, high), ring_boxes.torque(low, high)
-    return 1 - (force**2 + squeeze * torque**2).sqrt()
-
-
 def limit_spin(length: arb) -> tuple[arb, arb]:
     """Greatest spin ratio on the limit curve, and the force there."""
     k = spin_of_arm(length, fmpq(1), FRICTION)
@@ -139,11 +133,28 @@ def limit_spin(length: arb) -> tuple[arb, arb]:
 
 @check
 def distance_from_ellipse(rod_length: float, part: float, within: float) -> Evidence:
-    """Largest radial distance from the ellipse with the same extrema, as a part of its radius."""
+    """Largest radial distance from the ellipse with the same extrema, as a part of its radius.
+
+    The curve is sqrt(f^2 + e t^2) of the ellipse's radius, which is 1 at both ends of the spin ratios.
+    Its slope has the sign of e H / k - 1, which rises: t / k rises and f falls on [0, 1], dually beyond.
+    """
     length = arb(rational(rod_length))
-    end, _ = limit_spin(length)
-    top = greatest(lambda a, b: _off_ellipse(length, a, b), arb(0), end.lower(), within / 8)
-    return near(top, part, within, "branch and bound over the spin ratios of the curve", "1")
+    end, tip = limit_spin(length)
+    squeeze = (1 / tip**2 - 1) / length**2
+
+    def place(size: arb) -> arb:
+        """Spin ratio at which the slope vanishes, for an exact e; it falls with e."""
+
+        def steepness(k: arb) -> arb:
+            force, torque = ring.profile(k)
+            return size * torque / (k * force) - 1
+
+        return increasing_root(steepness, arb(2) ** -20, end.lower())
+
+    lowest = place(squeeze.lower()).union(place(squeeze.upper()))
+    force, torque = ring.profile(lowest)
+    method = "at the one spin ratio of greatest distance, enclosed by a change of sign"
+    return near(1 - (force**2 + squeeze * torque**2).sqrt(), part, within, method)
 
 
 @check
