@@ -16,7 +16,7 @@ from planar_pushing.claims.verdicts import Evidence, Verdict
 OnBox = Callable[[arb, arb], arb]
 
 #: Boxes after which a statement counts as out of reach.
-_MOST = 20_000
+_MOST = 2000
 
 
 @dataclass(frozen=True, slots=True)

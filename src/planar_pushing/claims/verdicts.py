@@ -73,7 +73,7 @@ def inequality(
     """Evidence for ``margin > 0``; `holds` is the verdict where it is so."""
     verdict, reason = holds, None
     if margin < 0:
-        verdict, reason = Verdict.REFUTED, f"off by {(-margin).str(6, radius=False)} {unit}"
+        verdict, reason = Verdict.REFUTED, f"off by {(-margin).mid().str(6, radius=False)} {unit}"
     elif not margin > 0:
         verdict, reason = Verdict.UNDECIDED, f"the margin {margin.str(6)} contains zero"
     return Evidence(

@@ -151,8 +151,10 @@ def _where(error: YAMLError) -> str:
 def _key(location: tuple[int | str, ...]) -> str:
     """Location as written in the file: without the tags that tell laws and effects apart."""
     key, previous = "", None
-    for part in location:
-        tag = isinstance(part, str) and (isinstance(previous, int) or previous == "contact")
+    for index, part in enumerate(location):
+        tag = previous == "contact" or (
+            isinstance(previous, int) and location[index - 2] == "effects"
+        )
         if isinstance(part, int):
             key += f"[{part}]"
         elif not tag:
