@@ -16,6 +16,7 @@ WRONG = [
     ("eq-06-torque-about-contact", {"rod_angle": 30}),
     ("eq-08-acceleration-along-fence", {"mass": 2}),
     ("eq-09-acceleration-across-fence", {"mass": 2}),
+    ("gyration-radius-of-the-ring", {"gyration_radius": 0.5}),
     ("eq-10-angular-acceleration", {"gyration_radius": 2}),
     ("eq-11-rod-end-along-fence", {"gyration_radius": 0.5}),
     ("eq-12-rod-end-across-fence", {"gyration_radius": 0.5}),
@@ -68,6 +69,7 @@ WRONG = [
     ("slow-sticks-fast-slips-off", {"fast": 0.1}),
     ("infinite-velocity-cone-spans-180", {"span": 170}),
     ("infinite-friction-cone", {"left": 170}),
+    ("closed-and-open-interval", {"right": 10}),
 ]
 
 

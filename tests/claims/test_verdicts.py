@@ -119,6 +119,18 @@ def test_the_slope_of_the_arm_against_a_difference_quotient():
     assert abs(ring_boxes.arm_slope(k, k) - quotient) < 1e-18
 
 
-def test_lemmas_hold():
-    for lemma in (lemmas.rates(), lemmas.duality(), lemmas.work(), lemmas.turning()):
-        assert lemma.verdict is Verdict.PROVED
+@pytest.mark.parametrize(
+    "lemma",
+    [
+        *(lemmas.rates, lemmas.duality, lemmas.work, lemmas.turning),
+        *(lemmas.torque_rate, lemmas.elliptic_rates),
+    ],
+)
+def test_lemmas_hold(lemma):
+    assert lemma().verdict is Verdict.PROVED
+
+
+def test_a_lemma_with_a_wrong_integrand_is_refuted(monkeypatch):
+    monkeypatch.setattr(lemmas, "FORCE", 1 + 2 * ids.k * ids.c)
+    for lemma in (lemmas.rates, lemmas.duality, lemmas.torque_rate):
+        assert lemma().verdict is Verdict.REFUTED

@@ -51,6 +51,50 @@ def _reversed(polynomial: ids.Polynomial, power: int) -> ids.Polynomial:
     return context.from_dict(turned)
 
 
+def torque_rate() -> Evidence:
+    """Evidence for ``t' = (f - k t) / (1 - k^2) - t / k``, from the integrands, 0 < k < 1.
+
+    The right side is the mean of -cos / (k speed); it is t', the mean of sin^2 / speed^3, since their
+    difference is the derivative of sin / (k speed) around the ring.
+    """
+
+    def around(polynomial: ids.Polynomial) -> ids.Polynomial:
+        return polynomial.derivative("s") * ids.c - polynomial.derivative("c") * ids.s
+
+    whole = around(ids.s) * RADICAND - ids.s * around(RADICAND) / 2  # times k speed^3
+    right = (FORCE - ids.k * TORQUE) * ids.k - TORQUE * (1 - ids.k**2)  # times k (1 - k^2) speed
+    return identity(
+        {
+            "sin^2 / speed^3 + cos / (k speed)": ids.normal(
+                ids.k * ids.s**2 + ids.c * RADICAND - whole
+            ),
+            "the right side": ids.normal(right + ids.c * (1 - ids.k**2)),
+        },
+        "the integrands, up to a derivative around the ring, as polynomials",
+    )
+
+
+def elliptic_rates() -> Evidence:
+    """Evidence that E and (E - (1 - k^2) K) / k have the rates of f and of t.
+
+    The derivatives of K = b and E = a are those of DLMF 19.4.1-2: ``k a' = a - b`` and
+    ``k (1 - k^2) b' = a - (1 - k^2) b``.
+    """
+    rest = 1 - ids.k**2
+    torque = ids.a - rest * ids.b  # times k
+    rate = (ids.a - ids.b) + 2 * ids.k**2 * ids.b - (ids.a - rest * ids.b)  # of it, times k
+    steep = rate - torque  # t', times k^2
+    return identity(
+        {
+            "t' by (f - k t) / (1 - k^2) - t / k": steep * rest
+            - ids.k**2 * (ids.a - torque)
+            + rest * torque,
+            "f' by -k t'": (ids.a - ids.b) + steep,
+        },
+        "derivatives of the elliptic integrals, as polynomials",
+    )
+
+
 def rising_torque(method: str) -> Evidence:
     """Evidence for t' > 0, and with it t > 0 and a falling f, at every k > 0."""
     return together(cover(ring_boxes.slope, arb(0), arb(1)).evidence(method), rates())

@@ -66,8 +66,8 @@ def _forward() -> Evidence:
     inside = cover(lambda _, high: ring.profile(high)[0], arb(0), arb(1))
     beyond = cover(ring_boxes.turn, arb(0), arb(1))
     method = "least f on [0, 1] and least k f(k) beyond, by duality; inertia has m > 0"
-    both = least([inside.least, beyond.least])
-    return together(inside.evidence(method, value=both), beyond.evidence(method))
+    both = inequality(least([inside.least, beyond.least]), method)
+    return together(both, inside.evidence(method), beyond.evidence(method))
 
 
 @check

@@ -56,6 +56,19 @@ def slip_has_no_normal_force(
 
 
 @check
+def ends_of_the_interval(right: float, left: float) -> Evidence:
+    """Without a rod the force is along the motion: at both ends definition 1 sticks, 2 does not."""
+    found = {}
+    for angle in (right, left):
+        first, second = (
+            found_modes(0.0, Effects.FRICTION, law, angle) for law in (INFINITE_FREE, INFINITE_NONE)
+        )
+        found[f"closed at {angle:g}"] = first == {Mode.SEPARATE: 1, Mode.STICK: 1}
+        found[f"open at {angle:g}"] = second == {Mode.SEPARATE: 1}
+    return facts(found, METHOD)
+
+
+@check
 def definitions_agree_on_sticking() -> Evidence:
     """Where definition 1 prevents sticking so does definition 2, on a grid of pushes."""
     wrong, points = [], 0

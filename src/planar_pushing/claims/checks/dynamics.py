@@ -37,6 +37,13 @@ def _torque() -> ids.Polynomial:
 
 
 @check
+def gyration_of_ring(gyration_radius: float) -> Evidence:
+    """A point of the ring at (cos, sin) has this distance from the centre, squared."""
+    size = ids.c**2 + ids.s**2 - rational(gyration_radius) ** 2
+    return identity({"the mean square distance": ids.normal(size)}, "all mass is at R = 1, exactly")
+
+
+@check
 def angular_acceleration(gyration_radius: float) -> Evidence:
     """Eq. (10) from m rho^2 alpha = torque."""
     printed = _FORCE[0] * ids.l * ids.q - _FORCE[1] * ids.l * ids.p
