@@ -22,8 +22,8 @@ FIGURES: dict[str, tuple[str, ...]] = {
 #: Our captions.
 CAPTIONS: dict[str, str] = {
     "figure_01": (
-        "The pushing problem: a fence pushes a ring of radius 1 at the free end of its rod."
-        " Filled arrowheads are forces, open ones are velocities and accelerations; angles "
+        "The pushing problem: a fence pushes a ring of unit radius at the free end of its "
+        "rod. Filled arrowheads are forces, open ones are velocities and accelerations; angles "
         "are measured from the fence."
     ),
     "figure_02": (
@@ -53,8 +53,8 @@ CAPTIONS: dict[str, str] = {
         "whose right edge points away from the slider: pulling."
     ),
     "figure_07": (
-        "Velocity cones for infinite friction and several rod lengths. Each spans 180 "
-        "degrees and leans away from the friction cone (the half plane above the fence): "
+        "Velocity cones for infinite friction and several rod lengths. Each spans half "
+        "a turn and leans away from the friction cone (the half plane above the fence): "
         "below the fence on its right side the fence pulls, above the fence on its left "
         "side the contact slips."
     ),
@@ -83,14 +83,49 @@ CAPTIONS: dict[str, str] = {
         "Slip with infinite friction, support friction and inertia. Possible acceleration "
         "centres and accelerations of the contact: the paper's bound from the geometry of "
         "the line of force (light), and the exact set (dark), which narrows to a point "
-        "where the line of force touches the ring. A fence that accelerates at an angle "
-        "between the cone and 180 degrees makes the contact slip, whatever its magnitude."
+        "where the line of force touches the ring. A fence that accelerates in a "
+        "direction between the cone and the fence's left end makes the contact slip, whatever its "
+        "magnitude."
     ),
     "figure_13": (
         "Consistent contact modes over the coefficient of friction (linear in its angle) "
         "and the angle of the fence's motion. The strips on the right are infinite friction"
-        " without tangential force at zero normal force (definition 2) and perfectly rough "
+        " without tangential force at zero normal force (the second definition) and perfectly rough "
         "contact. Dots are edges of the motion cones; with both effects the cone covers all"
         " magnitudes of the motion, the map is drawn for one."
     ),
+}
+
+#: What the paper's caption promises, in our words; empty for a figure of ours.
+PROMISES: dict[str, str] = {
+    "figure_01": "an example of the pushing problem.",
+    "figure_02": "quasi-static pushing.",
+    "figure_03": "quasi-static pulling.",
+    "figure_04": "the conventions for the coordinates.",
+    "figure_05": "limit curves for rods of different lengths.",
+    "figure_06": (
+        "how the friction cone of μ = 2 maps to a velocity cone through the limit curve of l = 2."
+    ),
+    "figure_07": "velocity cones of infinite friction.",
+    "figure_08": "slip with infinite friction for l = 5.",
+    "figure_09": "acceleration cones for l = 2 with (a) μ = 2 and (b) μ = ∞.",
+    "figure_10": (
+        "the ellipses that govern the map from force to acceleration in the pure dynamic case, for"
+        " four rod lengths, and how a friction cone maps to an acceleration cone for l = 1."
+    ),
+    "figure_11": "an example of pulling with support friction and inertia, l = 5.",
+    "figure_12": "slip with infinite friction under support friction and inertia, l = 5.",
+    "figure_13": "",
+}
+
+_STATICS = "Sec. 3: quasi-static pushing and pulling"
+_DYNAMICS = "Sec. 4: dynamic pushing and pulling"
+
+#: Section of the paper in which a figure stands.
+SECTIONS: dict[str, str] = {
+    **dict.fromkeys(("figure_01", "figure_02", "figure_03", "figure_04", "figure_05"), _STATICS),
+    "figure_06": "Sec. 3.1: friction cones and velocity cones",
+    **dict.fromkeys(("figure_07", "figure_08"), "Sec. 3.2: slip with infinite friction"),
+    **dict.fromkeys(("figure_09", "figure_10", "figure_11", "figure_12"), _DYNAMICS),
+    "figure_13": "Ours: contact modes",
 }

@@ -1,0 +1,115 @@
+"""What a number of the report is: where it is read, its unit and its digits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.report.results import Results
+
+Read = Callable[[Results], float | str]
+NOWHERE: Mapping[str, float | str] = {}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Quantity:
+    """A number of the prose.
+
+    Attributes
+    ----------
+    read : callable
+        Reads it from the results; words are kept as they are.
+    digits : int
+        Digits after the decimal point.
+    unit : str
+        "1", "degree", "percent", or a unit of the datasets.
+    source : str
+        File of the results and what is read there.
+    """
+
+    read: Read
+    digits: int
+    unit: str
+    source: str
+
+    def entry(self, results: Results) -> dict[str, str]:
+        """Text, unit and source, as the report's table of numbers stores them."""
+        value = self.read(results)
+        text = value if isinstance(value, str) else rounded(value, self.digits)
+        return {"text": text, "unit": self.unit, "source": self.source}
+
+
+def rounded(value: float, digits: int) -> str:
+    """Value with so many digits after the point; a rounded zero has no sign.
+
+    Raises
+    ------
+    InvalidValue
+        Where the value is not finite: prose has no digits for it.
+    """
+    if not np.isfinite(value):
+        raise InvalidValue("value", value, "a finite number", "read another number of the results")
+    text = f"{value:.{digits}f}"
+    return text.lstrip("-") if float(text) == 0 else text
+
+
+def picked(
+    dataset: str,
+    variable: str,
+    at: Mapping[str, float | str] = NOWHERE,
+    *,
+    digits: int = 2,
+    unit: str = "degree",
+) -> Quantity:
+    """One value of a dataset at these coordinates, or at these places of axes without any."""
+
+    def read(results: Results) -> float:
+        return float(chosen(results.dataset(dataset)[variable], at).item())
+
+    place = ", ".join(f"{axis}={where}" for axis, where in at.items())
+    source = f"{dataset}: {variable}" + (f" at {place}" if place else "")
+    return Quantity(read=read, digits=digits, unit=unit, source=source)
+
+
+def chosen(variable: xr.DataArray, at: Mapping[str, float | str]) -> xr.DataArray:
+    """Select by coordinate where the axis has one, by place where it has none."""
+    by_value = {axis: where for axis, where in at.items() if axis in variable.coords}
+    by_place = {axis: int(where) for axis, where in at.items() if axis not in by_value}
+    return variable.sel(by_value).isel(by_place)
+
+
+def computed(
+    dataset: str, compute: Callable[[xr.Dataset], float], *, digits: int = 0, unit: str = "1"
+) -> Quantity:
+    """Computed from a dataset by a function whose docstring says what it is."""
+
+    def read(results: Results) -> float:
+        return compute(results.dataset(dataset))
+
+    what = (compute.__doc__ or "").partition("\n")[0].rstrip(".")
+    return Quantity(read=read, digits=digits, unit=unit, source=f"{dataset}: {what}")
+
+
+def claimed(claim: str, field: str, *, digits: int, unit: str = "1") -> Quantity:
+    """A number of a claim's evidence."""
+
+    def read(results: Results) -> float:
+        return float(results.claim(claim)[field])
+
+    return Quantity(
+        read=read, digits=digits, unit=unit, source=f"tables/claims.json: {field} of {claim}"
+    )
+
+
+def counted(what: str, holds: Callable[[dict[str, Any]], bool]) -> Quantity:
+    """Count the claims of the ledger for which something holds."""
+
+    def read(results: Results) -> float:
+        return float(sum(holds(claim) for claim in results.claims["claims"]))
+
+    return Quantity(read=read, digits=0, unit="1", source=f"tables/claims.json: {what}")

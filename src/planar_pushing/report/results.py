@@ -1,0 +1,81 @@
+"""What the report reads: the datasets, the golden verdict and the claims of a results folder."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import xarray as xr
+
+from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.store import open_dataset, read_dataset
+
+
+@cache
+def _opened(name: str, folder: Path) -> xr.Dataset:
+    kind, _, figure = name.partition("/")
+    if kind == "figures":
+        return read_dataset(folder / "figures" / "data" / f"{figure}.nc")
+    return open_dataset(name, folder)
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """A results folder that the pipeline filled."""
+
+    folder: Path
+
+    def dataset(self, name: str) -> xr.Dataset:
+        """Dataset as `open_dataset` names it, or what a figure plots as "figures/figure_06"; read once.
+
+        Errors as in `open_dataset`.
+        """
+        return _opened(name, self.folder)
+
+    @property
+    def verdict(self) -> str:
+        """Text of the golden verdict.
+
+        Raises
+        ------
+        InvalidFile
+            Where the golden check has not been made.
+        """
+        return self._text("golden_verdict.txt")
+
+    @property
+    def claims(self) -> dict[str, Any]:
+        """Counts and claims of the ledger; errors as in `verdict`, or where it is not JSON."""
+        try:
+            found: dict[str, Any] = json.loads(self._text("claims.json"))
+        except json.JSONDecodeError as error:
+            path = self._table("claims.json")
+            raise InvalidFile(f"{path}: is not JSON ({error}); build it anew") from None
+        return found
+
+    def claim(self, name: str) -> dict[str, Any]:
+        """One claim of the ledger.
+
+        Raises
+        ------
+        InvalidFile
+            Where the ledger has no claim of this name.
+        """
+        claims: dict[str, dict[str, Any]] = {each["id"]: each for each in self.claims["claims"]}
+        if name not in claims:
+            path = self._table("claims.json")
+            raise InvalidFile(f"{path}: no claim {name!r}; allowed: {', '.join(claims)}; name one")
+        return claims[name]
+
+    def _table(self, name: str) -> Path:
+        return self.folder / "tables" / name
+
+    def _text(self, name: str) -> str:
+        path = self._table(name)
+        try:
+            return path.read_text(encoding="utf-8")
+        except FileNotFoundError:
+            raise InvalidFile(f"{path}: no such table; build it with make or snakemake") from None

@@ -1,0 +1,129 @@
+"""The tables that the report is set from, as files in results/tables."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import io
+import json
+import os
+import platform
+from collections.abc import Sequence
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+
+from planar_pushing.figures.catalog import CAPTIONS, FIGURES, PROMISES, SECTIONS
+from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.report.derived import ROD_ANGLE
+from planar_pushing.report.numbers import numbers
+from planar_pushing.report.quantities import rounded
+from planar_pushing.report.results import Results
+from planar_pushing.report.verdict import verdict_rows
+from planar_pushing.study.files import replacing
+
+PathLike = str | os.PathLike[str]
+Rows = Sequence[dict[str, str]]
+#: Packages that the results and the report are made with.
+PACKAGES = (
+    "planar-pushing",
+    "numpy",
+    "scipy",
+    "xarray",
+    "h5netcdf",
+    "h5py",
+    "matplotlib",
+    "pydantic",
+    "snakemake",
+    "typst",
+)
+
+
+def numbers_text(results: Results) -> str:
+    """Table of the numbers of the prose."""
+    return _json(numbers(results))
+
+
+def figures_text() -> str:
+    """Table of the figures: our caption, what the paper's caption promises, and its section."""
+    return _json(
+        {
+            name: {
+                "caption": CAPTIONS[name],
+                "promise": PROMISES[name],
+                "section": SECTIONS[name],
+            }
+            for name in FIGURES
+        }
+    )
+
+
+def cones_text(results: Results) -> str:
+    """Table of the motion cones of infinite friction, degrees, by rod length."""
+    cones = results.dataset("motion_cones").sel(friction_coefficient=np.inf, rod_angle=ROD_ANGLE)
+    centers = results.dataset("acceleration_centers")
+    rows = []
+    for length in centers.rod_length.values:
+        one, bound = cones.sel(rod_length=length), centers.sel(rod_length=length)
+        found = {
+            "friction": [one.sel(effects="support_friction")[_edge("motion", s)] for s in SIDES],
+            "inertia": [one.sel(effects="inertia")[_edge("motion", s)] for s in SIDES],
+            "both, exact": [bound[_edge("exact", s)] for s in SIDES],
+            "both, bound of the paper": [bound[_edge("conservative", s)] for s in SIDES],
+        }
+        edges = {
+            f"{name}, {side}": rounded(float(value), 2)
+            for name, pair in found.items()
+            for side, value in zip(SIDES, pair, strict=True)
+        }
+        rows.append({"rod length": f"{length:g}", **edges})
+    return _csv(rows)
+
+
+SIDES = ("right", "left")
+
+
+def _edge(kind: str, side: str) -> str:
+    return f"{kind}_cone_{side}"
+
+
+def verdict_text(results: Results) -> str:
+    """Table of the golden check by dataset.
+
+    Raises
+    ------
+    InvalidFile
+        Where there is no verdict, or no variable in it agrees.
+    """
+    rows = verdict_rows(results)
+    if not rows:
+        raise InvalidFile(f"{results.folder}/tables/golden_verdict.txt: compares nothing; build it")
+    return _csv(rows)
+
+
+def provenance_text(study: PathLike) -> str:
+    """Table of the versions behind the results, with the study and its digest."""
+    digest = hashlib.sha256(Path(study).read_bytes()).hexdigest()
+    rows = [("study", str(study)), ("SHA-256 of the study", digest[:16])]
+    rows.append(("Python", platform.python_version()))
+    rows += [(name, version(name)) for name in PACKAGES]
+    return _csv([{"what": name, "version": value} for name, value in rows])
+
+
+def write_text(text: str, path: PathLike) -> None:
+    """Write a table whole or not at all."""
+    with replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+
+
+def _json(content: object) -> str:
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+
+
+def _csv(rows: Rows) -> str:
+    stream = io.StringIO()
+    writer = csv.DictWriter(stream, fieldnames=list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return stream.getvalue()

@@ -1,0 +1,57 @@
+"""Set a Typst source as a PDF whose bytes depend on what it reads alone."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import typst
+
+from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.files import replacing
+
+PathLike = str | os.PathLike[str]
+
+
+def compiled(source: PathLike, root: PathLike) -> bytes:
+    """Set a source as a PDF, with the fonts that Typst ships.
+
+    Parameters
+    ----------
+    source : path
+        The Typst file.
+    root : path
+        The folder that holds all that it reads.
+
+    Raises
+    ------
+    InvalidFile
+        Where the source cannot be set, or is set with a warning such as a missing font.
+    """
+    if not Path(source).is_file():
+        raise InvalidFile(f"{source}: no such file; give the path of a Typst source")
+    compiler = typst.Compiler(input=str(source), root=str(root), ignore_system_fonts=True)
+    try:
+        pdf, warnings = compiler.compile_with_warnings(format="pdf", timestamp=0)
+    except typst.TypstError as error:
+        raise InvalidFile(_explain(source, error)) from None
+    for warning in warnings:
+        raise InvalidFile(_explain(source, warning))
+    if not isinstance(pdf, bytes):
+        raise InvalidFile(f"{source}: was not set as one PDF; set its output to paged")
+    return pdf
+
+
+def _explain(source: PathLike, fault: typst.TypstError | typst.TypstWarning) -> str:
+    """One line: the place that a fault comes from, what it is, and what helps."""
+    places = re.findall(r"┌─ (\S+)", fault.diagnostic)
+    said = fault.message.removeprefix("assertion failed: ").removeprefix("panicked with: ")
+    return "; ".join([f"{places[-1] if places else source}: cannot be set: {said}", *fault.hints])
+
+
+def typeset(source: PathLike, root: PathLike, output: PathLike) -> None:
+    """Write the PDF of a source, whole or not at all; errors as in `compiled`."""
+    pdf = compiled(source, root)
+    with replacing(output) as temporary:
+        temporary.write_bytes(pdf)

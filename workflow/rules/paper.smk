@@ -1,0 +1,78 @@
+# The report: the tables that it is set from, then the PDF. It is about the study that the golden data
+# certify, and built for that one.
+PAPER = ["results/paper.pdf"] if STUDY.golden else []
+
+
+rule paper:
+    input:
+        PAPER,
+
+
+rule report_tables:
+    input:
+        data=expand("results/data/{dataset}.nc", dataset=DATASETS),
+        figures=expand("results/figures/data/{figure}.nc", figure=FIGURES),
+        verdict="results/tables/golden_verdict.txt",
+        claims="results/tables/claims.json",
+        study=STUDY_FILE,
+        modules=modules("report.tables"),
+    output:
+        numbers="results/tables/numbers.json",
+        figures="results/tables/figures.json",
+        cones=report(
+            "results/tables/infinite_friction_cones.csv",
+            category="Tables",
+            labels={"table": "motion cones of infinite friction"},
+            caption="../report/cones.rst",
+        ),
+        verdict=report(
+            "results/tables/golden_summary.csv",
+            category="Golden check",
+            labels={"table": "by dataset"},
+            caption="../report/golden_summary.rst",
+        ),
+        provenance=report(
+            "results/tables/provenance.csv",
+            category="Provenance",
+            labels={"table": "versions"},
+            caption="../report/provenance.rst",
+        ),
+    log:
+        "results/logs/paper/report_tables.log",
+    benchmark:
+        "results/benchmarks/paper/report_tables.tsv"
+    params:
+        study=STUDY_FILE,
+    message:
+        "Reading the numbers of the report"
+    script:
+        "../scripts/report_tables.py"
+
+
+rule paper_pdf:
+    input:
+        rules.report_tables.output,
+        claims="results/tables/claims.json",
+        figures=expand("results/figures/{figure}.svg", figure=FIGURES),
+        source="paper/report.typ",
+        parts=sorted(
+            str(part)
+            for part in Path("paper").rglob("*")
+            if part.suffix in (".typ", ".md", ".bib")
+        ),
+        modules=modules("report.typeset"),
+    output:
+        report(
+            "results/paper.pdf",
+            category="Report",
+            labels={"document": "the report"},
+            caption="../report/paper.rst",
+        ),
+    log:
+        "results/logs/paper/paper_pdf.log",
+    benchmark:
+        "results/benchmarks/paper/paper_pdf.tsv"
+    message:
+        "Setting the report"
+    script:
+        "../scripts/paper.py"

@@ -1,0 +1,7 @@
+"""Set the report as a PDF."""
+
+from planar_pushing.report.typeset import typeset
+from planar_pushing.study.jobs import job_log
+
+with job_log(snakemake.log[0]):
+    typeset(snakemake.input.source, ".", snakemake.output[0])
