@@ -49,10 +49,10 @@ def _cone(prefix: str, effects: str, rod_length: float, mu: float) -> Numbers:
     }
 
 
-def _force(effects: str, rod_length: float, force_angle: float) -> Quantity:
+def _force(effects: str, rod_length: float, force_angle: float, digits: int = 4) -> Quantity:
     """Size of a force on a limit curve."""
     at = _at(effects, rod_length) | {"force_angle": force_angle}
-    return picked("limit_curves", "force", at, digits=4, unit="force")
+    return picked("limit_curves", "force", at, digits=digits, unit="force")
 
 
 def _scene(number: str, prefix: str, digits: int = 0) -> Numbers:
@@ -121,7 +121,7 @@ QUASI_STATIC: Numbers = {
     "pulling-spin-ratio": _spin_ratio("03"),
     "limit-rod-length": _axis("limit_curves", "rod_length", 2.0),
     "long-rod-length": _axis("limit_curves", "rod_length", 10.0),
-    "force-along-rod": _force(FRICTION, 2.0, ROD_ANGLE),
+    "force-along-rod": _force(FRICTION, 2.0, ROD_ANGLE, digits=2),
     "force-across-rod": _force(FRICTION, 2.0, ROD_ANGLE + 90),
     "force-across-long-rod": _force(FRICTION, 10.0, ROD_ANGLE + 90),
     "ellipse-deviation": computed("limit_curves", ellipse_deviation(2.0), digits=1, unit="percent"),
