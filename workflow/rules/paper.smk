@@ -12,6 +12,7 @@ rule report_tables:
     input:
         data=expand("results/data/{dataset}.nc", dataset=DATASETS),
         figures=expand("results/figures/data/{figure}.nc", figure=FIGURES),
+        pictures=expand("results/figures/{figure}.png", figure=FIGURES),
         verdict="results/tables/golden_verdict.txt",
         claims="results/tables/claims.json",
         study=STUDY_FILE,

@@ -10,7 +10,7 @@ with job_log(snakemake.log[0]):
     results = Results(Path("results"))
     texts = {
         "numbers": tables.numbers_text(results),
-        "figures": tables.figures_text(),
+        "figures": tables.figures_text(results),
         "cones": tables.cones_text(results),
         "verdict": tables.verdict_text(results),
         "provenance": tables.provenance_text(snakemake.params.study),

@@ -17,6 +17,7 @@ import numpy as np
 from planar_pushing.figures.catalog import CAPTIONS, FIGURES, PROMISES, SECTIONS
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.derived import ROD_ANGLE
+from planar_pushing.report.margins import margins
 from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import Results
@@ -45,14 +46,15 @@ def numbers_text(results: Results) -> str:
     return _json(numbers(results))
 
 
-def figures_text() -> str:
-    """Table of the figures: our caption, what the paper's caption promises, and its section."""
+def figures_text(results: Results) -> str:
+    """Table of the figures: captions, what the paper's promise, sections, and margins in points."""
     return _json(
         {
             name: {
                 "caption": CAPTIONS[name],
                 "promise": PROMISES[name],
                 "section": SECTIONS[name],
+                "margins": margins(results.folder / "figures" / f"{name}.png"),
             }
             for name in FIGURES
         }

@@ -1,0 +1,120 @@
+"""The PDF says what the results say, its bytes depend on them alone, and errors say what is wrong."""
+
+import io
+import re
+
+import pytest
+from pypdf import PdfReader
+
+from planar_pushing.figures.catalog import FIGURES
+from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.report.numbers import NUMBERS
+from planar_pushing.report.typeset import compiled, typeset
+from report.setting import set_up
+
+#: Minus sign, quote and times sign as they are typed.
+PLAIN = str.maketrans("\u2212\u2019\u00d7", "-'x")
+
+
+def text_of(pdf):
+    """Text of all pages, without breaks and with plain signs."""
+    pages = (page.extract_text() for page in PdfReader(io.BytesIO(pdf)).pages)
+    return re.sub(r"\s+", " ", " ".join(pages)).translate(PLAIN)
+
+
+@pytest.fixture(scope="module")
+def pdf(shared):
+    return compiled(shared.source, shared.root)
+
+
+def test_each_number_of_the_prose_is_that_of_the_results(setting):
+    before = text_of(compiled(setting.source, setting.root))
+    marks = {key: f"-{1000 + 7 * i}.{100 + i}" for i, key in enumerate(NUMBERS)}
+    numbers = setting.numbers()
+    for key, mark in marks.items():
+        assert mark not in before
+        numbers[key]["text"] = mark
+    setting.write_numbers(numbers)
+    after = text_of(compiled(setting.source, setting.root))
+    assert [key for key, mark in marks.items() if mark not in after] == []
+
+
+def test_units_and_thousands(setting):
+    numbers = setting.numbers()
+    numbers["rod-angle"]["text"] = "77"
+    numbers["slip-share"]["text"] = "61"
+    numbers["pushes"]["text"] = "1234567"
+    setting.write_numbers(numbers)
+    text = text_of(compiled(setting.source, setting.root))
+    assert "77°" in text
+    assert re.search("61 ?%", text)
+    assert re.search("1 ?234 ?567", text)
+
+
+def test_every_figure_has_our_caption_and_the_promise_of_the_paper(pdf):
+    text = text_of(pdf)
+    for number in range(1, len(FIGURES) + 1):
+        assert f"Figure {number}." in text
+    assert text.count("The paper's caption promises:") == len(FIGURES) - 1
+    assert "Not in the paper." in text
+    assert "Limit curves for several rod lengths" in text
+    assert "limit curves for rods of different lengths" in text
+
+
+def test_claims_tables_and_deviations_are_in_the_text(pdf):
+    text = text_of(pdf)
+    for part in ("claim-0", "-20.125°", "-1.5x10-12", "Sec. 3.1", "Eq. (13), Fig. 5"):
+        assert part in text
+    for part in ("not reproducible", "refuted", "The sign is the other one.", "1.375", "0.25"):
+        assert part in text
+    for part in ("178.75", "65432", "9.8.7", "62 degrees", "equal shares", "Closed forms."):
+        assert part in text
+
+
+def test_two_builds_in_different_folders_are_identical(pdf, setting, tmp_path):
+    first, second = (tmp_path / f"{name}.pdf" for name in "ab")
+    for path in (first, second):
+        typeset(setting.source, setting.root, path)
+    assert first.read_bytes() == second.read_bytes() == pdf
+    deeper = set_up(tmp_path / "another" / "folder")
+    assert compiled(deeper.source, deeper.root) == pdf
+    assert str(tmp_path).encode() not in pdf
+
+
+def test_pdf_holds_no_date(pdf):
+    information = PdfReader(io.BytesIO(pdf)).metadata
+    assert "/CreationDate" not in information
+    assert "/ModDate" not in information
+    assert information.title.startswith("Pulling by Pushing")
+
+
+def test_an_unknown_number_stops_the_report(setting):
+    numbers = setting.numbers()
+    del numbers["pushes"]
+    setting.write_numbers(numbers)
+    with pytest.raises(
+        InvalidFile, match=r"numbers\.json: pushes: no such number; allowed: the keys"
+    ):
+        typeset(setting.source, setting.root, setting.root / "report.pdf")
+    assert not (setting.root / "report.pdf").exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("#missing", r"report.typ:\d+:\d+: cannot be set: unknown variable: missing"),
+        ('#json("none.json")', "cannot be set: file not found"),
+        ('#text(font: "No Such Font")[word]', "cannot be set: unknown font family: no such font"),
+    ],
+)
+def test_a_fault_in_the_source_is_one_message(setting, line, said):
+    with setting.source.open("a", encoding="utf-8") as stream:
+        stream.write(f"\n{line}\n")
+    with pytest.raises(InvalidFile, match=said) as raised:
+        compiled(setting.source, setting.root)
+    assert "\n" not in str(raised.value)
+
+
+def test_a_missing_source_is_named(tmp_path):
+    with pytest.raises(InvalidFile, match=r"none\.typ: no such file"):
+        compiled(tmp_path / "none.typ", tmp_path)
