@@ -6,11 +6,15 @@
 container: "docker://python:3.13-slim"
 
 
+report: "workflow/report/workflow.rst"
+
+
 include: "workflow/rules/common.smk"
 include: "workflow/rules/data.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/golden.smk"
 include: "workflow/rules/claims.smk"
+include: "workflow/rules/paper.smk"
 
 
 localrules:
@@ -19,6 +23,7 @@ localrules:
     figures,
     golden,
     claims,
+    paper,
 
 
 rule all:
@@ -28,3 +33,4 @@ rule all:
         rules.figures.input,
         rules.golden.input,
         rules.claims.input,
+        rules.paper.input,

@@ -2,6 +2,8 @@
 
 import io
 import re
+import subprocess
+import sys
 
 import pytest
 from pypdf import PdfReader
@@ -27,12 +29,16 @@ def pdf(shared):
     return compiled(shared.source, shared.root)
 
 
-def test_each_number_of_the_prose_is_that_of_the_results(setting):
-    before = text_of(compiled(setting.source, setting.root))
+@pytest.fixture(scope="module")
+def text(pdf):
+    return text_of(pdf)
+
+
+def test_each_number_of_the_prose_is_that_of_the_results(text, setting):
     marks = {key: f"-{1000 + 7 * i}.{100 + i}" for i, key in enumerate(NUMBERS)}
     numbers = setting.numbers()
     for key, mark in marks.items():
-        assert mark not in before
+        assert mark not in text
         numbers[key]["text"] = mark
     setting.write_numbers(numbers)
     after = text_of(compiled(setting.source, setting.root))
@@ -51,8 +57,7 @@ def test_units_and_thousands(setting):
     assert re.search("1 ?234 ?567", text)
 
 
-def test_every_figure_has_our_caption_and_the_promise_of_the_paper(pdf):
-    text = text_of(pdf)
+def test_every_figure_has_our_caption_and_the_promise_of_the_paper(text):
     for number in range(1, len(FIGURES) + 1):
         assert f"Figure {number}." in text
     assert text.count("The paper's caption promises:") == len(FIGURES) - 1
@@ -61,8 +66,7 @@ def test_every_figure_has_our_caption_and_the_promise_of_the_paper(pdf):
     assert "limit curves for rods of different lengths" in text
 
 
-def test_claims_tables_and_deviations_are_in_the_text(pdf):
-    text = text_of(pdf)
+def test_claims_tables_and_deviations_are_in_the_text(text):
     for part in ("claim-0", "-20.125°", "-1.5x10-12", "Sec. 3.1", "Eq. (13), Fig. 5"):
         assert part in text
     for part in ("not reproducible", "refuted", "The sign is the other one.", "1.375", "0.25"):
@@ -78,6 +82,10 @@ def test_two_builds_in_different_folders_are_identical(pdf, setting, tmp_path):
     assert first.read_bytes() == second.read_bytes() == pdf
     deeper = set_up(tmp_path / "another" / "folder")
     assert compiled(deeper.source, deeper.root) == pdf
+    build = "import sys; from planar_pushing.report.typeset import typeset; typeset(*sys.argv[1:])"
+    arguments = [deeper.source, deeper.root, tmp_path / "c.pdf"]
+    subprocess.run([sys.executable, "-c", build, *map(str, arguments)], check=True, timeout=60)
+    assert (tmp_path / "c.pdf").read_bytes() == pdf
     assert str(tmp_path).encode() not in pdf
 
 

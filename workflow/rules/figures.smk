@@ -19,7 +19,7 @@ rule figure:
         data="results/figures/data/{figure}.nc",
         svg=report(
             "results/figures/{figure}.svg",
-            category="Figures",
+            category=lambda wildcards: SECTIONS[wildcards.figure],
             caption="../report/figure.rst",
             labels={"figure": "{figure}"},
         ),
@@ -34,6 +34,7 @@ rule figure:
     params:
         settings=figure_settings,
         caption=lambda wildcards: CAPTIONS[wildcards.figure],
+        promise=lambda wildcards: PROMISES[wildcards.figure],
     message:
         "Drawing {wildcards.figure}"
     script:

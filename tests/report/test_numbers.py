@@ -1,0 +1,226 @@
+"""Numbers and tables of the report, read from the datasets of a small study, against published values."""
+
+import csv
+import io
+import json
+import platform
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from scipy import special
+
+from planar_pushing.figures.catalog import FIGURES
+from planar_pushing.figures.render import select
+from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
+from planar_pushing.report.numbers import NUMBERS
+from planar_pushing.report.quantities import rounded
+from planar_pushing.report.results import Results
+from planar_pushing.report.tables import (
+    cones_text,
+    figures_text,
+    numbers_text,
+    provenance_text,
+    verdict_text,
+    write_text,
+)
+from planar_pushing.study.files import load_study
+from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.slices import build_dataset, study_slice
+from planar_pushing.study.store import DATASETS, write_dataset
+from report.setting import claim, claims
+
+STUDY = load_study("workflow/config/paper.yaml")
+#: Axes cut down to what the numbers read.
+GRID = {
+    "rod_length": (1.0, 2.0, 5.0, 10.0),
+    "rod_angle": (45.0,),
+    "friction_coefficient": (1.25, 1.5, 2.0, 5.0, np.inf),
+    "force_angle": tuple(np.arange(0.0, 361.0, 5.0)),
+    "inertia_share": (0.0, 1.0),
+    "pusher_magnitude": (0.1, 10.0),
+    "contact_friction_coefficient": (1.4, 2.0),
+}
+SMALL = STUDY.model_copy(update={"grid": STUDY.grid.model_copy(update=GRID)})
+#: One rod length, which is all that is read of the contact modes.
+SHORT = STUDY.model_copy(update={"grid": SMALL.grid.model_copy(update={"rod_length": (2.0,)})})
+VERDICT = """passed: 340 values of 3 variables agree with the golden data
+
+ok   motion_cones: motion_cone_left: 100 agree; worst 4.6e-13 (32.6 ulp), allowed 5e-13 at a=1: computed 1
+ok   scenes.figure_02: force: 200 agree; worst 1e-16 (1 ulp), allowed 1e-14 at b=2: computed 1
+ok   scenes.figure_03: force: 40 agree; worst 0 (0 ulp), allowed 0
+"""
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    """Datasets of the small study, a verdict and a ledger."""
+    folder = tmp_path_factory.mktemp("results")
+    for name in DATASETS:
+        study = SHORT if name == "contact_modes" else SMALL
+        write_dataset(build_dataset(name, study_slice(study, name)), folder / f"data/{name}.nc")
+    for name in ("figure_06", "figure_10"):
+        settings = FigureEntry(
+            rod_length=(1.0, 2.0), mapped_rod_length=1.0, friction_coefficient=5.0
+        )
+        data = select(name, folder, STUDY.figures["figure_06"] if name == "figure_06" else settings)
+        write_dataset(data, folder / f"figures/data/{name}.nc")
+    for name in FIGURES:
+        picture = Image.new("RGB", (10, 20), "black")
+        picture.save(folder / "figures" / f"{name}.png")
+    thresholds = [
+        claim("pulling-threshold-inertia", value="1.5"),
+        claim("pulling-threshold-friction", value="1.26987543"),
+    ]
+    write_text(VERDICT, folder / "tables/golden_verdict.txt")
+    ledger = {"counts": {}, "claims": claims() + thresholds}
+    write_text(json.dumps(ledger), folder / "tables/claims.json")
+    return Results(folder)
+
+
+@pytest.fixture(scope="module")
+def numbers(results):
+    return json.loads(numbers_text(results))
+
+
+@pytest.mark.parametrize(
+    ("key", "text"),
+    [
+        ("velocity-cone-right", "-20.04"),
+        ("velocity-cone-left", "140.16"),
+        ("acceleration-cone-right", "-14.04"),
+        ("infinite-acceleration-cone-left", "146.31"),
+        ("infinite-cone-left", "138.84"),
+        ("exact-cone-right", "-42.80"),
+        ("conservative-cone-right", "-45.00"),
+        ("excess-right", "2.20"),
+        ("excess-left", "3.22"),
+        ("infinite-cone-span", "180.000"),
+        ("force-along-rod", "1.00"),
+        ("ellipse-minor-axis", "0.7071"),
+        ("least-friction-pulling", "1.5"),
+        ("least-friction-dynamic", "2.0"),
+        ("both-pulling-spin-ratio", "1.000"),
+        ("slip-motion-angle", "138.8"),
+        ("pulling-solutions", "3"),
+        ("pushes", str(3 * 5 * 2 * 361)),
+        ("first-without-solution", "149"),
+        ("last-without-solution", "179"),
+        ("slow-pull", "-7"),
+        ("fast-pull", "4"),
+        ("golden-verdict", "passed"),
+        ("golden-values", "340"),
+        ("golden-variables", "3"),
+        ("claims", "7"),
+        ("claims-ours", "1"),
+        ("claims-proved", "4"),
+        ("claims-not-reproducible", "1"),
+        ("threshold-friction", "1.2699"),
+        ("figures", "2"),
+    ],
+)
+def test_number(numbers, key, text):
+    assert numbers[key]["text"] == text
+
+
+def test_every_number_has_text_unit_and_source(numbers):
+    assert list(numbers) == list(NUMBERS)
+    for entry in numbers.values():
+        assert entry["text"]
+        assert entry["unit"]
+        assert entry["source"]
+        assert str(Path.cwd()) not in entry["source"]
+
+
+def test_counts_of_pushes_add_up(numbers):
+    parts = [
+        int(numbers[f"{kind}-pushes"]["text"]) for kind in ("unique", "ambiguous", "inconsistent")
+    ]
+    assert sum(parts) == int(numbers["pushes"]["text"])
+    assert min(parts) > 0
+
+
+def test_every_coulomb_pull_can_slip(numbers):
+    assert int(numbers["sticking-pulls"]["text"]) > 0
+    assert numbers["slipping-pulls"]["text"] == numbers["sticking-pulls"]["text"]
+
+
+def test_ellipse_deviation_is_that_of_the_curve(numbers):
+    k = np.linspace(0, 1, 2001)[1:-1]
+    m = k**2
+    force, torque = special.ellipe(m), (special.ellipe(m) - (1 - m) * special.ellipk(m)) / k
+    force, torque = (
+        np.concatenate(each) * 2 / np.pi for each in ((force, torque[::-1]), (torque, force[::-1]))
+    )
+    inside = torque < 2 * force
+    short = force[inside][-1]
+    sine = torque[inside] / force[inside] / 2
+    ellipse = short / np.hypot(short * np.sqrt(1 - sine**2), sine)
+    deviation = 100 * np.abs(force[inside] / ellipse - 1).max()
+    assert float(numbers["ellipse-deviation"]["text"]) == pytest.approx(deviation, abs=0.1)
+
+
+def test_cones_of_infinite_friction(results):
+    rows = list(csv.DictReader(io.StringIO(cones_text(results))))
+    assert [row["rod length"] for row in rows] == ["1", "2", "5", "10"]
+    assert (rows[1]["friction, right"], rows[1]["inertia, left"]) == ("-31.39", "146.31")
+    assert (rows[2]["both, exact, left"], rows[2]["both, bound of the paper, right"]) == (
+        "138.84",
+        "-45.00",
+    )
+
+
+def test_verdict_by_dataset(results):
+    rows = {row["compared"]: row for row in csv.DictReader(io.StringIO(verdict_text(results)))}
+    assert rows["motion cones"]["worst difference"] == "4.6e-13"
+    assert rows["scenes"] == {
+        "compared": "scenes",
+        "variables": "2",
+        "values": "240",
+        "worst difference": "1e-16",
+        "allowed there": "1e-14",
+    }
+
+
+def test_provenance_names_versions_and_no_folder():
+    text = provenance_text("workflow/config/paper.yaml")
+    rows = dict(csv.reader(io.StringIO(text)))
+    assert rows["numpy"] == np.__version__
+    assert rows["Python"] == platform.python_version()
+    assert rows["study"] == "workflow/config/paper.yaml"
+    assert str(Path.cwd()) not in text
+
+
+def test_figures_table(results):
+    found = json.loads(figures_text(results))
+    assert list(found) == list(FIGURES)
+    assert found["figure_06"]["section"].startswith("Sec. 3.1")
+
+
+@pytest.mark.parametrize(
+    ("value", "digits", "text"),
+    [(-1e-9, 2, "0.00"), (-20.0384, 2, "-20.04"), (2.5, 0, "2"), (1e6, 0, "1000000")],
+)
+def test_rounded(value, digits, text):
+    assert rounded(value, digits) == text
+
+
+def test_an_infinite_number_is_refused():
+    with pytest.raises(InvalidValue, match="value: inf given; allowed: a finite number"):
+        rounded(np.inf, 1)
+
+
+def test_missing_tables_and_claims_are_named(results, tmp_path):
+    with pytest.raises(InvalidFile, match=r"golden_verdict\.txt: no such table; build it"):
+        _ = Results(tmp_path).verdict
+    with pytest.raises(InvalidFile, match=r"claims\.json: no claim 'none'; allowed: claim-0"):
+        results.claim("none")
+    write_text("{", tmp_path / "tables/claims.json")
+    with pytest.raises(InvalidFile, match=r"claims\.json: is not JSON"):
+        _ = Results(tmp_path).claims
+    write_text("FAILED: 1 of 3 variables differ\n", tmp_path / "tables/golden_verdict.txt")
+    with pytest.raises(InvalidFile, match="holds no verdict that passed"):
+        NUMBERS["golden-values"].entry(Results(tmp_path))
+    with pytest.raises(InvalidFile, match="compares nothing"):
+        verdict_text(Results(tmp_path))
