@@ -70,8 +70,12 @@ def results(tmp_path_factory):
         picture = Image.new("RGB", (10, 20), "black")
         picture.save(folder / "figures" / f"{name}.png")
     thresholds = [
-        claim("pulling-threshold-inertia", value="1.5"),
-        claim("pulling-threshold-friction", value="1.26987543"),
+        claim("inertia-threshold", value="1.5"),
+        claim("inertia-threshold-figure-10", value="3.0000000000000000000"),
+        claim("friction-threshold", value="1.2698754263747700920"),
+        claim("normal-motion-dips", value="-0.040029606666"),
+        claim("force-at-the-dip", value="1.40897274354"),
+        claim("force-at-the-return", value="2.2251848605567233649"),
     ]
     write_text(VERDICT, folder / "tables/golden_verdict.txt")
     ledger = {"counts": {}, "claims": claims() + thresholds}
@@ -112,11 +116,12 @@ def numbers(results):
         ("golden-verdict", "passed"),
         ("golden-values", "340"),
         ("golden-variables", "3"),
-        ("claims", "7"),
+        ("claims", "11"),
         ("claims-ours", "1"),
-        ("claims-proved", "4"),
+        ("claims-proved", "8"),
         ("claims-not-reproducible", "1"),
         ("threshold-friction", "1.2699"),
+        ("dip", "-0.0400"),
         ("figures", "2"),
     ],
 )

@@ -42,8 +42,6 @@ rule report_tables:
         "results/logs/paper/report_tables.log",
     benchmark:
         "results/benchmarks/paper/report_tables.tsv"
-    params:
-        study=STUDY_FILE,
     message:
         "Reading the numbers of the report"
     script:

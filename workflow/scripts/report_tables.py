@@ -13,7 +13,7 @@ with job_log(snakemake.log[0]):
         "figures": tables.figures_text(results),
         "cones": tables.cones_text(results),
         "verdict": tables.verdict_text(results),
-        "provenance": tables.provenance_text(snakemake.params.study),
+        "provenance": tables.provenance_text(snakemake.input.study),
     }
     for name, text in texts.items():
         tables.write_text(text, snakemake.output[name])

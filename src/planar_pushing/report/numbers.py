@@ -188,8 +188,12 @@ CLAIMS: Numbers = {
     "claims": counted("claims", bool),
     "claims-ours": counted("claims of ours", lambda claim: bool(claim["origin"] == "ours")),
     **{f"claims-{verdict.replace(' ', '-')}": _verdicts(verdict) for verdict in VERDICTS},
-    "threshold-inertia": claimed("pulling-threshold-inertia", "value", digits=1),
-    "threshold-friction": claimed("pulling-threshold-friction", "value", digits=4),
+    "threshold-inertia": claimed("inertia-threshold", "value", digits=1),
+    "threshold-inertia-short-rod": claimed("inertia-threshold-figure-10", "value", digits=1),
+    "threshold-friction": claimed("friction-threshold", "value", digits=4),
+    "dip": claimed("normal-motion-dips", "value", digits=4, unit="W/m"),
+    "dip-force": claimed("force-at-the-dip", "value", digits=3, unit="W"),
+    "return-force": claimed("force-at-the-return", "value", digits=3, unit="W"),
 }
 
 #: Every number of the prose; a section's are added here.
