@@ -80,6 +80,12 @@ def outcomes(outcome: Outcome) -> Callable[[xr.Dataset], float]:
     return count
 
 
+def inconsistent_definition_2(modes: xr.Dataset) -> float:
+    """Number of pushes without solution under the second definition of infinite friction."""
+    one = modes.outcome.sel(contact="infinite_friction_none")
+    return float((one == int(Outcome.INCONSISTENT)).sum())
+
+
 def _pulls(modes: xr.Dataset, law: str) -> xr.Dataset:
     """Solutions by mode of the pushes that stick while the fence moves away, under one law."""
     angle = modes.pusher_angle
