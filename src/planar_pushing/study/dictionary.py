@@ -17,8 +17,8 @@ HEAD = """# Data dictionary
 
 The pipeline generates everything in this folder except this page: `data/` holds the datasets, `figures/`
 the figures, with the numbers that they plot in `figures/data/`, `tables/` the golden verdict and the tables
-of the report, `paper.pdf` the report, `logs/` and `benchmarks/` a file for each job. `make dictionary` writes
-this page from the attributes of the datasets.
+of the report, `paper.pdf` the report, `logs/` and `benchmarks/` a file for each job. `make dictionary`
+writes this page from the attributes of the datasets.
 
 The datasets are netCDF4 files; `planar_pushing.open_dataset("motion_cones")` opens one with xarray. Angles
 are degrees, counter-clockwise from the fence.
