@@ -35,6 +35,12 @@ def normal(polynomial: Polynomial) -> Polynomial:
     return polynomial
 
 
+def replaced(polynomial: Polynomial, **values: Polynomial) -> Polynomial:
+    """Put other polynomials in the place of variables."""
+    given = dict(zip(_RING.names(), _RING.gens(), strict=True)) | values
+    return polynomial.compose(*given.values())
+
+
 def dot(first: tuple[Polynomial, Polynomial], second: tuple[Polynomial, Polynomial]) -> Polynomial:
     """Scalar product."""
     return first[0] * second[0] + first[1] * second[1]

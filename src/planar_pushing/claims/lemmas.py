@@ -15,6 +15,18 @@ FORCE, TORQUE = 1 + ids.k * ids.c, ids.k + ids.c
 RADICAND = 1 + ids.k**2 + 2 * ids.k * ids.c
 
 
+def no_sideways_force(method: str) -> Evidence:
+    """Evidence for Eq. (1): the integrand is odd about theta = pi."""
+    odd = -ids.k * ids.s
+    return identity(
+        {
+            "the numerator and its mirror image": odd + ids.replaced(odd, s=-ids.s),
+            "the radicand": RADICAND - ids.replaced(RADICAND, s=-ids.s),
+        },
+        method,
+    )
+
+
 def rates() -> Evidence:
     """Evidence that t' is the mean of sin^2 / speed^3, and f' = -k t', from the integrands."""
     force, torque = (

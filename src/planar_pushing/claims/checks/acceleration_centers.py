@@ -42,23 +42,10 @@ def centers_on_a_line(rod_length: float, distance: float) -> Evidence:
     return together(place, identity({"the part along the rod": ids.normal(along)}, method))
 
 
-def _sideways() -> Evidence:
-    odd = -ids.k * ids.s
-    variables = odd.context().gens()
-    turned = [-ids.s, *variables[1:]]
-    return identity(
-        {
-            "the integrand and its mirror image": odd + odd.compose(*turned),
-            "the radicand": lemmas.RADICAND - lemmas.RADICAND.compose(*turned),
-        },
-        _MIRROR,
-    )
-
-
 @check
 def force_perpendicular_to_center_line() -> Evidence:
     """Fact 1: the force is along y', the centre on x'."""
-    return _sideways()
+    return lemmas.no_sideways_force(_MIRROR)
 
 
 def _forward() -> Evidence:
@@ -79,7 +66,7 @@ def force_opposes_acceleration() -> Evidence:
 @check
 def forces_parallel() -> Evidence:
     """Fact 3: both are along y' (fact 1) with the same sense (fact 2), and so is their sum."""
-    return together(_sideways(), _forward())
+    return together(lemmas.no_sideways_force(_MIRROR), _forward())
 
 
 @check

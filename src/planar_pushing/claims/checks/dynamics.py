@@ -128,24 +128,22 @@ def inertia_threshold(rod_length: float, threshold: float) -> Evidence:
 @check
 def positive_inertial_work() -> Evidence:
     """F . a_s = 1 + h^2 for a unit force on a unit mass with unit radius of gyration."""
-    work = ids.normal(ids.dot((ids.x, ids.y), ids.MOTION).compose(*_inertial()) - 1 - ids.ARM**2)
+    work = ids.normal(ids.dot((ids.x, ids.y), _inertial()) - 1 - ids.ARM**2)
     method = "f . a_s = 1 + h^2 >= 1, an identity; every force angle, l and psi"
     return together(inequality(arb(1), method), identity({"f . a_s": work}, method))
 
 
-def _inertial() -> list[ids.Polynomial]:
-    """The variables with k = h, Eq. (10)."""
-    variables = list(ids.ARM.context().gens())
-    return [*variables[:6], ids.ARM, *variables[7:]]
+def _inertial() -> tuple[ids.Polynomial, ids.Polynomial]:
+    """Motion with k = h, Eq. (10)."""
+    return ids.replaced(ids.MOTION[0], k=ids.ARM), ids.replaced(ids.MOTION[1], k=ids.ARM)
 
 
 @check
 def acceleration_turns_with_force() -> Evidence:
     """|a_s|^2 d theta / d phi = 1 + l^2, whatever the force angle."""
-    motion = ids.MOTION[0].compose(*_inertial()), ids.MOTION[1].compose(*_inertial())
     rate = ids.l * -(ids.p * ids.x + ids.q * ids.y)  # dh / dphi
     turned = (-ids.y + rate * ids.l * ids.q, ids.x - rate * ids.l * ids.p)
-    difference = ids.normal(ids.cross(motion, turned) - 1 - ids.l**2)
+    difference = ids.normal(ids.cross(_inertial(), turned) - 1 - ids.l**2)
     method = "|a_s|^2 d theta / d phi = 1 + l^2 >= 1, an identity; every l and psi"
     return together(inequality(arb(1), method), identity({"the turning": difference}, method))
 

@@ -46,12 +46,11 @@ def infinite_friction_cone(right: float, left: float) -> Evidence:
 @check
 def infinite_velocity_cone_spans(rod_length: float, span: float) -> Evidence:
     """Turning the force by 180 degrees turns the motion by 180 degrees: k is odd in the arm."""
-    others = ids.MOTION[0].context().gens()
-    turned = [ids.s, ids.c, -ids.y, -ids.x, *others[4:6], -ids.k, *others[7:]]
     sums = {
-        f"part {i} of the motion": ids.normal(part + part.compose(*turned))
+        f"part {i} of the motion": part + ids.replaced(part, x=-ids.x, y=-ids.y, k=-ids.k)
         for i, part in enumerate(ids.MOTION)
     }
+    sums["the arm"] = ids.ARM + ids.replaced(ids.ARM, x=-ids.x, y=-ids.y)
     method = "the motion is odd in the force, an identity for every l and psi; one span by balls"
     cone = motion_cone(Slider.of(rod_length), Effects.FRICTION, math.inf)
     return together(
@@ -61,9 +60,9 @@ def infinite_velocity_cone_spans(rod_length: float, span: float) -> Evidence:
 
 def _edge_motion(along: int) -> Evidence:
     """Identity: under a force along the fence the arm is +- l sin(psi) and n . v_s is -k l cos(psi)."""
-    others = ids.ARM.context().gens()
-    values = [*others[:2], 0 * ids.ONE, along * ids.ONE, *others[4:]]
-    arm, normal = ids.ARM.compose(*values), ids.MOTION[1].compose(*values)
+    arm, normal = (
+        ids.replaced(each, x=along * ids.ONE, y=0 * ids.ONE) for each in (ids.ARM, ids.MOTION[1])
+    )
     return identity(
         {"the arm": arm - along * ids.l * ids.q, "n . v_s": normal + ids.k * ids.l * ids.p},
         "arm and normal motion under a force along the fence, exactly",
@@ -75,7 +74,7 @@ def slips_for_every_rod() -> Evidence:
     """A force at 180 degrees turns the slider clockwise and moves the contact into it."""
     method = (
         "n . v_s = -k l cos(psi) with k < 0 since the arm is -l sin(psi): above the fence for every "
-        "l > 0 and 0 < psi < 90; least k / h > 0 on boxes"
+        "l > 0 and 0 < psi < 90; least t / k > 0 on boxes"
     )
     return together(lemmas.same_sense(method), _edge_motion(-1))
 
@@ -85,7 +84,7 @@ def pulls_for_every_rod() -> Evidence:
     """A force at 0 degrees turns the slider counter-clockwise and moves the contact away."""
     method = (
         "n . v_s = -k l cos(psi) with k > 0 since the arm is l sin(psi): below the fence for every "
-        "l > 0 and 0 < psi < 90; least k / h > 0 on boxes"
+        "l > 0 and 0 < psi < 90; least t / k > 0 on boxes"
     )
     return together(lemmas.same_sense(method), _edge_motion(1))
 

@@ -18,7 +18,7 @@ from planar_pushing.claims.verdicts import (
 )
 from planar_pushing.golden import ring
 from planar_pushing.golden.balls import rational
-from planar_pushing.golden.reference import contact_motion, limit_point, spin_of_arm, spin_ratio
+from planar_pushing.golden.reference import limit_point, spin_of_arm, spin_ratio
 from planar_pushing.golden.roots import increasing_root
 from planar_pushing.golden.setting import FRICTION, Effects, Slider, heading, lean
 
@@ -55,20 +55,21 @@ def motion_normal_to_curve() -> Evidence:
     return together(identity({"v_s . df": ids.normal(work)}, method), lemmas.rates())
 
 
+def _turn_from_force(method: str) -> Evidence:
+    """Evidence for f x v_s = -k l cos(psi - phi)."""
+    turn = ids.cross((ids.x, ids.y), ids.MOTION)
+    leaning = ids.l * ids.k * (ids.p * ids.x + ids.q * ids.y)
+    return identity({"f x v_s": ids.normal(turn + leaning)}, method)
+
+
 @check
 def parallel_at_four_angles(along: float, across: float) -> Evidence:
     """Force and v_s are parallel where k l cos(psi - phi) = 0, and nowhere else."""
-    turn = ids.cross((ids.x, ids.y), ids.MOTION)
-    leaning = ids.l * ids.k * (ids.p * ids.x + ids.q * ids.y)
     method = "f x v_s = -k l cos(psi - phi), an identity; k = 0 only at phi = psi; exact angles"
     found, slider = {}, Slider.of(1.0)
     for degrees, part in ((along, 1), (along + 180, 1), (across, 0), (across + 180, 0)):
         found[f"phi = {degrees:g}"] = lean(slider, heading(degrees))[part] == 0
-    return together(
-        facts(found, method),
-        identity({"f x v_s": ids.normal(turn + leaning)}, method),
-        lemmas.rising_torque(_SLOPE),
-    )
+    return together(facts(found, method), _turn_from_force(method), lemmas.rising_torque(_SLOPE))
 
 
 @check
@@ -96,16 +97,13 @@ def least_force(force_angle: float) -> Evidence:
 
 @check
 def motion_along_force(along: float, across: float) -> Evidence:
-    """theta_s = phi along and across the rod: v_s has no part across f there, exactly."""
-    method = "f x v_s = -k l cos(psi - phi) vanishes, exactly"
+    """theta_s = phi along and across the rod, where f x v_s vanishes and f . v_s > 0."""
+    method = "f x v_s = -k l cos(psi - phi) vanishes, exactly; f . v_s = 1 + k h > 0"
     slider, found = Slider.of(1.0), {}
     for degrees in (along, across, along + 180, across + 180):
-        force = heading(degrees)
-        cosine, sine = lean(slider, force)
+        cosine, sine = lean(slider, heading(degrees))
         found[f"phi = {degrees:g}"] = bool(cosine == 0 or sine == 0)
-        motion = contact_motion(slider, force, spin_ratio(slider, force, FRICTION))
-        found[f"same sense at {degrees:g}"] = motion[0] * force.x + motion[1] * force.y > 0
-    return facts(found, method)
+    return together(facts(found, method), _turn_from_force(method), lemmas.positive_work(method))
 
 
 @check
