@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from flint import arb
 
 from planar_pushing.claims import lemmas
@@ -15,7 +17,7 @@ from planar_pushing.claims.verdicts import (
     together,
 )
 from planar_pushing.golden import modes, ring, slips
-from planar_pushing.golden.balls import Undecided, rational
+from planar_pushing.golden.balls import rational
 from planar_pushing.golden.cones import motion_cone
 from planar_pushing.golden.modes import Mode, coulomb
 from planar_pushing.golden.reference import motion_angle
@@ -70,38 +72,55 @@ def slow_sticks_fast_slips_off(
     return facts(names, METHOD)
 
 
-def _dip(rod_length: float, friction_coefficient: float) -> tuple[slips.Edge, arb, arb]:
-    """Motions under the right edge; least normal motion and the spin ratios of the gap around it."""
-    edges, parts = modes.cover(Slider.of(rod_length), friction_coefficient, 1)
+@dataclass(frozen=True, slots=True)
+class _Dip:
+    """Motions under the right edge, their least normal motion, and the spin ratio of it."""
+
+    edge: slips.Edge
+    least: arb
+    spin: arb
+
+    def force(self, k: arb) -> arb:
+        """Magnitude of the force, W f + m v."""
+        return ring.profile(k)[0] + self.edge.speed(k)
+
+
+def _dip(rod_length: float, friction_coefficient: float) -> _Dip | None:
+    """Least normal motion inside the segment of spin ratios; None where there is no extremum."""
+    motions, parts = modes.cover(Slider.of(rod_length), friction_coefficient, 1)
     gaps = [part.low.union(part.high) for part in parts if part.rise == 0]
     if not gaps:
-        raise Undecided("the normal motion has no certified extremum")
-    found = [(edges.normal_motion(gap), gap) for gap in gaps]
+        return None
+    found = [(motions.normal_motion(gap), gap) for gap in gaps]
     found += [(part.start, part.low) for part in parts if part.start.is_finite()]
     found += [(part.end, part.high) for part in parts if part.end.is_finite()]
-    lowest = min(found, key=lambda each: float(each[0].lower()))
-    return edges, *lowest
+    return _Dip(motions, *min(found, key=lambda each: float(each[0].lower())))
+
+
+_MONOTONE = facts({"a least value inside": False}, "certified monotone parts of the spin ratio")
 
 
 @check
 def normal_motion_dips(
     rod_length: float, friction_coefficient: float, least: float, within: float
 ) -> Evidence:
-    """N . u over all motions under the right edge is least inside the segment, and negative."""
-    _, lowest, _ = _dip(rod_length, friction_coefficient)
+    """The least n . u over all motions under the right edge lies inside the segment, and is negative."""
+    if (dip := _dip(rod_length, friction_coefficient)) is None:
+        return _MONOTONE
     method = "n . u on certified monotone parts of the spin ratio and on the gap between them"
-    number = near(lowest, least, within, method, "W/m")
-    return together(number, inequality(-lowest, method, unit="W/m"))
+    number = near(dip.least, least, within, method, "W/m")
+    return together(number, inequality(-dip.least, method, unit="W/m"))
 
 
 @check
 def force_at_the_dip(
     rod_length: float, friction_coefficient: float, force: float, within: float
 ) -> Evidence:
-    """Magnitude of the force at that minimum, W f + m v."""
-    edges, _, k = _dip(rod_length, friction_coefficient)
-    size = ring.profile(k)[0] + edges.speed(k)
-    return near(size, force, within, "force on the gap that holds the minimum", "W")
+    """Magnitude of the force at that minimum."""
+    if (dip := _dip(rod_length, friction_coefficient)) is None:
+        return _MONOTONE
+    method = "force on the gap that holds the minimum"
+    return near(dip.force(dip.spin), force, within, method, "W")
 
 
 @check
@@ -109,7 +128,7 @@ def force_at_the_return(
     rod_length: float, friction_coefficient: float, force: float, within: float
 ) -> Evidence:
     """Magnitude of the force beyond the minimum where n . u is zero again."""
-    edges, _, _ = _dip(rod_length, friction_coefficient)
-    k = edges.normal / edges.lever
-    size = ring.profile(k)[0] + edges.speed(k)
-    return near(size, force, within, "force at the spin ratio of a motion along the fence", "W")
+    if (dip := _dip(rod_length, friction_coefficient)) is None:
+        return _MONOTONE
+    method = "force at the spin ratio of a motion along the fence"
+    return near(dip.force(dip.edge.normal / dip.edge.lever), force, within, method, "W")
