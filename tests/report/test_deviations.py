@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from planar_pushing.study.files import load_scene_file, load_study
+from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.store import read_dataset
+from planar_pushing.study.study_file import load_study
 
 STUDY = load_study("workflow/config/paper.yaml")
 SCENES = {name: load_scene_file(push.file) for name, push in STUDY.scenes.items()}

@@ -25,10 +25,10 @@ from planar_pushing.report.tables import (
     verdict_text,
     write_text,
 )
-from planar_pushing.study.files import load_study
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import DATASETS, write_dataset
+from planar_pushing.study.study_file import load_study
 from report.setting import claim, claims
 
 STUDY = load_study("workflow/config/paper.yaml")
@@ -80,7 +80,7 @@ def results(tmp_path_factory):
     write_text(VERDICT, folder / "tables/golden_verdict.txt")
     ledger = {"counts": {}, "claims": claims() + thresholds}
     write_text(json.dumps(ledger), folder / "tables/claims.json")
-    return Results(folder)
+    return Results(folder, Path("tests/golden"))
 
 
 @pytest.fixture(scope="module")
@@ -116,6 +116,7 @@ def numbers(results):
         ("golden-verdict", "passed"),
         ("golden-values", "340"),
         ("golden-variables", "3"),
+        ("golden-precision", "192"),
         ("claims", "11"),
         ("claims-ours", "1"),
         ("claims-proved", "8"),
@@ -188,11 +189,12 @@ def test_verdict_by_dataset(results):
     }
 
 
-def test_provenance_names_versions_and_no_folder():
-    text = provenance_text("workflow/config/paper.yaml")
+def test_provenance_names_versions_and_no_folder(results):
+    text = provenance_text(results, "workflow/config/paper.yaml")
     rows = dict(csv.reader(io.StringIO(text)))
     assert rows["numpy"] == np.__version__
     assert rows["Python"] == platform.python_version()
+    assert rows["FLINT, golden data"]
     assert rows["study"] == "workflow/config/paper.yaml"
     assert str(Path.cwd()) not in text
 
@@ -217,15 +219,18 @@ def test_an_infinite_number_is_refused():
 
 
 def test_missing_tables_and_claims_are_named(results, tmp_path):
+    empty = Results(tmp_path, tmp_path)
+    with pytest.raises(InvalidFile, match="holds no golden data"):
+        empty.golden_marks()
     with pytest.raises(InvalidFile, match=r"golden_verdict\.txt: no such table; build it"):
-        _ = Results(tmp_path).verdict
+        _ = empty.verdict
     with pytest.raises(InvalidFile, match=r"claims\.json: no claim 'none'; allowed: claim-0"):
         results.claim("none")
     write_text("{", tmp_path / "tables/claims.json")
     with pytest.raises(InvalidFile, match=r"claims\.json: is not JSON"):
-        _ = Results(tmp_path).claims
+        _ = empty.claims
     write_text("FAILED: 1 of 3 variables differ\n", tmp_path / "tables/golden_verdict.txt")
     with pytest.raises(InvalidFile, match="holds no verdict that passed"):
-        NUMBERS["golden-values"].entry(Results(tmp_path))
+        NUMBERS["golden-values"].entry(empty)
     with pytest.raises(InvalidFile, match="compares nothing"):
-        verdict_text(Results(tmp_path))
+        verdict_text(empty)

@@ -1,6 +1,7 @@
-# The report: the tables that it is set from, then the PDF. It is about the study that the golden data
-# certify, and built for that one.
-PAPER = ["results/paper.pdf"] if STUDY.golden else []
+# The report: the tables that it is set from, then the PDF. It is about a whole study that golden data
+# certify, and built for such a one.
+WHOLE = COMPUTED == list(DATASETS) and DRAWN == list(FIGURES)
+PAPER = ["results/paper.pdf"] if STUDY.golden and WHOLE else []
 
 
 rule paper:
@@ -16,6 +17,7 @@ rule report_tables:
         verdict="results/tables/golden_verdict.txt",
         claims="results/tables/claims.json",
         study=STUDY_FILE,
+        golden=rules.golden_verdict.input.golden,
         modules=modules("report.tables"),
     output:
         numbers="results/tables/numbers.json",
@@ -42,6 +44,8 @@ rule report_tables:
         "results/logs/paper/report_tables.log",
     benchmark:
         "results/benchmarks/paper/report_tables.tsv"
+    params:
+        golden=STUDY.golden,
     message:
         "Reading the numbers of the report"
     script:

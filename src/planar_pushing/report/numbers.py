@@ -25,7 +25,7 @@ from planar_pushing.report.derived import (
 )
 from planar_pushing.report.quantities import Quantity, claimed, computed, counted, picked
 from planar_pushing.report.results import Results
-from planar_pushing.report.verdict import verdict_count, verdict_word
+from planar_pushing.report.verdict import golden_numbers, verdict_count, verdict_word
 
 FRICTION, INERTIA = "support_friction", "inertia"
 #: A contact under which slow pulling exists and fast pulling does not.
@@ -184,6 +184,7 @@ GOLDEN: Numbers = {
     "golden-verdict": verdict_word(),
     "golden-values": verdict_count("values"),
     "golden-variables": verdict_count("variables"),
+    **golden_numbers(),
 }
 
 CLAIMS: Numbers = {

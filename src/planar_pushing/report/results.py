@@ -24,9 +24,10 @@ def _opened(name: str, folder: Path) -> xr.Dataset:
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """A results folder that the pipeline filled."""
+    """A results folder that the pipeline filled, and the golden data that it was checked against."""
 
     folder: Path
+    golden: Path
 
     def dataset(self, name: str) -> xr.Dataset:
         """Dataset as `open_dataset` names it, or what a figure plots as "figures/figure_06"; read once.
@@ -34,6 +35,19 @@ class Results:
         Errors as in `open_dataset`.
         """
         return _opened(name, self.folder)
+
+    def golden_marks(self) -> list[dict[str, Any]]:
+        """Attributes of every golden file: method, precision, versions and counts.
+
+        Raises
+        ------
+        InvalidFile
+            Where there are no golden data.
+        """
+        paths = sorted(self.golden.glob("*.nc"))
+        if not paths:
+            raise InvalidFile(f"{self.golden}: holds no golden data; name the folder that does")
+        return [dict(read_dataset(path).attrs) for path in paths]
 
     @property
     def verdict(self) -> str:

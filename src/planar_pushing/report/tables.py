@@ -39,6 +39,8 @@ PACKAGES = (
     "snakemake",
     "typst",
 )
+#: Packages that the golden data were computed with, and the attributes that hold their versions.
+GOLDEN_PACKAGES = {"python-flint": "python_flint", "FLINT": "flint"}
 
 
 def numbers_text(results: Results) -> str:
@@ -104,12 +106,14 @@ def verdict_text(results: Results) -> str:
     return _csv(rows)
 
 
-def provenance_text(study: PathLike) -> str:
+def provenance_text(results: Results, study: PathLike) -> str:
     """Table of the versions behind the results, with the study and its digest."""
     digest = hashlib.sha256(Path(study).read_bytes()).hexdigest()
     rows = [("study", str(study)), ("SHA-256 of the study", digest[:16])]
     rows.append(("Python", platform.python_version()))
     rows += [(name, version(name)) for name in PACKAGES]
+    marks = results.golden_marks()[0]
+    rows += [(f"{name}, golden data", marks[key]) for name, key in GOLDEN_PACKAGES.items()]
     return _csv([{"what": name, "version": value} for name, value in rows])
 
 

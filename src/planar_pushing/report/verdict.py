@@ -41,6 +41,23 @@ def verdict_count(part: str) -> Quantity:
     )
 
 
+def _by_integrals(results: Results) -> float:
+    return float(sum(marks["checked_by_integrals"] for marks in results.golden_marks()))
+
+
+def _precision(results: Results) -> float:
+    return float(min(marks["precision_bits"] for marks in results.golden_marks()))
+
+
+def golden_numbers() -> dict[str, Quantity]:
+    """Make the numbers that the golden files themselves hold."""
+    reads = {"by-integrals": _by_integrals, "precision": _precision}
+    return {
+        f"golden-{name}": Quantity(read=read, digits=0, unit="1", source=f"golden data: {name}")
+        for name, read in reads.items()
+    }
+
+
 def verdict_rows(results: Results) -> list[dict[str, str]]:
     """Variables, values and the worst error against what is allowed, by golden file.
 
