@@ -5,7 +5,7 @@ from __future__ import annotations
 from flint import acb, arb
 
 from planar_pushing.claims import identities as ids
-from planar_pushing.claims import integrals, lemmas
+from planar_pushing.claims import lemmas
 from planar_pushing.claims.registry import check
 from planar_pushing.claims.verdicts import (
     Evidence,
@@ -16,7 +16,7 @@ from planar_pushing.claims.verdicts import (
     near,
     together,
 )
-from planar_pushing.golden import ring
+from planar_pushing.golden import integrals, ring
 from planar_pushing.golden.balls import exact_direction, rational
 
 #: Velocity of the ring's point at theta, over v, in the primed frame.
