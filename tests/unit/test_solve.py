@@ -22,9 +22,8 @@ ANGLES = np.deg2rad([-170.0, -90.0, -1.0, 0.0, 30.0, 90.0, 140.0, 165.0, 180.0])
 @EVERY_LAW
 def test_candidates_are_elementwise(effects, law):
     scene = make_scene(2.0, law, effects)
-    pusher = np.stack([direction(ANGLES), 3 * direction(ANGLES)])
-    found = candidates(scene, pusher)
-    assert outcomes(found).shape == pusher.shape[:-1]
+    found = candidates(scene, direction(ANGLES), np.array([[1.0], [3.0]]))
+    assert outcomes(found).shape == (2, ANGLES.size)
     for row, magnitude in enumerate((1.0, 3.0)):
         for column in range(0, ANGLES.size, 2):
             single = pp.solve(scene, ANGLES[column], magnitude)

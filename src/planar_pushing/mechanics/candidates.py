@@ -7,10 +7,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics import response
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.planar import Array, direction
+from planar_pushing.mechanics.response import (
+    Resistance,
+    resistance,
+    spin_ratio_of,
+    sustained_twist,
+)
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slipping import slip_motions
 
@@ -30,26 +35,21 @@ class Candidates:
     mode : ContactMode
     consistent : ndarray of bool, shape S + (branches,)
     twist : ndarray, shape S + (branches, 3)
-        (v_x, v_y, R omega) at the ring centre.
+        (v_x, v_y, R omega) at the ring centre, in units of the pusher's magnitude.
     force : ndarray, shape S + (branches, 2)
-        Force of the pusher on the slider.
+        Force of the pusher on the slider, in units of `force_unit`.
+    spin_ratio : ndarray, shape S + (branches,)
+        k = R omega / v with v along the force; 0 at rest.
+    force_unit : ndarray, shape S
+        The force of friction or, where it is larger, that of inertia in a translation as the pusher's.
     """
 
     mode: ContactMode
     consistent: Found
     twist: Array
     force: Array
-
-    @property
-    def spin_ratio(self) -> Array:
-        """Spin ratio k = R omega / v with v along the force, shape S + (branches,); 0 at rest."""
-        speed = np.hypot(self.twist[..., 0], self.twist[..., 1])
-        spin = self.twist[..., 2]
-        with np.errstate(divide="ignore", over="ignore"):
-            ratio = np.divide(
-                spin, speed, out=np.asarray(np.copysign(np.inf, spin)), where=speed > 0
-            )
-        return np.where(spin == 0, 0.0, ratio)
+    spin_ratio: Array
+    force_unit: Array
 
     @property
     def force_angle(self) -> Array:
@@ -65,79 +65,100 @@ def contact_motion(scene: Scene, twist: Array) -> Array:
     return np.asarray(twist[..., :2] + turned)
 
 
-def _force(scene: Scene, twist: Array) -> Array:
-    """Force that sustains each twist."""
-    return np.asarray(
-        np.sum([effect.wrench(twist) for effect in scene.scaled_effects], axis=0)[..., :2]
-    )
-
-
-def _separate(pusher: Array) -> Candidates:
+def _separate(resisting: Resistance, pusher: Array) -> Candidates:
     rest = np.zeros((*pusher.shape[:-1], 1, 3))
     return Candidates(
         mode=ContactMode.SEPARATE,
         consistent=pusher[..., 1:] <= 0,
         twist=rest,
         force=rest[..., :2],
+        spin_ratio=rest[..., 0],
+        force_unit=resisting.force,
     )
 
 
-def _stick(scene: Scene, pusher: Array) -> Candidates:
-    slider, speed = scene.slider, np.hypot(pusher[..., 0], pusher[..., 1])
+def _stick(scene: Scene, resisting: Resistance, pusher: Array) -> Candidates:
+    slider = scene.slider
     lean = slider.rod_angle - np.arctan2(pusher[..., 1], pusher[..., 0])
-    moving = np.where(speed > 0, speed, 1.0)
-    along_rod = response.sustained_twist(
-        scene.scaled_effects, np.asarray(slider.length_ratio), lean, moving
-    )
+    along_rod = sustained_twist(resisting, slider.length_ratio, lean)
     e = direction(slider.rod_angle)
     axes = np.array([[e[0], e[1], 0.0], [e[1], -e[0], 0.0], [0.0, 0.0, 1.0]])
-    twist = (along_rod @ axes)[..., None, :]
-    force = _force(scene, twist)
-    angle = np.arctan2(force[..., 1], force[..., 0])
-    admitted = scene.contact.force_angles.contains(angle) & (speed > 0)[..., None]
-    return Candidates(mode=ContactMode.STICK, consistent=admitted, twist=twist, force=force)
+    force = resisting.wrench(along_rod)[..., :2] @ axes[:2, :2]
+    angle = np.arctan2(force[..., 1], force[..., 0])[..., None]
+    return Candidates(
+        mode=ContactMode.STICK,
+        consistent=scene.contact.force_angles.contains(angle),
+        twist=(along_rod @ axes)[..., None, :],
+        force=force[..., None, :],
+        spin_ratio=spin_ratio_of(along_rod)[..., None],
+        force_unit=resisting.force,
+    )
 
 
-def _slip(scene: Scene, pusher: Array, mode: ContactMode) -> tuple[Candidates, Found]:
+def _slip(
+    scene: Scene, resisting: Resistance, pusher: Array, mode: ContactMode
+) -> tuple[Candidates, Found]:
     """Motions under a force on an edge, and where one of them is the pusher's own: a stick."""
     side = 1 if mode is ContactMode.SLIP_RIGHT else -1
     angles, slider = scene.contact.force_angles, scene.slider
     edge = angles.left if mode is ContactMode.SLIP_RIGHT else angles.right
     speed, ratio, exists = slip_motions(
-        scene.scaled_effects, slider.length_ratio, slider.rod_angle, edge, pusher[..., 1]
+        resisting, slider.length_ratio, slider.rod_angle, edge, pusher[..., 1]
     )
     heading = np.broadcast_to(direction(edge), (*ratio.shape, 2))
     twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
     slip = side * (contact_motion(scene, twist)[..., 0] - pusher[..., :1])
-    tolerance = COINCIDENCE * np.hypot(pusher[..., :1], pusher[..., 1:])
     found = Candidates(
         mode=mode,
-        consistent=exists & (slip > tolerance),
+        consistent=exists & (slip > COINCIDENCE),
         twist=twist,
-        force=np.hypot(*np.moveaxis(_force(scene, twist), -1, 0))[..., None] * heading,
+        force=resisting.branches().profile(np.abs(ratio), speed)[0][..., None] * heading,
+        spin_ratio=ratio,
+        force_unit=resisting.force,
     )
-    return found, np.asarray((exists & (np.abs(slip) <= tolerance)).any(axis=-1))
+    return found, np.asarray((exists & (np.abs(slip) <= COINCIDENCE)).any(axis=-1))
 
 
-def candidates(scene: Scene, pusher_motion: npt.ArrayLike) -> tuple[Candidates, ...]:
-    """Enumerate the contact modes for pusher motions of shape S + (2,), elementwise.
+def candidates(
+    scene: Scene, pusher_direction: npt.ArrayLike, pusher_magnitude: npt.ArrayLike = 1.0
+) -> tuple[Candidates, ...]:
+    """Enumerate the contact modes, elementwise over the pusher's motions.
 
+    Parameters
+    ----------
+    scene : Scene
+    pusher_direction : array_like, shape S + (2,)
+        Unit vectors.
+    pusher_magnitude : array_like
+        >= 0, broadcast against S.
+
+    Raises
+    ------
+    InvalidValue
+        Where the doubles do not hold the force that the motion meets.
+
+    Notes
+    -----
     At an edge of the motion cone stick and slip are one solution. Rounding moves the force and the
     motion of that edge apart by the cone's condition number, so there a stick counts where no slip does,
     and a slip that vanishes counts as the stick.
     """
-    pusher = np.asarray(pusher_motion, dtype=float)
-    stick = _stick(scene, pusher)
+    towards, size = np.asarray(pusher_direction, dtype=float), np.asarray(pusher_magnitude)
+    shape = np.broadcast_shapes(towards.shape[:-1], size.shape)
+    moves = np.broadcast_to(size > 0, shape)[..., None]
+    resisting = resistance(scene.scaled_effects, np.broadcast_to(size, shape))
+    pusher = np.where(moves, towards, 0.0)
+    stick = _stick(scene, resisting, pusher)
     if not scene.contact.slips:
-        return _separate(pusher), stick
-    right, left_edge = _slip(scene, pusher, ContactMode.SLIP_RIGHT)
-    left, right_edge = _slip(scene, pusher, ContactMode.SLIP_LEFT)
+        return _separate(resisting, pusher), replace(stick, consistent=stick.consistent & moves)
+    right, left_edge = _slip(scene, resisting, pusher, ContactMode.SLIP_RIGHT)
+    left, right_edge = _slip(scene, resisting, pusher, ContactMode.SLIP_LEFT)
     inside = replace(scene.contact.force_angles, closed=False).contains(stick.force_angle)
     slips = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
     at_edge = np.asarray(left_edge | right_edge)[..., None]
-    moves = np.any(pusher != 0, axis=-1, keepdims=True)
     sticks = inside | (stick.consistent & ~np.asarray(slips)[..., None]) | at_edge
-    return _separate(pusher), replace(stick, consistent=sticks & moves), right, left
+    stick = replace(stick, consistent=sticks & moves)
+    return _separate(resisting, pusher), stick, right, left
 
 
 def outcomes(found: tuple[Candidates, ...]) -> npt.NDArray[np.int8]:

@@ -50,37 +50,32 @@ class LimitCurve:
         return direction(self.motion_angle)
 
 
-def _speed(effects: response.Effects, spin_ratio: Array) -> Array:
+def _speed(resisting: response.Resistance, spin_ratio: Array) -> Array:
     """Centre speed at which the potential of degree 2 is that of a unit translation."""
-    inertial = response.of_degree(effects, 2)
+    inertial = [effect for kind in resisting.kinds for effect in response.of_degree(kind, 2)]
     unit = np.stack(np.broadcast_arrays(1.0, 0.0, spin_ratio), axis=-1)
     energy = sum(effect.potential(unit) for effect in inertial)
     rest = sum(effect.potential(np.array([1.0, 0.0, 0.0])) for effect in inertial)
     return np.sqrt(np.divide(rest, energy)) if inertial else np.ones(np.shape(spin_ratio))
 
 
-def _curve_force(effects: response.Effects, spin_ratio: Array) -> tuple[Array, Array]:
-    """Force and torque on the curve at each spin ratio."""
-    speed = _speed(effects, spin_ratio)
-    frictional, inertial = (response.of_degree(effects, degree) for degree in (1, 2))
-    weighted = [(kind, weight) for kind, weight in ((frictional, 1.0), (inertial, speed)) if kind]
-    parts = [weight * np.stack(response.profile(kind, spin_ratio)) for kind, weight in weighted]
-    force, torque = np.sum(parts, axis=0)
-    return force, torque
+def _curve_force(resisting: response.Resistance, spin_ratio: Array) -> tuple[Array, Array]:
+    """Force and torque on the curve at each spin ratio, in units of `resisting`."""
+    return resisting.profile(spin_ratio, _speed(resisting, spin_ratio))
 
 
-def _curve_spin_ratio(effects: response.Effects, arm: Array) -> Array:
+def _curve_spin_ratio(
+    effects: response.Effects, resisting: response.Resistance, arm: Array
+) -> Array:
     if response.is_homogeneous(effects):
         return response.spin_ratio(effects, arm, None)
 
     def excess(k: Array, h: Array) -> Array:
-        force, torque = _curve_force(effects, k)
+        force, torque = _curve_force(resisting, k)
         return torque - h * force
 
     size = np.abs(arm)
-    ends = np.stack(
-        [response.spin_ratio(response.of_degree(effects, d), size, None) for d in (1, 2)]
-    )
+    ends = np.stack([response.spin_ratio(kind, size, None) for kind in resisting.kinds])
     return np.copysign(response.root(excess, ends.min(axis=0), ends.max(axis=0), (size,)), arm)
 
 
@@ -99,11 +94,12 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> LimitCurve:
     """
     phi = np.asarray(force_angle, dtype=float)
     rod = scene.slider.length_ratio, scene.slider.rod_angle
-    k = _curve_spin_ratio(scene.scaled_effects, moment_arm(*rod, phi))
-    magnitude, _ = _curve_force(scene.scaled_effects, k)
+    resisting = response.resistance(scene.scaled_effects)
+    k = _curve_spin_ratio(scene.scaled_effects, resisting, moment_arm(*rod, phi))
+    magnitude, _ = _curve_force(resisting, k)
     return LimitCurve(
         force_angle=phi,
-        magnitude=np.asarray(magnitude),
+        magnitude=np.asarray(resisting.force * magnitude),
         spin_ratio=k,
         motion_angle=contact_motion_angle(phi, k, *rod),
     )

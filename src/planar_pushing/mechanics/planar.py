@@ -28,6 +28,10 @@ Array = npt.NDArray[np.float64]
 
 QUARTER_TURN = np.pi / 2
 
+#: Longest length in units of the ring's radius, and the inverse of the shortest radius of gyration.
+#: The products of four lengths that the equations hold are then doubles.
+LONGEST = 1e70
+
 
 def direction(angle: npt.ArrayLike) -> Array:
     """Unit vectors at `angle`, exact where the angle is the double nearest to a quarter turn.

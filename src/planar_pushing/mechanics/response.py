@@ -8,6 +8,7 @@ only ``s``, the ratio of the two forces in translation, tells a slow motion from
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -20,8 +21,9 @@ from planar_pushing.mechanics.planar import Array
 
 Effects = Sequence[IsotropicEffect]
 
-#: A rod shorter than this part of the radius turns the slider by less than the smallest double.
-VANISHING = 1e-100
+#: A moment arm that turns the slider as little as one of any smaller size.
+SMALL_ARM = 1e-12
+TINY = np.finfo(float).tiny
 #: Roots are refined to a few ulp; a bracket cannot shrink below one.
 TOLERANCES = {"xatol": 0.0, "xrtol": 4 * np.finfo(float).eps, "fatol": 0.0, "frtol": 0.0}
 
@@ -44,10 +46,75 @@ def profile(effects: Effects, spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
     )
 
 
-def translation_ratio(effects: Effects) -> float:
-    """``s / v`` (m / W): force of inertia over force of friction in a translation of unit speed."""
-    inertial, frictional = (profile(of_degree(effects, degree), 0.0)[0] for degree in (2, 1))
-    return float(inertial / frictional)
+@dataclass(frozen=True, slots=True)
+class Resistance:
+    """The effects in units of motion and of force, so that no size of either leaves the doubles.
+
+    Attributes
+    ----------
+    kinds : tuple
+        The effects of each degree, in units of their force in a translation of unit speed.
+    weights : tuple of ndarray, shape S
+        That force of each kind at the unit of motion, in units of the larger one.
+    force : ndarray, shape S
+        The larger force: W, or mass times the unit of motion.
+    """
+
+    kinds: tuple[Effects, ...]
+    weights: tuple[Array, ...]
+    force: Array
+
+    @property
+    def inertia_ratio(self) -> Array:
+        """``s = m a / W`` of the unit of motion, within the doubles; both kinds must be there."""
+        slow, fast = self.weights
+        return np.asarray(np.maximum(fast, TINY) / np.maximum(slow, TINY))
+
+    def wrench(self, twist: Array) -> Array:
+        """Wrench of twists of shape S + (3,), both in these units."""
+        parts = zip(self.kinds, self.weights, strict=True)
+        each = [w[..., None] * effect.wrench(twist) for kind, w in parts for effect in kind]
+        return np.asarray(np.sum(each, axis=0))
+
+    def branches(self) -> Resistance:
+        """The same with an axis for the branches of a solution behind S."""
+        return replace(self, weights=tuple(weight[..., None] for weight in self.weights))
+
+    def profile(self, spin_ratio: Array, speed: Array) -> tuple[Array, Array]:
+        """Force and torque of motions with these spin ratios and centre speeds."""
+        force, torque = np.zeros((2, *np.broadcast_shapes(spin_ratio.shape, speed.shape)))
+        for kind, weight in zip(self.kinds, self.weights, strict=True):
+            f, t = profile(kind, spin_ratio)
+            growth = weight * speed ** (kind[0].degree - 1)
+            force, torque = force + growth * f, torque + growth * t
+        return force, torque
+
+
+def resistance(effects: Effects, motion: npt.ArrayLike = 1.0) -> Resistance:
+    """The effects in units of this motion (shape S, >= 0) and of the force that it meets.
+
+    Raises
+    ------
+    InvalidValue
+        Where the doubles do not hold that force.
+    """
+    kinds: list[Effects] = []
+    forces: list[Array] = []
+    size = np.asarray(motion, dtype=float)
+    size = np.where(size > 0, size, 1.0)
+    for degree in (1, 2):
+        if kind := of_degree(effects, degree):
+            strength = float(profile(kind, 0.0)[0])
+            kinds.append(tuple(effect.scaled(1.0, strength) for effect in kind))  # type: ignore[misc]
+            with np.errstate(over="ignore"):
+                forces.append(strength * size ** (degree - 1))
+    force = np.maximum.reduce(forces)
+    if not np.all((force >= TINY) & np.isfinite(force)):
+        raise InvalidValue(
+            "pusher_magnitude", motion, "one whose force, mass times magnitude, is a normal double",
+            "choose other units of motion, mass or force",
+        )  # fmt: skip
+    return Resistance(tuple(kinds), tuple(each / force for each in forces), force)
 
 
 def root(
@@ -55,7 +122,11 @@ def root(
 ) -> Array:
     """Root of an increasing elementwise function in [low, high]; an end where none lies inside."""
     low, high, *spread = np.broadcast_arrays(low, high, *args)
-    found = elementwise.find_root(function, (low, high), args=tuple(spread), tolerances=TOLERANCES)
+    # Its test of an interpolation takes the root of a rounded number; one below 0 means bisection.
+    with np.errstate(invalid="ignore"):
+        found = elementwise.find_root(
+            function, (low, high), args=tuple(spread), tolerances=TOLERANCES
+        )
     end = np.where(function(low, *spread) > 0, low, high)
     return np.asarray(np.where(found.success, found.x, end))
 
@@ -79,13 +150,12 @@ def balanced_spin_ratio(effects: Effects, arm: Array, slow: Array, fast: Array) 
     Solves ``h (f + s) = t + s rho^2 k`` with ``s = fast / slow``: k runs from the friction value to
     the inertia value over the open segment between them.
     """
-    kinds = of_degree(effects, 1), of_degree(effects, 2)
+    kinds = resistance(effects).kinds
     ends = np.stack([_homogeneous_spin_ratio(kind, arm) for kind in kinds])
-    scales = [1 / profile(kind, 0.0)[0] for kind in kinds]
 
     def excess(k: Array, h: Array, slow: Array, fast: Array) -> Array:
         (f1, t1), (f2, t2) = (profile(kind, k) for kind in kinds)
-        return slow * scales[0] * (t1 - h * f1) + fast * scales[1] * (t2 - h * f2)
+        return slow * (t1 - h * f1) + fast * (t2 - h * f2)
 
     return root(excess, ends.min(axis=0), ends.max(axis=0), (arm, slow, fast))
 
@@ -121,17 +191,31 @@ def spin_ratio(effects: Effects, arm: npt.ArrayLike, inertia_share: npt.ArrayLik
     return np.asarray(np.copysign(size, arm))
 
 
-def sustained_twist(effects: Effects, rod_length: Array, lean: Array, speed: Array) -> Array:
-    """Twist that moves the contact as prescribed under a force through the contact.
+def spin_ratio_of(twist: Array) -> Array:
+    """Spin ratio of twists of shape S + (3,), shape S; 0 at rest."""
+    speed, spin = np.hypot(twist[..., 0], twist[..., 1]), twist[..., 2]
+    whirl = np.asarray(np.copysign(np.inf, spin))
+    with np.errstate(divide="ignore", over="ignore"):
+        ratio = np.divide(spin, speed, out=whirl, where=speed > 0)
+    return np.where(spin == 0, 0.0, ratio)
+
+
+def _least_leverage(effects: Effects) -> float:
+    """Smallest moment arm per spin ratio: the arms that resist a small rotation."""
+    return min(float(SMALL_ARM / effect.spin_ratio(SMALL_ARM)) for effect in effects)
+
+
+def sustained_twist(resisting: Resistance, rod_length: float, lean: Array) -> Array:
+    """Twist that moves the contact by one unit under a force through the contact.
 
     Parameters
     ----------
-    rod_length : ndarray
+    resisting : Resistance
+        Weights of shape S.
+    rod_length : float
         In units of R.
-    lean : ndarray
+    lean : ndarray, shape S
         Rod angle minus the angle of the contact's motion, radians.
-    speed : ndarray
-        Magnitude of the contact's motion, > 0.
 
     Returns
     -------
@@ -141,22 +225,22 @@ def sustained_twist(effects: Effects, rod_length: Array, lean: Array, speed: Arr
     Notes
     -----
     Of all twists with this contact motion it has the least potential, so the torque about the
-    contact, the potential's slope, increases with the rotation. The root is sought in the part `y` of
-    the contact's transverse motion that the rotation takes.
+    contact, the potential's slope, increases with the rotation. The force has an arm of at least
+    `least` times the spin ratio, which bounds the part of the motion that the rotation takes.
     """
-    along, aside = speed * np.cos(lean), speed * np.sin(lean)
+    least = min(_least_leverage(kind) for kind in resisting.kinds) / 2
+    shape = np.broadcast_shapes(np.shape(lean), *(weight.shape for weight in resisting.weights))
+    along, aside = np.broadcast_to([np.cos(lean), np.sin(lean)], (2, *shape))
+    most = np.abs(aside) * (rod_length / (rod_length**2 + least))
 
-    def twist(y: Array, along: Array, aside: Array, length: Array) -> Array:
-        spin = np.divide(y * aside, length, out=np.zeros(np.shape(y)), where=length > 0)
-        return np.stack([along, (1 - y) * aside, spin], axis=-1)
+    def twist(omega: Array, along: Array, aside: Array) -> Array:
+        spin = np.copysign(omega, aside)
+        return np.stack([along, aside - rod_length * spin, spin], axis=-1)
 
-    def torque_about_contact(y: Array, along: Array, aside: Array, length: Array) -> Array:
-        wrench = np.sum([e.wrench(twist(y, along, aside, length)) for e in effects], axis=0)
-        return np.asarray(np.copysign(1.0, aside) * (wrench[..., 2] - length * wrench[..., 1]))
+    def torque_about_contact(omega: Array, along: Array, aside: Array, *weights: Array) -> Array:
+        parts = Resistance(resisting.kinds, weights, np.ones(()))
+        wrench = parts.wrench(twist(omega, along, aside))
+        return np.asarray(np.copysign(1.0, aside) * (wrench[..., 2] - rod_length * wrench[..., 1]))
 
-    zero = np.zeros(np.broadcast_shapes(np.shape(along), np.shape(rod_length)))
-    along, aside, length = (part + zero for part in (along, aside, rod_length))
-    straight = (aside == 0) | (length < VANISHING)
-    args = along, np.where(straight, 0.0, aside), np.where(straight, 1.0, length)
-    y = np.where(straight, 0.0, root(torque_about_contact, zero, zero + 1, args))
-    return twist(y, along, aside, length)
+    omega = root(torque_about_contact, np.zeros(shape), most, (along, aside, *resisting.weights))
+    return twist(np.where(aside == 0, 0.0, omega), along, aside)

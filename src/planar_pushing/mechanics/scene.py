@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects.base import IsotropicEffect
 from planar_pushing.mechanics.errors import InvalidValue, require_number, require_positive
+from planar_pushing.mechanics.planar import LONGEST
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,7 +27,7 @@ class Slider:
     Raises
     ------
     InvalidValue
-        Where a parameter is out of range.
+        Where a parameter is out of range, or the rod longer than `planar.LONGEST` radii.
     """
 
     rod_length: float
@@ -45,11 +46,16 @@ class Slider:
         require_positive(
             "radius", self.radius, "give the ring's radius in the unit of the rod length"
         )
+        require_number(
+            "rod_length", self.rod_length, lambda _: self.length_ratio <= LONGEST,
+            f"at most {LONGEST:g} times the radius",
+            "give the radius and the rod length in one unit",
+        )  # fmt: skip
 
     @property
     def length_ratio(self) -> float:
         """Rod length in units of the radius, l / R."""
-        return self.rod_length / self.radius
+        return float(self.rod_length) / float(self.radius)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,6 +94,7 @@ class Scene:
                 "list what resists the motion, for instance (RingFriction(),)",
             )  # fmt: skip
         object.__setattr__(self, "effects", effects)
+        _ = self.scaled_effects  # refuses an effect out of proportion to the slider
 
     @property
     def scaled_effects(self) -> tuple[IsotropicEffect, ...]:

@@ -21,6 +21,8 @@ from planar_pushing.mechanics.planar import Array, direction, moment_arm
 #: Steps towards the ends of the range of spin ratios and towards a kink, as parts of the range.
 GRADING = np.concatenate([10.0 ** -np.arange(7, 2, -0.5), np.linspace(2e-3, 0.5, 120)])
 
+#: Below this spin ratio a motion is a translation to the last place, whatever its speed.
+VANISHING = 1e-100
 
 #: Centre speed, spin ratio, and whether there is such a motion; shape S + (branches,) each.
 SlipMotions = tuple[Array, Array, npt.NDArray[np.bool_]]
@@ -30,7 +32,7 @@ SlipMotions = tuple[Array, Array, npt.NDArray[np.bool_]]
 class _Edge:
     """The line of force along an edge, for a moment arm >= 0; `lever` is k's part in ``n . u / v``."""
 
-    effects: response.Effects
+    kinds: tuple[response.Effects, ...]
     arm: Array
     normal: float
     lever: float
@@ -43,12 +45,8 @@ class _Edge:
 
     def imbalance(self, k: Array) -> tuple[Array, Array]:
         """Torque about the contact that each kind leaves, in units of its force in translation."""
-        kinds = (response.of_degree(self.effects, degree) for degree in (1, 2))
-        torques = []
-        for kind in kinds:
-            force, torque = response.profile(kind, k)
-            torques.append((torque - self.arm * force) / response.profile(kind, 0.0)[0])
-        return torques[0], torques[1]
+        (f1, t1), (f2, t2) = (response.profile(kind, k) for kind in self.kinds)
+        return t1 - self.arm * f1, t2 - self.arm * f2
 
     def speed(self, k: Array) -> Array:
         """Centre speed ``s`` (in units of W / m) at which the torques cancel."""
@@ -62,10 +60,9 @@ class _Edge:
 
     def pieces(self) -> tuple[Array, Array]:
         """Spin ratios and normal motions at the ends of the monotone pieces, friction end first."""
-        kinds = (response.of_degree(self.effects, degree) for degree in (1, 2))
-        slow, fast = (float(response.spin_ratio(kind, self.arm, None)) for kind in kinds)
+        slow, fast = (float(response.spin_ratio(kind, self.arm, None)) for kind in self.kinds)
         end = np.copysign(np.inf, self.advance(np.array(fast)))
-        if abs(fast - slow) <= 1e-6 * slow or slow < response.VANISHING:
+        if abs(fast - slow) <= 1e-6 * slow or slow < VANISHING:
             return np.array([slow, fast]), np.array([0.0, end])
         nodes = self._nodes(slow, fast)
         values = self.normal_motion(nodes)
@@ -78,8 +75,9 @@ class _Edge:
         return ends, np.array([0.0, *self.normal_motion(ends[1:-1]), end])
 
     def _nodes(self, slow: float, fast: float) -> Array:
-        kinks = [(kink - slow) / (fast - slow) for effect in self.effects for kink in effect.kinks]
-        near = [kink + side * GRADING for kink in kinks for side in (-1, 1)]
+        kinks = [kink for kind in self.kinds for effect in kind for kink in effect.kinks]
+        places = [(kink - slow) / (fast - slow) for kink in kinks]
+        near = [place + side * GRADING for place in places for side in (-1, 1)]
         parts = np.unique(np.concatenate([GRADING, 1 - GRADING, *near]))
         inside = (parts >= GRADING[0]) & (parts <= 1 - GRADING[0])
         return np.asarray(slow + (fast - slow) * parts[inside])
@@ -89,28 +87,40 @@ class _Edge:
         found = elementwise.find_minimum(lambda k: sign * self.normal_motion(k), tuple(bracket))
         return float(found.x)
 
-    def roots(self, normal_motion: Array) -> SlipMotions:
-        """Every motion with these normal parts."""
+    def roots(self, resisting: response.Resistance, normal_motion: Array) -> SlipMotions:
+        """Every motion with these normal parts, in units of `resisting`."""
         ends, values = self.pieces()
         pieces = zip(ends[:-1], ends[1:], values[:-1], values[1:], strict=True)
-        found = [self._root(normal_motion, *piece) for piece in pieces]
+        found = [self._root(resisting, normal_motion, *piece) for piece in pieces]
         k, reached = (np.stack(part, axis=-1) for part in zip(*found, strict=True))
-        speed, moves = _speed(normal_motion[..., None], self.advance(k), self.speed(k))
+        speed, moves = _speed(
+            normal_motion[..., None],
+            self.advance(k),
+            self.speed(k) / resisting.inertia_ratio[..., None],
+        )
         return speed, k, reached & moves
 
     def _root(
-        self, normal_motion: Array, k1: float, k2: float, g1: float, g2: float
+        self,
+        resisting: response.Resistance,
+        normal_motion: Array,
+        k1: float,
+        k2: float,
+        g1: float,
+        g2: float,
     ) -> tuple[Array, npt.NDArray[np.bool_]]:
         """Spin ratio on the monotone piece from (k1, g1) to (k2, g2), and whether it is reached."""
 
-        def excess(k: Array, target: Array) -> Array:
-            slow, fast = self.imbalance(k)
-            return np.asarray(np.sign(g2 - g1) * (self.advance(k) * slow + target * fast))
+        def excess(k: Array, target: Array, slow: Array, fast: Array) -> Array:
+            x, y = self.imbalance(k)
+            return np.asarray(np.sign(g2 - g1) * (slow * self.advance(k) * x + fast * target * y))
 
-        between = np.sign(g1 - normal_motion) * np.sign(g2 - normal_motion) < 0
-        reached = between | (normal_motion == g2)
+        level = normal_motion * resisting.inertia_ratio
+        between = np.sign(g1 - level) * np.sign(g2 - level) < 0
+        reached = between | (level == g2)
         low, high = np.array(min(k1, k2)), np.array(max(k1, k2))
-        return response.root(excess, low, high, (normal_motion,)), reached
+        args = (normal_motion, *resisting.weights)
+        return response.root(excess, low, high, args), reached
 
 
 def _speed(
@@ -119,12 +129,14 @@ def _speed(
     """Centre speed with this normal motion, and whether the slider moves at all."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         speed = np.where(advance == 0, otherwise, normal_motion / advance)
-    moves = (speed > 0) & np.isfinite(speed)
+    # By the signs: a speed below the smallest double still is a motion.
+    moves = np.where(advance == 0, otherwise > 0, np.sign(normal_motion) * np.sign(advance) > 0)
+    moves &= np.isfinite(speed)
     return np.where(moves, speed, 0.0), moves
 
 
 def slip_motions(
-    effects: response.Effects,
+    resisting: response.Resistance,
     rod_length: float,
     rod_angle: float,
     force_angle: float,
@@ -134,11 +146,12 @@ def slip_motions(
 
     Parameters
     ----------
-    effects : sequence of effects, lengths scaled by the radius
+    resisting : Resistance
+        Weights of shape S, lengths scaled by the radius.
     rod_length, rod_angle, force_angle : float
         Units of R, radians, radians.
     normal_motion : array_like, shape S
-        ``n . u`` of the contact.
+        ``n . u`` of the contact, in units of `resisting`.
 
     Returns
     -------
@@ -151,12 +164,12 @@ def slip_motions(
         direction(force_angle)[1],
         np.copysign(rod_length, arm) * direction(rod_angle)[0],
     )
-    edge = _Edge(effects, np.abs(arm), float(normal), float(lever))
-    if response.is_homogeneous(effects):
-        size = np.broadcast_to(response.spin_ratio(effects, edge.arm, None), (*target.shape, 1))
+    edge = _Edge(resisting.kinds, np.abs(arm), float(normal), float(lever))
+    if len(resisting.kinds) == 1:
+        size = np.broadcast_to(
+            response.spin_ratio(resisting.kinds[0], edge.arm, None), (*target.shape, 1)
+        )
         speed, exists = _speed(target[..., None], edge.advance(size), np.zeros(size.shape))
     else:
-        scale = response.translation_ratio(effects)
-        speed, size, exists = edge.roots(target * scale)
-        speed = speed / scale
+        speed, size, exists = edge.roots(resisting, target)
     return speed, np.copysign(size, arm), exists

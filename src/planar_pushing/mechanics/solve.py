@@ -10,7 +10,7 @@ import numpy as np
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.candidates import Candidates, candidates, contact_motion
 from planar_pushing.mechanics.contact import ContactMode, Outcome
-from planar_pushing.mechanics.errors import require_number
+from planar_pushing.mechanics.errors import InvalidValue, require_number
 from planar_pushing.mechanics.planar import Array, direction, motion_center
 from planar_pushing.mechanics.scene import Scene
 
@@ -23,7 +23,7 @@ class Solution:
     ----------
     mode : ContactMode
     force : ndarray, shape (2,)
-        Force of the pusher on the slider.
+        Force of the pusher on the slider; parts below the smallest double are 0, as in the motions.
     contact_motion : ndarray, shape (2,)
         Velocity or initial acceleration of the slider at the contact.
     twist : ndarray, shape (3,)
@@ -68,15 +68,22 @@ class Solutions:
         return len(self.solutions)
 
 
-def _solution(scene: Scene, found: Candidates, branch: int) -> Solution:
+def _solution(scene: Scene, found: Candidates, branch: int, magnitude: float) -> Solution:
     slider, twist = scene.slider, found.twist[branch]
-    ratio = float(found.spin_ratio[branch])
-    angle = float(found.force_angle[branch])
+    ratio, angle = float(found.spin_ratio[branch]), float(found.force_angle[branch])
+    with np.errstate(over="ignore"):
+        force, motion = found.force_unit * found.force[branch], magnitude * twist
+        rates = motion / np.array([1.0, 1.0, slider.radius])
+    if not np.all(np.isfinite([*force, *rates])):
+        raise InvalidValue(
+            "pusher_magnitude", magnitude, "one whose force and motion are doubles",
+            "choose other units of motion, length, mass or force",
+        )  # fmt: skip
     return Solution(
         mode=found.mode,
-        force=found.force[branch],
-        contact_motion=contact_motion(scene, twist),
-        twist=twist / np.array([1.0, 1.0, slider.radius]),
+        force=force,
+        contact_motion=magnitude * contact_motion(scene, twist),
+        twist=rates,
         spin_ratio=ratio,
         center=motion_center(angle, ratio, slider.rod_length, slider.rod_angle, slider.radius),
     )
@@ -100,7 +107,8 @@ def solve(scene: Scene, pusher_angle: float, pusher_magnitude: float = 1.0) -> S
     Raises
     ------
     InvalidValue
-        Where the angle is not finite, or the magnitude negative or not finite.
+        Where the angle is not finite, the magnitude negative or not finite, or a force or a motion
+        of the solution beyond the doubles.
     """
     angle = require_number(
         "pusher_angle", pusher_angle, np.isfinite, "a finite number of radians", "give one angle"
@@ -109,10 +117,10 @@ def solve(scene: Scene, pusher_angle: float, pusher_magnitude: float = 1.0) -> S
         "pusher_magnitude", pusher_magnitude, lambda x: 0 <= x < np.inf,
         "a finite number >= 0", "turn the pusher around by its angle, not by a sign",
     )  # fmt: skip
-    found = candidates(scene, magnitude * direction(angle))
+    found = candidates(scene, direction(angle), magnitude)
     return Solutions(
         tuple(
-            _solution(scene, each, int(branch))
+            _solution(scene, each, int(branch), magnitude)
             for each in found
             for branch in np.nonzero(each.consistent)[0]
         )

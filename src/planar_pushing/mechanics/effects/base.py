@@ -22,8 +22,8 @@ class Effect(Protocol):
         """Degree of homogeneity of the potential: 1 dissipates energy, 2 stores it."""
         ...
 
-    def scaled(self, length: float) -> Effect:
-        """The same effect with lengths measured in units of `length`."""
+    def scaled(self, length: float, force: float = 1.0) -> Effect:
+        """The same effect with lengths in units of `length` and forces in units of `force`."""
         ...
 
     def potential(self, twist: Array) -> Array:

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.errors import require_positive
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.errors import InvalidValue, require_positive
+from planar_pushing.mechanics.planar import LONGEST, Array
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,8 +44,15 @@ class Inertia:
     def kinks(self) -> tuple[float, ...]:
         return ()
 
-    def scaled(self, length: float) -> Inertia:
-        return replace(self, gyration_radius=self.gyration_radius / length)
+    def scaled(self, length: float, force: float = 1.0) -> Inertia:
+        ratio = float(self.gyration_radius) / float(length)
+        if not 1 / LONGEST <= ratio <= LONGEST:
+            raise InvalidValue(
+                "gyration_radius", self.gyration_radius,
+                f"{1 / LONGEST:g} to {LONGEST:g} times the slider's radius",
+                "the square of this ratio leaves the doubles: model a point mass or a longer rod",
+            )  # fmt: skip
+        return replace(self, mass=self.mass / force, gyration_radius=ratio)
 
     def potential(self, twist: Array) -> Array:
         return np.asarray((twist * self.wrench(twist)).sum(axis=-1) / 2)

@@ -13,7 +13,7 @@ torque cancels for small k. There a Landen step, m -> q^2 with ``q = (1 - k') / 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -152,8 +152,8 @@ class RingFriction:
     def kinks(self) -> tuple[float, ...]:
         return (1.0,)
 
-    def scaled(self, length: float) -> RingFriction:
-        return self
+    def scaled(self, length: float, force: float = 1.0) -> RingFriction:
+        return replace(self, weight=self.weight / force)
 
     def potential(self, twist: Array) -> Array:
         """``(2 W / pi) (|v| + R |omega|) E(m)``, ``m = 4 |v| R |omega| / (|v| + R |omega|)^2``."""

@@ -76,14 +76,14 @@ def build(study: StudyFile) -> xr.Dataset:
     consistent, outcome = np.zeros(shape, np.int8), np.zeros(shape[:-1], np.int8)
     values = {name: np.zeros(shape) for name in VALUES}
     heading = direction(np.deg2rad(grid.pusher_angle))
-    pusher = np.array(grid.pusher_magnitude)[:, None, None] * heading
+    magnitude = np.array(grid.pusher_magnitude)[:, None]
     for i, effects in enumerate(grid.effects):
         for j, (_, law) in enumerate(laws.values()):
             for m, length in enumerate(grid.rod_length):
                 scene = Scene(
                     slider=study.ring(length), contact=law, effects=study.effects(effects)
                 )
-                found = candidates(scene, pusher)
+                found = candidates(scene, heading, magnitude)
                 outcome[i, j, m] = outcomes(found)
                 for each in found:
                     consistent[i, j, m, ..., each.mode] = each.consistent.sum(axis=-1)
