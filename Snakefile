@@ -15,6 +15,7 @@ include: "workflow/rules/figures.smk"
 include: "workflow/rules/golden.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/paper.smk"
+include: "workflow/rules/hard_cases.smk"
 
 
 localrules:
@@ -24,6 +25,7 @@ localrules:
     golden,
     claims,
     paper,
+    hard_cases,
 
 
 rule all:
@@ -34,3 +36,4 @@ rule all:
         rules.golden.input,
         rules.claims.input,
         rules.paper.input,
+        rules.hard_cases.input,

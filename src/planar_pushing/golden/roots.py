@@ -15,7 +15,9 @@ _WIDTH = arb(2) ** -128
 _LIMIT = 500
 
 
-def increasing_root(function: Callable[[arb], arb], low: arb, high: arb) -> arb:
+def increasing_root(
+    function: Callable[[arb], arb], low: arb, high: arb, width: arb = _WIDTH
+) -> arb:
     """Enclose the root of an increasing function between two points of opposite sign.
 
     Parameters
@@ -24,6 +26,8 @@ def increasing_root(function: Callable[[arb], arb], low: arb, high: arb) -> arb:
         Maps an exact positive ball to an enclosure of the function's value.
     low, high : arb
         Exact, 0 <= low < high.
+    width : arb
+        Relative width of the enclosure.
 
     Returns
     -------
@@ -48,7 +52,7 @@ def increasing_root(function: Callable[[arb], arb], low: arb, high: arb) -> arb:
         guess = (
             (low + high) / 2 if step % 5 == 4 else (low * above - high * below) / (above - below)
         )
-        margin = (_WIDTH * guess).mid()
+        margin = (width * guess).mid()
         if high - low <= 2 * margin:
             return low.union(high)
         point = arb.max(low + margin, arb.min(high - margin, guess.mid())).mid()

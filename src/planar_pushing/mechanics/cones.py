@@ -75,9 +75,9 @@ def motion_cone(scene: Scene) -> AngleInterval:
     force_angles = friction_cone(scene)
     angles = edge_motions(scene, force_angles)
     reached = bool(np.ptp(angles, axis=0).max() <= RESOLUTION)
-    return AngleInterval(
-        float(angles[:, 0].min()), float(angles[:, 1].max()), closed=force_angles.closed and reached
-    )
+    right, left = float(angles[:, 0].min()), float(angles[:, 1].max())
+    # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
+    return AngleInterval(min(right, left), left, closed=force_angles.closed and reached)
 
 
 def can_pull(scene: Scene) -> bool:

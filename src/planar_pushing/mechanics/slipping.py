@@ -21,6 +21,7 @@ from planar_pushing.mechanics.planar import Array, direction, moment_arm
 #: Steps towards the ends of the range of spin ratios and towards a kink, as parts of the range.
 GRADING = np.concatenate([10.0 ** -np.arange(7, 2, -0.5), np.linspace(2e-3, 0.5, 120)])
 
+SMALLEST = np.finfo(float).smallest_subnormal
 #: Below this spin ratio a motion is a translation to the last place, whatever its speed.
 VANISHING = 1e-100
 
@@ -115,7 +116,9 @@ class _Edge:
             x, y = self.imbalance(k)
             return np.asarray(np.sign(g2 - g1) * (slow * self.advance(k) * x + fast * target * y))
 
-        level = normal_motion * resisting.inertia_ratio
+        # Not rounded to 0: its sign decides.
+        size = np.maximum(np.abs(normal_motion) * resisting.inertia_ratio, SMALLEST)
+        level = np.where(normal_motion == 0, 0.0, np.copysign(size, normal_motion))
         between = np.sign(g1 - level) * np.sign(g2 - level) < 0
         reached = between | (level == g2)
         low, high = np.array(min(k1, k2)), np.array(max(k1, k2))

@@ -14,9 +14,14 @@ from planar_pushing.mechanics.contact import ContactMode, Outcome
 #: Name: (units, long name). "1" is the unit of a ratio, a count, a flag or a label.
 VARIABLES: dict[str, tuple[str, str]] = {
     "adhesive": ("1", "whether the fence pulls on the slider"),
+    "case": ("1", "hard case"),
     "center": ("length", "motion centre relative to the contact"),
     "center_x": ("length", "motion centre relative to the ring centre, along the fence"),
     "center_y": ("length", "motion centre relative to the ring centre, normal to the fence"),
+    "condition": (
+        "1",
+        "condition number: relative change of the reference per relative change of the inputs",
+    ),
     "cone_center": ("length", "motion centre relative to the contact, under one effect"),
     "cone_force_angle": (
         "degree",
@@ -30,6 +35,8 @@ VARIABLES: dict[str, tuple[str, str]] = {
     "contact_motion": ("motion", "motion of the slider at the contact"),
     "effect": ("1", "effect that alone resists the motion"),
     "effects": ("1", "effects that resist the motion"),
+    "error_bound": ("1", "relative error that rounding the inputs causes: condition times epsilon"),
+    "error_ulp": ("1", "error of the result in units in the last place of the reference"),
     "evaluations": ("1", "points at which the effect was evaluated"),
     "exact_cone_left": ("degree", "left edge of the exact acceleration cone"),
     "exact_cone_right": ("degree", "right edge of the exact acceleration cone"),
@@ -41,8 +48,10 @@ VARIABLES: dict[str, tuple[str, str]] = {
     "friction_coefficient": ("1", "coefficient of friction at the contact"),
     "friction_cone_left": ("degree", "left edge of the friction cone"),
     "friction_cone_right": ("degree", "right edge of the friction cone"),
+    "ill_conditioned": ("1", "whether double precision loses six digits whatever the algorithm"),
     "inertia_share": ("1", "s / (1 + s) with s = m a / W: 0 is friction alone, 1 inertia alone"),
     "law": ("1", "type of the contact law"),
+    "line": ("1", "hard place, 1 to 7: ring, ends, lengths, contact, speed, rest, Painleve"),
     "limit_force_left": ("force", "force on the limit curve at the left edge of the friction cone"),
     "limit_force_right": (
         "force",
@@ -58,7 +67,13 @@ VARIABLES: dict[str, tuple[str, str]] = {
     "pusher_angle": ("degree", "angle of the pusher motion"),
     "pusher_magnitude": ("motion", "magnitude of the pusher motion"),
     "pusher_motion": ("motion", "motion of the pusher"),
+    "quantity": ("1", "what the number is"),
+    "quantity_unit": ("1", "unit of the number"),
     "radius": ("length", "radius of the ring"),
+    "reference": ("1", "certified value in 40 digits, in the case's unit"),
+    "reference_high": ("1", "certified value, first double, in the case's unit"),
+    "reference_low": ("1", "certified value, second double, in the case's unit"),
+    "result": ("1", "value in double precision, in the case's unit"),
     "ring_center": ("length", "ring centre relative to the contact"),
     "rod_angle": ("degree", "rod angle"),
     "rod_length": ("length", "rod length, from the contact to the ring centre"),

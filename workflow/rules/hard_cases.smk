@@ -1,0 +1,60 @@
+# Where the numbers get hard: results against references of 40 digits, their figure, and a sweep of
+# random and adversarial inputs, which `snakemake sweep` runs (some minutes).
+rule hard_cases:
+    input:
+        "results/data/hard_cases.nc",
+        expand("results/figures/hard_cases.{kind}", kind=["svg", "pdf", "png"]),
+
+
+rule hard_cases_data:
+    input:
+        modules=modules("hard_cases.dataset", "study.store"),
+    output:
+        "results/data/hard_cases.nc",
+    log:
+        "results/logs/data/hard_cases.log",
+    benchmark:
+        "results/benchmarks/data/hard_cases.tsv"
+    message:
+        "Measuring the hard cases"
+    script:
+        "../scripts/hard_cases.py"
+
+
+rule hard_cases_figure:
+    input:
+        data="results/data/hard_cases.nc",
+        modules=modules("figures.hard_cases", "figures.render"),
+        style="src/planar_pushing/figures/paper.mplstyle",
+    output:
+        svg=report(
+            "results/figures/hard_cases.svg",
+            category="Figures",
+            caption="../report/hard_cases.rst",
+            labels={"figure": "hard_cases"},
+        ),
+        pdf="results/figures/hard_cases.pdf",
+        png="results/figures/hard_cases.png",
+    log:
+        "results/logs/figures/hard_cases.log",
+    benchmark:
+        "results/benchmarks/figures/hard_cases.tsv"
+    message:
+        "Drawing the hard cases"
+    script:
+        "../scripts/hard_cases_figure.py"
+
+
+rule sweep:
+    input:
+        modules=modules("hard_cases.sweep"),
+    output:
+        "results/tables/sweep.json",
+    log:
+        "results/logs/tables/sweep.log",
+    benchmark:
+        "results/benchmarks/tables/sweep.tsv"
+    message:
+        "Sweeping a million random and adversarial inputs"
+    script:
+        "../scripts/sweep.py"
