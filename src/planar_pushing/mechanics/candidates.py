@@ -58,6 +58,28 @@ class Candidates:
         return np.where(angle <= -np.pi + RESOLUTION, np.pi, angle)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Push:
+    """What every contact law has in common under the pusher's motions: the motion that sticks.
+
+    Attributes
+    ----------
+    resisting : Resistance
+    pusher : ndarray, shape S + (2,)
+        Unit vectors; 0 where the pusher rests.
+    moves : ndarray of bool, shape S + (1,)
+    twist, force, spin_ratio : ndarray, shapes S + (3,), S + (2,), S
+        Of the slider that follows the pusher; units as in `Candidates`.
+    """
+
+    resisting: Resistance
+    pusher: Array
+    moves: Found
+    twist: Array
+    force: Array
+    spin_ratio: Array
+
+
 def contact_motion(scene: Scene, twist: Array) -> Array:
     """Contact motions, shape S + (2,), of twists (v_x, v_y, R omega) of shape S + (3,)."""
     arm = scene.slider.length_ratio * direction(scene.slider.rod_angle)
@@ -65,40 +87,57 @@ def contact_motion(scene: Scene, twist: Array) -> Array:
     return np.asarray(twist[..., :2] + turned)
 
 
-def _separate(resisting: Resistance, pusher: Array) -> Candidates:
-    rest = np.zeros((*pusher.shape[:-1], 1, 3))
+def _separate(given: Push) -> Candidates:
+    rest = np.zeros((*given.pusher.shape[:-1], 1, 3))
     return Candidates(
         mode=ContactMode.SEPARATE,
-        consistent=pusher[..., 1:] <= 0,
+        consistent=given.pusher[..., 1:] <= 0,
         twist=rest,
         force=rest[..., :2],
         spin_ratio=rest[..., 0],
-        force_unit=resisting.force,
+        force_unit=given.resisting.force,
     )
 
 
-def _stick(scene: Scene, resisting: Resistance, pusher: Array) -> Candidates:
+def push(
+    scene: Scene, pusher_direction: npt.ArrayLike, pusher_magnitude: npt.ArrayLike = 1.0
+) -> Push:
+    """Solve for the motion that sticks, whatever the contact law; arguments as for `candidates`."""
     slider = scene.slider
+    towards, size = np.asarray(pusher_direction, dtype=float), np.asarray(pusher_magnitude)
+    shape = np.broadcast_shapes(towards.shape[:-1], size.shape)
+    moves = np.broadcast_to(size > 0, shape)[..., None]
+    resisting = resistance(scene.scaled_effects, np.broadcast_to(size, shape))
+    pusher = np.where(moves, towards, 0.0)
     lean = slider.rod_angle - np.arctan2(pusher[..., 1], pusher[..., 0])
     along_rod = sustained_twist(resisting, slider.length_ratio, lean)
     e = direction(slider.rod_angle)
     axes = np.array([[e[0], e[1], 0.0], [e[1], -e[0], 0.0], [0.0, 0.0, 1.0]])
-    force = resisting.wrench(along_rod)[..., :2] @ axes[:2, :2]
-    angle = np.arctan2(force[..., 1], force[..., 0])[..., None]
-    return Candidates(
-        mode=ContactMode.STICK,
-        consistent=scene.contact.force_angles.contains(angle),
-        twist=(along_rod @ axes)[..., None, :],
-        force=force[..., None, :],
-        spin_ratio=spin_ratio_of(along_rod)[..., None],
-        force_unit=resisting.force,
+    return Push(
+        resisting=resisting,
+        pusher=pusher,
+        moves=moves,
+        twist=along_rod @ axes,
+        force=resisting.wrench(along_rod)[..., :2] @ axes[:2, :2],
+        spin_ratio=spin_ratio_of(along_rod),
     )
 
 
-def _slip(
-    scene: Scene, resisting: Resistance, pusher: Array, mode: ContactMode
-) -> tuple[Candidates, Found]:
+def _stick(scene: Scene, given: Push) -> Candidates:
+    angle = np.arctan2(given.force[..., 1], given.force[..., 0])[..., None]
+    return Candidates(
+        mode=ContactMode.STICK,
+        consistent=scene.contact.force_angles.contains(angle),
+        twist=given.twist[..., None, :],
+        force=given.force[..., None, :],
+        spin_ratio=given.spin_ratio[..., None],
+        force_unit=given.resisting.force,
+    )
+
+
+def _slip(scene: Scene, given: Push, mode: ContactMode) -> tuple[Candidates, Found]:
     """Motions under a force on an edge, and where one of them is the pusher's own: a stick."""
+    resisting, pusher = given.resisting, given.pusher
     side = 1 if mode is ContactMode.SLIP_RIGHT else -1
     angles, slider = scene.contact.force_angles, scene.slider
     edge = angles.left if mode is ContactMode.SLIP_RIGHT else angles.right
@@ -136,6 +175,12 @@ def candidates(
     ------
     InvalidValue
         Where the doubles do not hold the force that the motion meets.
+    """
+    return modes_of(scene, push(scene, pusher_direction, pusher_magnitude))
+
+
+def modes_of(scene: Scene, given: Push) -> tuple[Candidates, ...]:
+    """Enumerate the contact modes of a law under a push of the same slider and effects.
 
     Notes
     -----
@@ -143,22 +188,17 @@ def candidates(
     motion of that edge apart by the cone's condition number, so there a stick counts where no slip does,
     and a slip that vanishes counts as the stick.
     """
-    towards, size = np.asarray(pusher_direction, dtype=float), np.asarray(pusher_magnitude)
-    shape = np.broadcast_shapes(towards.shape[:-1], size.shape)
-    moves = np.broadcast_to(size > 0, shape)[..., None]
-    resisting = resistance(scene.scaled_effects, np.broadcast_to(size, shape))
-    pusher = np.where(moves, towards, 0.0)
-    stick = _stick(scene, resisting, pusher)
+    stick = _stick(scene, given)
     if not scene.contact.slips:
-        return _separate(resisting, pusher), replace(stick, consistent=stick.consistent & moves)
-    right, left_edge = _slip(scene, resisting, pusher, ContactMode.SLIP_RIGHT)
-    left, right_edge = _slip(scene, resisting, pusher, ContactMode.SLIP_LEFT)
+        return _separate(given), replace(stick, consistent=stick.consistent & given.moves)
+    right, left_edge = _slip(scene, given, ContactMode.SLIP_RIGHT)
+    left, right_edge = _slip(scene, given, ContactMode.SLIP_LEFT)
     inside = replace(scene.contact.force_angles, closed=False).contains(stick.force_angle)
     slips = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
     at_edge = np.asarray(left_edge | right_edge)[..., None]
     sticks = inside | (stick.consistent & ~np.asarray(slips)[..., None]) | at_edge
-    stick = replace(stick, consistent=sticks & moves)
-    return _separate(resisting, pusher), stick, right, left
+    stick = replace(stick, consistent=sticks & given.moves)
+    return _separate(given), stick, right, left
 
 
 def outcomes(found: tuple[Candidates, ...]) -> npt.NDArray[np.int8]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.candidates import Candidates, candidates, outcomes
+from planar_pushing.mechanics.candidates import Candidates, modes_of, outcomes, push
 from planar_pushing.mechanics.contact import (
     ContactLaw,
     ContactMode,
@@ -77,18 +79,18 @@ def build(study: StudyFile) -> xr.Dataset:
     values = {name: np.zeros(shape) for name in VALUES}
     heading = direction(np.deg2rad(grid.pusher_angle))
     magnitude = np.array(grid.pusher_magnitude)[:, None]
-    for i, effects in enumerate(grid.effects):
+    for (i, effects), (m, length) in product(enumerate(grid.effects), enumerate(grid.rod_length)):
+        scene = Scene(
+            slider=study.ring(length), contact=InfiniteFriction(), effects=study.effects(effects)
+        )
+        given = push(scene, heading, magnitude)  # the same for every law
         for j, (_, law) in enumerate(laws.values()):
-            for m, length in enumerate(grid.rod_length):
-                scene = Scene(
-                    slider=study.ring(length), contact=law, effects=study.effects(effects)
-                )
-                found = candidates(scene, heading, magnitude)
-                outcome[i, j, m] = outcomes(found)
-                for each in found:
-                    consistent[i, j, m, ..., each.mode] = each.consistent.sum(axis=-1)
-                    for name, picked in _extremes(each).items():
-                        values[name][i, j, m, ..., each.mode] = picked
+            found = modes_of(replace(scene, contact=law), given)
+            outcome[i, j, m] = outcomes(found)
+            for each in found:
+                consistent[i, j, m, ..., each.mode] = each.consistent.sum(axis=-1)
+                for name, picked in _extremes(each).items():
+                    values[name][i, j, m, ..., each.mode] = picked
     variables: dict[str, Any] = {"consistent": (DIMS, consistent), "outcome": (DIMS[:-1], outcome)}
     variables |= {name: (DIMS, array) for name, array in values.items()}
     dataset = xr.Dataset(variables, coords=coords).assign_coords(
