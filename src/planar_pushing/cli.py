@@ -20,11 +20,12 @@ from planar_pushing.mechanics.errors import (
     require_positive,
 )
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.describe import plain
 from planar_pushing.study.files import load_scene, load_scene_file
 from planar_pushing.study.models import PushEntry
 from planar_pushing.study.query import select
-from planar_pushing.study.store import DATASETS, open_dataset
+from planar_pushing.study.store import open_dataset
 
 
 def _numbers(values: Any) -> list[float]:

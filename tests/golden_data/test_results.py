@@ -10,9 +10,10 @@ from planar_pushing.figures.render import picture, save, select
 from planar_pushing.figures.style import paper_style
 from planar_pushing.golden.check import check_results, golden_names
 from planar_pushing.golden.compare import verdict
+from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import build_dataset, study_slice
-from planar_pushing.study.store import DATASETS, read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 
 STUDY = load_study("workflow/config/paper.yaml")

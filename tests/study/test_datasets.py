@@ -8,10 +8,11 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
+from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.describe import VARIABLES
 from planar_pushing.study.dictionary import dictionary_text
 from planar_pushing.study.slices import build_dataset, study_slice
-from planar_pushing.study.store import DATASETS, group_names, write_dataset
+from planar_pushing.study.store import group_names, write_dataset
 from planar_pushing.study.study_file import load_study
 
 DIMS = {

@@ -11,7 +11,8 @@ from dataclasses import replace
 import pytest
 
 from planar_pushing.figures.catalog import FIGURES
-from planar_pushing.study.store import DATASETS, read_dataset, write_dataset
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.store import read_dataset, write_dataset
 
 
 def jobs(said):

@@ -7,7 +7,7 @@ from planar_pushing.study.study_file import load_study
 from planar_pushing.study.jobs import modules
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import DATASETS
+from planar_pushing.study.catalog import DATASETS
 
 STUDY_FILE = config.get("study", "workflow/config/paper.yaml")
 try:

@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import xarray as xr
 from pydantic import TypeAdapter
 
+from planar_pushing.study.catalog import AXES
 from planar_pushing.study.models import Grid, PushEntry, StudyFile
 
+if TYPE_CHECKING:  # a look-up of a slice does not import xarray
+    import xarray as xr
+
 COMMON = ("slider", "support_friction", "inertia")
-
-
-def _builder(name: str) -> Any:
-    return importlib.import_module(f"planar_pushing.study.datasets.{name}")
 
 
 def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     """Plain values of a study that the dataset `name` reads."""
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
-    grid = {axis: list(getattr(study.grid, axis)) for axis in _builder(name).AXES}
+    grid = {axis: list(getattr(study.grid, axis)) for axis in AXES[name]}
     common = {part: getattr(study, part) for part in COMMON}
     listed = {part: each.model_dump() for part, each in common.items() if each is not None}
     return listed | {"grid": grid}
@@ -39,7 +38,6 @@ def build_dataset(name: str, values: dict[str, Any]) -> xr.Dataset | dict[str, x
         parts["scenes"] = {k: PushEntry.model_validate(v) for k, v in values["scenes"].items()}
     if "grid" in values:
         parts["grid"] = Grid.model_construct(**values["grid"])
-    built: xr.Dataset | dict[str, xr.Dataset] = _builder(name).build(
-        StudyFile.model_construct(**parts)
-    )
+    builder = importlib.import_module(f"planar_pushing.study.datasets.{name}")
+    built: xr.Dataset | dict[str, xr.Dataset] = builder.build(StudyFile.model_construct(**parts))
     return built

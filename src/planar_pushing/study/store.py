@@ -9,16 +9,9 @@ import h5netcdf
 import xarray as xr
 
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
+from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.files import replacing
 
-#: What each dataset holds.
-DATASETS = {
-    "limit_curves": "force and motion along the limit curves",
-    "motion_cones": "friction cones and motion cones",
-    "contact_modes": "consistent contact modes over the pusher's motion",
-    "acceleration_centers": "motion centres with friction and inertia, exact and conservative",
-    "scenes": "the scenes of the figures, one group each",
-}
 PathLike = str | os.PathLike[str]
 #: Values along a chunk's longest axis, small enough that a chunk fits a cache.
 CHUNK = 512

@@ -1,1 +1,1 @@
-"""Builders of the datasets: one module each, with `AXES`, the grid axes that it reads, and `build`."""
+"""Builders of the datasets: one module each, with a function `build`."""

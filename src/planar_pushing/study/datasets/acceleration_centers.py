@@ -10,16 +10,17 @@ from planar_pushing.mechanics.cones import motion_angle, motion_cone, spin_ratio
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.planar import motion_center
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.catalog import AXES
 from planar_pushing.study.datasets.base import Cell, assemble, axes, parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
-AXES = ("rod_length", "force_angle", "inertia_share")
+DIMS = AXES["acceleration_centers"]
 
 
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
-    coords = axes(study, AXES)
+    coords = axes(study, DIMS)
     coords["force_angle"] = [angle for angle in coords["force_angle"] if 0 <= angle <= 180]
     phi, share = np.deg2rad(coords["force_angle"])[:, None], np.array(coords["inertia_share"])
 

@@ -24,13 +24,6 @@ from planar_pushing.study.datasets.base import parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
-AXES = (
-    "effects",
-    "contact_friction_coefficient",
-    "rod_length",
-    "pusher_magnitude",
-    "pusher_angle",
-)
 DIMS = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode")
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
 

@@ -10,16 +10,17 @@ import xarray as xr
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.catalog import AXES
 from planar_pushing.study.datasets.base import Cell, assemble, axes, parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
-AXES = ("effects", "rod_length", "rod_angle", "force_angle")
+DIMS = AXES["limit_curves"]
 
 
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
-    coords = axes(study, AXES)
+    coords = axes(study, DIMS)
     phi = np.deg2rad(coords["force_angle"])
 
     def cell(effects: Any, length: float, angle: float) -> Cell:
@@ -38,7 +39,7 @@ def build(study: StudyFile) -> xr.Dataset:
         }
 
     return describe(
-        assemble(coords, AXES[:3], cell),
+        assemble(coords, DIMS[:3], cell),
         title="Limit curves: forces through the contact and the motions they cause",
         source="Eqs. (2)-(7), Sec. 3, Fig. 5, and the ellipses of Sec. 4, Fig. 10",
         parameters=parameters(study),

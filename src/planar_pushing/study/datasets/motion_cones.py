@@ -10,16 +10,17 @@ import xarray as xr
 from planar_pushing.mechanics.cones import can_pull, friction_cone, motion_cone, slips_while_pushing
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.catalog import AXES
 from planar_pushing.study.datasets.base import Cell, assemble, axes, parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile, contact_law
 
-AXES = ("effects", "rod_length", "rod_angle", "friction_coefficient")
+DIMS = AXES["motion_cones"]
 
 
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
-    coords = axes(study, AXES)
+    coords = axes(study, DIMS)
 
     def cell(effects: Any, length: float, angle: float, mu: float) -> Cell:
         scene = Scene(
@@ -41,7 +42,7 @@ def build(study: StudyFile) -> xr.Dataset:
         }
 
     return describe(
-        assemble(coords, AXES, cell),
+        assemble(coords, DIMS, cell),
         title="Friction cones and the motion cones they map to",
         source="Secs. 3.1, 3.2 and 4, Figs. 6, 7 and 9",
         parameters=parameters(study),

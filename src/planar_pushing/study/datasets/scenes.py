@@ -24,8 +24,6 @@ from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.models import PushEntry, StudyFile
 from planar_pushing.study.scene_model import SceneFile
 
-AXES = ()
-
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
 SUPPORT_ANGLES = np.arange(0.0, 360.0, 15.0)
