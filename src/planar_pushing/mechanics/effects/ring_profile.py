@@ -1,0 +1,142 @@
+r"""Force and torque of a ring's friction in closed form (Eqs. 2-3), elementwise.
+
+With ``m = k^2``, ``x = 1 - m`` and the complete elliptic integrals K and E of parameter m, for 0 <= k <= 1::
+
+    f(k) = (2/pi) E                    force along the motion, in units of W
+    t(k) = (2/pi) (E - x K) / k        torque, in units of W R
+    t'(k) = (2/pi) (K - E) / m         and f' = -k t'
+
+and outside the ring is self-dual: ``f(k) = t(1/|k|)``, ``t(k) = sign(k) f(1/|k|)``. As written the torque
+cancels for small k. There a Landen step, m -> q^2 with ``q = (1 - k') / (1 + k')`` and ``k' = sqrt(x)``,
+gives E and K as two power series in q^2 whose leading terms cancel on paper.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import numpy.typing as npt
+from numpy.polynomial import Chebyshev, Polynomial
+from scipy.special import ellipe, ellipkm1
+
+from planar_pushing.mechanics.planar import Array
+
+#: From this spin ratio on the torque comes from scipy's E and K, below it from the Landen series.
+NEAR_RING = 0.9
+#: Terms of the power series, and the degree that represents them as well on the range of q^2.
+TERMS = 32
+DEGREE = 10
+#: Elements that a kernel takes at once: its temporaries stay in a core's cache.
+BLOCK = 16384
+TINY = np.finfo(float).tiny
+
+
+def blocks(size: int) -> Iterator[slice]:
+    """Slices of at most `BLOCK` elements that cover `size` elements."""
+    return (slice(start, start + BLOCK) for start in range(0, size, BLOCK))
+
+
+def _landen_coefficients() -> tuple[Array, Array]:
+    """Series in y = q^2 of ``(Q - 1) / y`` and of ``(Q - P) / y^2``, economised.
+
+    P = 2F1(-1/2, -1/2; 1; y) is E's series (Gauss-Kummer), Q = 2F1(1/2, 1/2; 1; y) is K's.
+    """
+    n = np.arange(TERMS)
+    p = np.cumprod(np.append(1.0, (n - 0.5) / (n + 1))) ** 2
+    q = np.cumprod(np.append(1.0, (n + 0.5) / (n + 1))) ** 2
+    complement = np.sqrt(1 - NEAR_RING**2)
+    domain = [0.0, ((1 - complement) / (1 + complement)) ** 2]
+    first, second = (
+        Chebyshev.interpolate(Polynomial(series), DEGREE, domain).convert(kind=Polynomial)
+        for series in (q[1:], q[2:] - p[2:])
+    )
+    return first.coef, second.coef
+
+
+_FIRST, _SECOND = _landen_coefficients()
+
+
+def _horner(coefficients: Array, x: Array) -> Array:
+    total = np.full_like(x, coefficients[-1])
+    for coefficient in coefficients[-2::-1]:
+        total *= x
+        total += coefficient
+    return total
+
+
+def _by_series(size: Array) -> tuple[Array, Array, Array]:
+    """f, t and t' at min(size, 1/size) < NEAR_RING.
+
+    ``f = (1 + k') / 2 P``, ``t = k B`` with ``B = ((1 - q/2) Q - q/2 (Q - P) / q^2) / (1 + k')``, and
+    ``t' = 2 Q / (1 + k') - B``. What is added to the leading terms is small, and so is its rounding.
+    """
+    k = np.minimum(size, 1 / size)
+    m, x = k * k, (1 - k) * (1 + k)
+    ends = np.sqrt(x, out=x)
+    ends += 1
+    half = m / (2 * ends * ends)  # q / 2
+    y = np.multiply(half, half, out=m)
+    y *= 4
+    first, second = _horner(_FIRST, y), _horner(_SECOND, y)
+    bracket, slope = 1 - half, 2 + 2 * y * first
+    force = y * (first - y * second)
+    first *= bracket
+    half *= second
+    first -= half
+    first *= y
+    bracket += first
+    slope -= bracket
+    slope /= ends
+    k *= bracket
+    k /= ends
+    ends *= 0.5
+    force *= ends
+    force += ends
+    return force, k, slope
+
+
+def _by_integrals(size: Array) -> tuple[Array, Array, Array]:
+    """f, t and t' at min(size, 1/size) >= NEAR_RING; at 1, where t' is infinite, it is large."""
+    k = np.minimum(size, 1 / size)
+    m, x = k * k, np.abs(1 - size) * (1 + size) * (k / size)
+    second, first = ellipe(m), ellipkm1(np.maximum(x, TINY))
+    slope = (2 / np.pi) * (first - second) / m
+    # E' = (E - K) / (2 m) carries E over from the rounded m to 1 - x.
+    second += ((m - 1) + x) * (np.pi / 4) * slope
+    torque = (2 / np.pi) * (second - x * first)
+    torque *= np.maximum(size, 1)
+    torque /= np.minimum(size, 1)
+    return (2 / np.pi) * second, torque, slope
+
+
+def inner_profile(size: Array) -> tuple[Array, Array, Array]:
+    """f, t and t' at the spin ratios min(size, 1/size), for size >= 0 of shape (n,)."""
+    values = np.empty((3, size.size))
+    near = (size >= NEAR_RING) & (size <= 1 / NEAR_RING)
+    for mask, formula in ((near, _by_integrals), (~near, _by_series)):
+        if mask.all():
+            return formula(size)
+        part = np.flatnonzero(mask)
+        for row, value in zip(values, formula(size[part]), strict=True):
+            row[part] = value
+    force, torque, slope = values
+    return force, torque, slope
+
+
+def _profile(k: Array) -> tuple[Array, Array]:
+    size = np.abs(k)
+    force, torque, _ = inner_profile(size)
+    outside = np.flatnonzero(size > 1)
+    force[outside], torque[outside] = torque[outside], force[outside]
+    return force, np.copysign(torque, k, out=torque)
+
+
+def ring_profile(spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
+    """f(k) and t(k) of Eqs. (2)-(3) per unit weight and radius, for any k including infinities."""
+    k = np.asarray(spin_ratio, dtype=float)
+    flat, (force, torque) = k.ravel(), np.empty((2, k.size))
+    with np.errstate(divide="ignore", over="ignore"):
+        for part in blocks(k.size):
+            force[part], torque[part] = _profile(flat[part])
+    return force.reshape(k.shape), torque.reshape(k.shape)
