@@ -1,6 +1,6 @@
 r"""Force and torque of a ring's friction in closed form (Eqs. 2-3), elementwise.
 
-With ``m = k^2``, ``x = 1 - m`` and the complete elliptic integrals K and E of parameter m, for 0 <= k <= 1::
+With ``m = k^2``, ``x = 1 - m`` and complete elliptic integrals K, E of parameter m, inside the ring::
 
     f(k) = (2/pi) E                    force along the motion, in units of W
     t(k) = (2/pi) (E - x K) / k        torque, in units of W R
@@ -47,11 +47,13 @@ def _landen_coefficients() -> tuple[Array, Array]:
     q = np.cumprod(np.append(1.0, (n + 0.5) / (n + 1))) ** 2
     complement = np.sqrt(1 - NEAR_RING**2)
     domain = [0.0, ((1 - complement) / (1 + complement)) ** 2]
-    first, second = (
-        Chebyshev.interpolate(Polynomial(series), DEGREE, domain).convert(kind=Polynomial)
-        for series in (q[1:], q[2:] - p[2:])
-    )
-    return first.coef, second.coef
+    return _economised(q[1:], domain), _economised(q[2:] - p[2:], domain)
+
+
+def _economised(series: Array, domain: list[float]) -> Array:
+    """Coefficients of a polynomial of low degree that equals the series on the domain to rounding."""
+    found = Chebyshev.interpolate(Polynomial(series), DEGREE, domain)
+    return np.asarray(found.convert(kind=Polynomial).coef, dtype=float)
 
 
 _FIRST, _SECOND = _landen_coefficients()
