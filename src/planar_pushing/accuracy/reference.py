@@ -37,6 +37,8 @@ def motion_angle(rod_length: float, force_angle: float, rod_angle: float) -> arb
     """Angle of the contact's motion under friction, radians (Eq. 7), for the doubles given."""
     lean, length = arb(rod_angle) - arb(force_angle), arb(rod_length)
     arm = length * lean.sin()
+    if arm == 0:
+        return arb(force_angle)
     ratio = _spin_ratio(abs(arm)) * (1 if arm > 0 else -1)
     ahead, aside = 1 + ratio * length * lean.sin(), ratio * length * lean.cos()
     return arb(force_angle) - arb.atan2(aside, ahead)

@@ -1,4 +1,4 @@
-"""What the builders of the datasets share: axes from the grid, and cells stacked over them."""
+"""What the builders of the datasets share: axes from the grid, and cells evaluated over them."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.study.models import StudyFile
@@ -28,15 +29,16 @@ def parameters(study: StudyFile) -> dict[str, object]:
 def assemble(
     coords: dict[str, list[Any]], outer: tuple[str, ...], cell: Callable[..., Cell]
 ) -> xr.Dataset:
-    """Evaluate `cell` at each point of the outer axes and stack the variables over all axes."""
-    cells = [cell(*point) for point in itertools.product(*(coords[name] for name in outer))]
+    """Evaluate `cell` at each point of the outer axes and fill the variables over all axes."""
     shape = tuple(len(coords[name]) for name in outer)
     inner = tuple(name for name in coords if name not in outer)
-    variables = {}
-    for name in cells[0]:
-        values = np.stack([np.asarray(each[name]) for each in cells])
-        variables[name] = (
-            outer + inner[: values.ndim - 1],
-            values.reshape(shape + values.shape[1:]),
-        )
+    variables: dict[str, tuple[tuple[str, ...], npt.NDArray[Any]]] = {}
+    points = itertools.product(*(coords[name] for name in outer))
+    for place, point in zip(np.ndindex(shape), points, strict=True):
+        for name, value in cell(*point).items():
+            one = np.asarray(value)
+            if name not in variables:
+                whole = np.empty(shape + one.shape, dtype=one.dtype)
+                variables[name] = outer + inner[: one.ndim], whole
+            variables[name][1][place] = one
     return xr.Dataset(variables, coords=coords)

@@ -9,13 +9,26 @@ import xarray as xr
 
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.planar import Array
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.blocks import in_blocks
 from planar_pushing.study.catalog import AXES
 from planar_pushing.study.datasets.base import Cell, assemble, axes, parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
 DIMS = AXES["limit_curves"]
+
+
+def _curve(scene: Scene, force_angle: Array) -> Cell:
+    curve = limit_curve(scene, force_angle)
+    return {
+        "force": curve.magnitude,
+        "force_x": curve.force[:, 0],
+        "force_y": curve.force[:, 1],
+        "spin_ratio": curve.spin_ratio,
+        "motion_angle": np.rad2deg(curve.motion_angle),
+    }
 
 
 def build(study: StudyFile) -> xr.Dataset:
@@ -29,14 +42,7 @@ def build(study: StudyFile) -> xr.Dataset:
             contact=InfiniteFriction(),
             effects=study.effects(effects),
         )
-        curve = limit_curve(scene, phi)
-        return {
-            "force": curve.magnitude,
-            "force_x": curve.force[:, 0],
-            "force_y": curve.force[:, 1],
-            "spin_ratio": curve.spin_ratio,
-            "motion_angle": np.rad2deg(curve.motion_angle),
-        }
+        return in_blocks(lambda angles: _curve(scene, angles), phi)
 
     return describe(
         assemble(coords, DIMS[:3], cell),
