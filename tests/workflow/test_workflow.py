@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import pytest
 
-from planar_pushing.figures.catalog import FIGURES
+from planar_pushing.figures.catalog import FIGURES, SECTIONS
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.store import read_dataset, write_dataset
 
@@ -50,6 +50,9 @@ def test_report(built):
     built.snakemake("--report", "report.html")
     text = (built.root / "report.html").read_text(encoding="utf-8")
     assert all(name in text for name in FIGURES)
+    assert all(f'"{section}": ' in text for section in SECTIONS.values())
+    assert text.count("The paper's caption promises: ") == len(FIGURES) - 1
+    assert "Replication of Lynch and Mason" in text
 
 
 @pytest.mark.parametrize(
