@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planar_pushing.figures.catalog import CAPTIONS, FIGURES, PROMISES, SECTIONS
-from planar_pushing.report.numbers import NUMBERS, VERDICTS
+from planar_pushing.report.numbers import NUMBERS
+from planar_pushing.report.parts.evidence import VERDICTS
 
 PAPER = Path(__file__).parents[2] / "paper"
 PICTURE = (

@@ -44,6 +44,10 @@ class Quantity:
         return {"text": text, "unit": self.unit, "source": self.source}
 
 
+#: Quantities by key.
+Numbers = dict[str, Quantity]
+
+
 def rounded(value: float, digits: int) -> str:
     """Value with so many digits after the point; a rounded zero has no sign.
 

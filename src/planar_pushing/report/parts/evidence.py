@@ -1,0 +1,33 @@
+"""The numbers of the part on evidence: the golden check and the claims, some of their values included."""
+
+from __future__ import annotations
+
+from planar_pushing.report.quantities import Numbers, Quantity, claimed, counted
+from planar_pushing.report.verdict import golden_numbers, verdict_count, verdict_word
+
+#: Verdicts of the ledger.
+VERDICTS = ("proved", "verified on the grid", "not reproducible", "refuted")
+
+
+def _verdicts(verdict: str) -> Quantity:
+    return counted(verdict, lambda claim: bool(claim["verdict"] == verdict))
+
+
+GOLDEN: Numbers = {
+    "golden-verdict": verdict_word(),
+    "golden-values": verdict_count("values"),
+    "golden-variables": verdict_count("variables"),
+    **golden_numbers(),
+}
+
+CLAIMS: Numbers = {
+    "claims": counted("claims", bool),
+    "claims-ours": counted("claims of ours", lambda claim: bool(claim["origin"] == "ours")),
+    **{f"claims-{verdict.replace(' ', '-')}": _verdicts(verdict) for verdict in VERDICTS},
+    "threshold-inertia": claimed("inertia-threshold", "value", digits=1),
+    "threshold-inertia-short-rod": claimed("inertia-threshold-figure-10", "value", digits=1),
+    "threshold-friction": claimed("friction-threshold", "value", digits=4),
+    "dip": claimed("normal-motion-dips", "value", digits=4, unit="W/m"),
+    "dip-force": claimed("force-at-the-dip", "value", digits=3, unit="W"),
+    "return-force": claimed("force-at-the-return", "value", digits=3, unit="W"),
+}
