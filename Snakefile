@@ -1,5 +1,6 @@
 # Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
-# Surfaces. `snakemake` builds everything; `snakemake data`, `figures` and `golden` build parts.
+# Surfaces. `snakemake` builds everything; `snakemake data`, `figures` and `golden` build parts,
+# `snakemake accuracy` measures what accuracy costs.
 # Another study: snakemake --config study=workflow/config/smoke.yaml
 
 
@@ -16,9 +17,11 @@ include: "workflow/rules/golden.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/paper.smk"
 include: "workflow/rules/hard_cases.smk"
+include: "workflow/rules/accuracy.smk"
 
 
 localrules:
+    accuracy,
     all,
     data,
     figures,

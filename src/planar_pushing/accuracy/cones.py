@@ -16,8 +16,10 @@ from planar_pushing.accuracy.quadrature import adaptive
 from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.planar import Array, contact_motion_angle, moment_arm
 
-#: Cones whose edges are computed: every rod length with every coefficient of friction.
-ROD_LENGTHS = np.geomspace(0.2, 10, 30)
+#: Cones whose edges are computed: every rod length with every coefficient of friction. With the last four
+#: the edges' lines of force almost touch the ring.
+NEAR_TANGENT = np.sqrt(2) * (1 + np.array([-1e-3, -1e-6, 1e-6, 1e-3]))
+ROD_LENGTHS = np.append(np.geomspace(0.2, 10, 30), NEAR_TANGENT)
 FRICTION_COEFFICIENTS = np.array([0.5, 2.0, np.inf])
 ROD_ANGLE = np.pi / 4
 

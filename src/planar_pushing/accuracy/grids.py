@@ -23,7 +23,7 @@ from planar_pushing.study.blocks import blocks
 ROD_LENGTHS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)
 ROD_ANGLE = np.pi / 4
 SIZES = tuple(10**n for n in range(3, 8))
-BLOCKS = tuple(4**n for n in range(4, 11))
+BLOCKS = tuple(4**n for n in range(4, 10))
 #: Grid on which block sizes are compared, and block in which grid sizes are.
 SIZE = 10**6
 BLOCK = 2**16

@@ -1,0 +1,166 @@
+"""The measurements as datasets: errors and counts, which repeat exactly, and times, which do not."""
+
+from __future__ import annotations
+
+import json
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.accuracy import grids, reference
+from planar_pushing.accuracy.cones import ROD_ANGLE, edges, inverses, motion_angles
+from planar_pushing.accuracy.methods import Method, wrench_methods
+from planar_pushing.accuracy.models import rim_errors
+from planar_pushing.accuracy.timing import machine, seconds
+from planar_pushing.mechanics.planar import Array
+
+SPIN_RATIOS = np.array([1e-8, 0.1, 0.9, 1 - 1e-3, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e8])
+
+#: Name: (unit, long name), "1" for ratios, counts and labels.
+VARIABLES = {
+    "method": ("1", "method"),
+    "setting": ("1", "number of points or table entries, or tolerance; 0 for none"),
+    "spin_ratio": ("1", "spin ratio R omega / v"),
+    "error": ("1", "largest relative error of force and torque; inf where a part is no number"),
+    "evaluations": ("1", "evaluations of an integrand, or of the wrench, for one result"),
+    "batch": ("1", "results that a timed call computes"),
+    "wrench_seconds": ("s", "time for one wrench, each repeat"),
+    "cone_error": ("degree", "largest error of an edge of a motion cone"),
+    "cone_error_mean": ("degree", "mean error of an edge of a motion cone"),
+    "cone_seconds": ("s", "time for both edges of a motion cone, each repeat"),
+    "model": ("1", "model of the limit surface"),
+    "rim_error": ("degree", "mean direction error for a rim of 100 point supports"),
+    "size": ("1", "points of the grid"),
+    "block": ("1", "points that are computed at once"),
+    "point_error": ("degree", "largest error of the motion angle at points of the grid"),
+    "interpolation_error": ("degree", "largest error of linear interpolation between them"),
+    "size_seconds": ("s", "time for a grid, each repeat"),
+    "size_memory": ("byte", "largest memory held while a grid is computed and stored"),
+    "block_seconds": ("s", "time for a grid of 10^6 points, each repeat"),
+    "block_memory": ("byte", "largest memory held while it is computed and stored"),
+    "repeat": ("1", "number of the repeat"),
+}
+Variables = dict[str, Any]
+
+
+def described(dataset: xr.Dataset) -> xr.Dataset:
+    """Give every variable its unit and name."""
+    for name, variable in dataset.variables.items():
+        units, long_name = VARIABLES[str(name)]
+        variable.attrs = {"units": units, "long_name": long_name}
+    return dataset
+
+
+def labelled(variables: Variables, coords: dict[str, Any], title: str) -> xr.Dataset:
+    """Make a dataset in which every variable has its unit and name."""
+    return described(xr.Dataset(variables, coords=coords, attrs={"title": title}))
+
+
+def wrench_errors() -> xr.Dataset:
+    """Errors and evaluations of every method at every setting and spin ratio."""
+    rows = [(each, setting) for each in wrench_methods() for setting in each.settings]
+    results = [each.run(SPIN_RATIOS, setting) for each, setting in rows]
+    variables = {
+        "error": (("point", "spin_ratio"), [_wrench_error(*each[:2]) for each in results]),
+        "evaluations": (("point", "spin_ratio"), [each[2] for each in results]),
+    }
+    return labelled(variables, _points(rows) | {"spin_ratio": SPIN_RATIOS}, "Friction wrench")
+
+
+def _points(rows: list[tuple[Any, float]]) -> dict[str, Any]:
+    return {
+        "method": ("point", [each.name for each, _ in rows]),
+        "setting": ("point", [setting for _, setting in rows]),
+    }
+
+
+def _wrench_error(force: Array, torque: Array) -> list[float]:
+    found = zip(SPIN_RATIOS, force, torque, strict=True)
+    return [
+        max(map(reference.relative_error, map(float, (f, t)), reference.wrench(float(k))))
+        for k, f, t in found
+    ]
+
+
+def wrench_times() -> Variables:
+    """Seconds for a wrench at every setting and spin ratio, each repeat."""
+    rows = [(each, setting) for each in wrench_methods() for setting in each.settings]
+    taken = [[_time(each, setting, k) for k in SPIN_RATIOS] for each, setting in rows]
+    return {
+        "wrench_seconds": (("point", "spin_ratio", "repeat"), taken),
+        "batch": ("point", [each.batch(setting) for each, setting in rows]),
+    }
+
+
+def _time(method: Method, setting: float, spin_ratio: float) -> Array:
+    batch = np.full(method.batch(setting), spin_ratio)
+    return seconds(partial(method.run, batch, setting)) / batch.size
+
+
+def cone_errors() -> xr.Dataset:
+    """Errors and evaluations of every method for motion cones, and of the models for a rim."""
+    length, angle = edges()
+    rows = [(each, setting) for each in inverses() for setting in each.settings]
+    results = [motion_angles(each, setting, length, angle) for each, setting in rows]
+    errors = [reference.angle_errors(each, length, angle, ROD_ANGLE) for each, _ in results]
+    rim = rim_errors()
+    variables = {
+        "cone_error": ("point", [each.max() for each in errors]),
+        "cone_error_mean": ("point", [each.mean() for each in errors]),
+        "evaluations": ("point", [float(count.mean()) for _, count in results]),
+        "rim_error": ("model", list(rim.values())),
+    }
+    return labelled(variables, _points(rows) | {"model": list(rim)}, "Motion cone")
+
+
+def cone_times() -> Variables:
+    """Seconds for both edges of a motion cone at every setting, each repeat."""
+    length, angle = edges()
+    rows = [(each, setting) for each in inverses() for setting in each.settings]
+    taken = []
+    for each, setting in rows:
+        copies = np.tile(length, each.copies), np.tile(angle, each.copies)
+        call = partial(motion_angles, each, setting, *copies)
+        taken.append(seconds(call) / (copies[0].size / 2))
+    batch = [each.copies * length.size // 2 for each, _ in rows]
+    return {"cone_seconds": (("point", "repeat"), taken), "batch": ("point", batch)}
+
+
+def grid_table(sizes: tuple[int, ...] = grids.SIZES) -> xr.Dataset:
+    """Time, memory and error against the size of the grid, and time and memory against the block."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "grid.h5"
+        taken, errors, memory = [], [], []
+        for size in sizes:
+            taken.append(seconds(partial(grids.write_grid, size, grids.BLOCK, path), 3))
+            errors.append(grids.grid_errors(path))
+            memory.append(grids.peak_memory(size, grids.BLOCK, path))
+        times = [
+            seconds(partial(grids.write_grid, grids.SIZE, block, path), 3) for block in grids.BLOCKS
+        ]
+        held = [grids.peak_memory(grids.SIZE, block, path) for block in grids.BLOCKS]
+    points, half_way = np.array(errors).T
+    variables = {
+        "size_seconds": (("size", "repeat"), taken),
+        "size_memory": ("size", memory),
+        "point_error": ("size", points),
+        "interpolation_error": ("size", half_way),
+        "block_seconds": (("block", "repeat"), times),
+        "block_memory": ("block", held),
+    }
+    coords = {"size": list(sizes), "block": list(grids.BLOCKS)}
+    return labelled(variables, coords, "Grid of limit curves")
+
+
+def measured() -> dict[str, xr.Dataset]:
+    """All measurements, one group each, with the machine that they were taken on."""
+    groups = {"wrench": wrench_errors(), "cone": cone_errors(), "study": grid_table()}
+    for name, times in (("wrench", wrench_times()), ("cone", cone_times())):
+        groups[name] = described(groups[name].assign(times))
+    for each in groups.values():
+        each.attrs["machine"] = json.dumps(machine())
+    return groups

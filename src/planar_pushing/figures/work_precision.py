@@ -1,0 +1,73 @@
+"""Work-precision diagrams: error against time, a line for each method and a marker for each setting."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+
+from planar_pushing.figures.style import DARK, GREY, NOTE_SIZE
+from planar_pushing.mechanics.planar import Array
+
+#: Marker, colour and filling of each method; ours is the largest.
+LOOKS: dict[str, dict[str, Any]] = {
+    "closed form": {"marker": "*", "color": "#D55E00", "markersize": 11, "zorder": 6},
+    "hyp2f1": {"marker": "s", "color": "#0072B2"},
+    "Carlson": {"marker": "D", "color": "#009E73"},
+    "textbook E and K": {"marker": "X", "color": "#000000", "markersize": 6},
+    "trapezoid": {"marker": "o", "color": "#0072B2", "markersize": 3},
+    "Gauss-Legendre": {"marker": "^", "color": "#E69F00"},
+    "quad": {"marker": "v", "color": "#A0417B"},
+    "tanhsinh": {"marker": "p", "color": "#56B4E9"},
+    "brentq on quad": {"marker": "v", "color": "#A0417B"},
+    "find_root": {"marker": "s", "color": "#0072B2"},
+    "linear table": {"marker": "o", "color": "#E69F00"},
+    "cubic table": {"marker": "D", "color": "#009E73"},
+    "ellipsoid": {"marker": "o", "color": GREY, "markersize": 6, "markerfacecolor": "white"},
+    "convex quartic": {"marker": "d", "color": DARK, "markersize": 6, "markerfacecolor": "white"},
+}
+
+
+def best(times: xr.DataArray) -> Array:
+    """Least of the repeated times."""
+    return np.asarray(times.min("repeat").values)
+
+
+def methods(data: xr.Dataset) -> list[str]:
+    """Methods in the order of the dataset."""
+    return list(dict.fromkeys(map(str, data.method.values)))
+
+
+def work_precision(
+    ax: Axes, names: Array, times: xr.DataArray, errors: Array, limits: tuple[float, float]
+) -> None:
+    """Draw errors of shape (point,) against the times of shape (point, repeat).
+
+    A marker stands at the least time, and a hair leads to the median. Errors beyond the limits of the
+    axis stand on its ends.
+    """
+    shown = np.clip(np.nan_to_num(errors, posinf=limits[1]), *limits)
+    low, middle = best(times), np.asarray(times.median("repeat").values)
+    for name in dict.fromkeys(names):
+        rows = np.flatnonzero(names == name)
+        look = {"markersize": 4.0, "linewidth": 0.9, "clip_on": False, **LOOKS[str(name)]}
+        ax.hlines(shown[rows], low[rows], middle[rows], color=look["color"], linewidth=0.6)
+        ax.plot(low[rows], shown[rows], **look)
+    ax.set(xscale="log", yscale="log", ylim=limits)
+    ax.minorticks_off()
+    ax.grid(True)
+    ax.set_axisbelow(True)
+
+
+def handles(names: list[str]) -> list[Line2D]:
+    """Entries of a legend."""
+    options = {"markersize": 4.5, "linewidth": 0.9}
+    return [Line2D([], [], label=name, **{**options, **LOOKS[name]}) for name in names]
+
+
+def note(ax: Axes, x: float, y: float, text: str, **options: Any) -> None:
+    """Write a small remark at data coordinates."""
+    ax.text(x, y, text, fontsize=NOTE_SIZE, color=DARK, **options)
