@@ -21,8 +21,8 @@ from planar_pushing.mechanics.planar import Array
 
 Effects = Sequence[IsotropicEffect]
 
-#: A moment arm that turns the slider as little as one of any smaller size.
-SMALL_ARM = 1e-12
+#: A moment arm that turns the slider about its centre, and its inverse hardly at all, in doubles.
+LARGE_ARM = 1e12
 TINY = np.finfo(float).tiny
 #: Roots are refined to a few ulp; a bracket cannot shrink below one.
 TOLERANCES = {"xatol": 0.0, "xrtol": 4 * np.finfo(float).eps, "fatol": 0.0, "frtol": 0.0}
@@ -200,9 +200,10 @@ def spin_ratio_of(twist: Array) -> Array:
     return np.where(spin == 0, 0.0, ratio)
 
 
-def _least_leverage(effects: Effects) -> float:
-    """Smallest moment arm per spin ratio: the arms that resist a small rotation."""
-    return min(float(SMALL_ARM / effect.spin_ratio(SMALL_ARM)) for effect in effects)
+def _leverages(effects: Effects) -> list[float]:
+    """Moment arm per spin ratio of each effect, for the smallest and for the largest arms."""
+    arms = np.array([1 / LARGE_ARM, LARGE_ARM])
+    return [float(q) for effect in effects for q in arms / effect.spin_ratio(arms)]
 
 
 def sustained_twist(resisting: Resistance, rod_length: float, lean: Array) -> Array:
@@ -225,22 +226,22 @@ def sustained_twist(resisting: Resistance, rod_length: float, lean: Array) -> Ar
     Notes
     -----
     Of all twists with this contact motion it has the least potential, so the torque about the
-    contact, the potential's slope, increases with the rotation. The force has an arm of at least
-    `least` times the spin ratio, which bounds the part of the motion that the rotation takes.
+    contact, the potential's slope, increases with the rotation. The root is sought in the moment arm
+    per spin ratio, which has narrow bounds whatever the length of the rod (for inertia it is rho^2),
+    and from which neither part of the motion across the rod is a difference.
     """
-    least = min(_least_leverage(kind) for kind in resisting.kinds) / 2
+    ends = [q for kind in resisting.kinds for q in _leverages(kind)]
     shape = np.broadcast_shapes(np.shape(lean), *(weight.shape for weight in resisting.weights))
     along, aside = np.broadcast_to([np.cos(lean), np.sin(lean)], (2, *shape))
-    most = np.abs(aside) * (rod_length / (rod_length**2 + least))
 
-    def twist(omega: Array, along: Array, aside: Array) -> Array:
-        spin = np.copysign(omega, aside)
-        return np.stack([along, aside - rod_length * spin, spin], axis=-1)
+    def twist(leverage: Array, along: Array, aside: Array) -> Array:
+        part = aside / (rod_length**2 + leverage)
+        return np.stack([along, leverage * part, rod_length * part], axis=-1)
 
-    def torque_about_contact(omega: Array, along: Array, aside: Array, *weights: Array) -> Array:
-        parts = Resistance(resisting.kinds, weights, np.ones(()))
-        wrench = parts.wrench(twist(omega, along, aside))
-        return np.asarray(np.copysign(1.0, aside) * (wrench[..., 2] - rod_length * wrench[..., 1]))
+    def torque_about_contact(q: Array, along: Array, aside: Array, *weights: Array) -> Array:
+        wrench = replace(resisting, weights=weights).wrench(twist(q, along, aside))
+        return np.asarray(np.copysign(1.0, aside) * (rod_length * wrench[..., 1] - wrench[..., 2]))
 
-    omega = root(torque_about_contact, np.zeros(shape), most, (along, aside, *resisting.weights))
-    return twist(np.where(aside == 0, 0.0, omega), along, aside)
+    low, high = np.full(shape, min(ends) / 2), np.full(shape, max(ends) * 2)
+    leverage = root(torque_about_contact, low, high, (along, aside, *resisting.weights))
+    return twist(leverage, along, aside)

@@ -58,11 +58,12 @@ class Inertia:
         return np.asarray((twist * self.wrench(twist)).sum(axis=-1) / 2)
 
     def wrench(self, twist: Array) -> Array:
-        return np.asarray(twist * self.mass * np.array([1.0, 1.0, self.gyration_radius**2]))
+        return np.asarray(self.mass * (twist * np.array([1.0, 1.0, self.gyration_radius**2])))
 
     def profile(self, spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
         spin_ratio = np.asarray(spin_ratio, dtype=float)
-        return np.full_like(spin_ratio, self.mass), self.mass * self.gyration_radius**2 * spin_ratio
+        torque = self.mass * (self.gyration_radius**2 * spin_ratio)
+        return np.full_like(spin_ratio, self.mass), torque
 
     def spin_ratio(self, moment_arm: npt.ArrayLike) -> Array:
         return np.asarray(np.divide(moment_arm, self.gyration_radius**2))

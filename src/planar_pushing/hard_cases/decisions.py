@@ -1,0 +1,137 @@
+"""Contact modes on swept scenes: the conditions of every mode, and the certified decisions."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+import numpy as np
+import numpy.typing as npt
+from flint import arb, ctx, fmpq
+
+from planar_pushing.golden import modes as certified
+from planar_pushing.golden.balls import Undecided
+from planar_pushing.golden.setting import Effects
+from planar_pushing.golden.setting import Slider as ExactSlider
+from planar_pushing.hard_cases.adversarial import Generator, angles, powers, rod_angle, scene
+from planar_pushing.hard_cases.scenes import make_scene
+from planar_pushing.mechanics.candidates import Candidates, candidates, contact_motion
+from planar_pushing.mechanics.cones import motion_cone
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.mechanics.planar import Array, direction
+from planar_pushing.mechanics.response import is_homogeneous
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solve import Solutions, solve
+
+Wrong = npt.NDArray[np.bool_]
+#: Relative accuracy of the conditions of a mode, in the unit of the motion or of the force.
+CLOSE = 1e-9
+#: Relative change of an input within which a decision may hang on rounding.
+NEXT_TO = (0.0, -(2.0**-44), 2.0**-44)
+
+
+def _breaks_its_conditions(scene: Scene, found: Candidates, pusher: Array) -> Wrong:
+    """Consistent motions, in units of the pusher's, that do not do what their mode says."""
+    motion, force = contact_motion(scene, found.twist), found.force
+    size = np.hypot(force[..., 0], force[..., 1])
+    scale = 1 + np.hypot(motion[..., 0], motion[..., 1])
+    gap = motion - pusher[..., None, :]
+    wrong = ~np.isfinite(motion).all(axis=-1) | ~np.isfinite(size) | np.isnan(found.spin_ratio)
+    if found.mode is ContactMode.SEPARATE:
+        return found.consistent & (wrong | (pusher[..., 1:] > 0))
+    if found.mode is ContactMode.STICK:
+        wrong |= ~(np.abs(gap).max(axis=-1) <= CLOSE * scale)
+    else:
+        side = 1 if found.mode is ContactMode.SLIP_RIGHT else -1
+        reach = 1 + np.abs(found.twist).max(axis=-1) * (1 + scene.slider.length_ratio)
+        wrong |= ~(np.abs(gap[..., 1]) <= CLOSE * reach) | ~(side * gap[..., 0] > 0)
+        wrong |= ~(side * force[..., 0] <= CLOSE * size)
+    power = (force * motion).sum(axis=-1)
+    return found.consistent & (wrong | ~(power >= -CLOSE * size * scale))
+
+
+def _count(scene: Scene, found: tuple[Candidates, ...], pusher: Array) -> Wrong:
+    """Pusher motions with too few or too many solutions."""
+    counts = np.sum([each.consistent.sum(axis=-1) for each in found], axis=0)
+    pushing, separate = pusher[:, 1] > 0, found[0].consistent[:, 0]
+    wrong = separate != (pusher[:, 1] <= 0)
+    if scene.contact.force_angles.closed:
+        wrong |= pushing & (counts < 1)
+    if is_homogeneous(scene.effects):
+        wrong |= pushing & (counts > 1)
+    return np.asarray(wrong)
+
+
+def vectorised(rng: Generator, pushers: int) -> Wrong:
+    """A scene over its whole reach, and many pushers at once."""
+    here = scene(rng, 290)
+    cone = motion_cone(here)
+    pusher = direction(angles(rng, pushers, 0.0, cone.right, cone.left))
+    found = candidates(here, pusher, powers(rng, 10, pushers))
+    wrong = [_breaks_its_conditions(here, each, pusher).any(axis=-1) for each in found]
+    return np.asarray(np.any(wrong, axis=0) | _count(here, found, pusher))
+
+
+def scalar(rng: Generator) -> tuple[bool, bool]:
+    """One scene over its whole reach through `solve`: whether it was refused, and whether it is wrong."""
+    here = scene(rng, 300)
+    angle = float(rng.choice(angles(rng, 200, 0.0, np.pi)))
+    magnitude = float(rng.choice([0.0, 5e-324, 1.0, *powers(rng, 300, 4)]))
+    try:
+        found = solve(here, angle, magnitude)
+    except InvalidValue:
+        return True, False
+    return False, _is_wrong(here, found, direction(angle), magnitude)
+
+
+def _is_wrong(scene: Scene, found: Solutions, pusher: Array, magnitude: float) -> bool:
+    numbers = [[*s.force, *s.contact_motion, *s.twist] for s in found]
+    some = magnitude == 0 or pusher[1] <= 0 or not scene.contact.force_angles.closed or len(found)
+    return bool(np.isnan(np.array(numbers)).any() or not some)
+
+
+def _degrees(radians: float, nudge: float = 0.0) -> fmpq:
+    """Rational degrees of an angle: exact at quarter turns, else within 1e-60 of it."""
+    quarters = round(radians / (math.pi / 2))
+    if nudge == 0 and quarters * (math.pi / 2) == radians:
+        return fmpq(90 * quarters)
+    with ctx.workprec(400):
+        turned = (arb(radians) * (1 + arb(nudge)) * 180 / arb.pi()).mid()
+        mantissa, exponent = turned.man_exp()
+        return fmpq(mantissa) * fmpq(2) ** int(exponent)
+
+
+def _certified(
+    length: float, psi: float, law: certified.Law, names: Effects, size: float, pusher: fmpq
+) -> Counter[str]:
+    slider = ExactSlider(fmpq(*length.as_integer_ratio()), _degrees(psi), fmpq(1), fmpq(1), fmpq(1))
+    found = certified.contact_modes(slider, names, law, size, pusher)
+    return Counter({mode.name: len(motions) for mode, motions in found.items() if motions})
+
+
+def decided(rng: Generator) -> str:
+    """Compare one scene with the certified decisions: "same", "tie", "undecided" or "wrong".
+
+    A tie is a decision that a change of the inputs by 2^-44 turns into the one found.
+    """
+    length, mu, size = (float(10.0 ** rng.uniform(-reach, reach)) for reach in (3, 3, 4))
+    psi = rod_angle(rng) if rng.random() < 0.5 else float(rng.uniform(0.05, np.pi - 0.05))
+    names = list(Effects)[int(rng.integers(3))]
+    share = {Effects.FRICTION: 0.0, Effects.INERTIA: 1.0, Effects.BOTH: 0.5}[names]
+    mu = float(rng.choice([mu, 0.0, 1.0, math.inf]))
+    here = make_scene(length, psi, share=share, mu=mu)
+    cone = motion_cone(here)
+    pusher = float(rng.choice(angles(rng, 200, 0.0, np.pi, cone.right, cone.left)))
+    found = Counter(mode.name for mode in solve(here, pusher, size).modes)
+    law = certified.coulomb(mu) if math.isfinite(mu) else certified.INFINITE_FREE
+    undecided = False
+    for nudge in NEXT_TO:
+        try:
+            exact = _certified(length, psi, law, names, size, _degrees(pusher, nudge))
+        except Undecided:
+            undecided = True
+            continue
+        if exact == found:
+            return "tie" if nudge else "same"
+    return "undecided" if undecided else "wrong"
