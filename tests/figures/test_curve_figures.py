@@ -14,7 +14,7 @@ from planar_pushing.figures import render
 from planar_pushing.figures.figure_12 import sectors
 from planar_pushing.figures.figure_13 import LEFT, RIGHT, SEPARATE, STICK
 from planar_pushing.figures.style import paper_style
-from planar_pushing.study import files, slices, store
+from planar_pushing.study import slices, store, study_file
 
 ROOT = Path(__file__).parents[2]
 NAMES = [f"figure_{number}" for number in ("05", "06", "07", "10", "12", "13")]
@@ -24,7 +24,7 @@ DATASETS = ("limit_curves", "motion_cones", "acceleration_centers", "contact_mod
 @pytest.fixture(scope="module")
 def study():
     with contextlib.chdir(ROOT):
-        return files.load_study("workflow/config/smoke.yaml")
+        return study_file.load_study("workflow/config/smoke.yaml")
 
 
 @pytest.fixture(scope="module")
