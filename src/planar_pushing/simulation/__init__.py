@@ -1,0 +1,1 @@
+"""Motion over time: the pushed slider simulated, and its log."""

@@ -1,0 +1,120 @@
+"""A motion to be simulated: scene, fence, initial state, and what decides between contact modes.
+
+The fence is the line ``y = Y(t)`` of a frame whose origin is the contact at time 0, and its
+displacement is ``(X, Y)``. The rod angle is any real number. The contact is the rod's free end alone, so
+the model holds as long as the ring's centre is above the fence; where it comes down to it, the rod
+lies along the fence or under it, and a simulation stops there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.errors import InvalidValue, require_number, require_positive
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.simulation.pusher import Pusher
+
+
+class Policy(StrEnum):
+    """Which mode is taken where several are consistent."""
+
+    KEEP_CONTACT = "keep-contact"
+    SEPARATE = "separate"
+    STAY_IN_MODE = "stay-in-mode"
+
+
+_KEEP = (ContactMode.STICK, ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT, ContactMode.SEPARATE)
+_LEAVE = (ContactMode.SEPARATE, ContactMode.STICK, ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
+
+
+def preference(policy: Policy, previous: ContactMode | None) -> tuple[ContactMode, ...]:
+    """The modes in the order in which a policy takes them."""
+    match policy:
+        case Policy.SEPARATE:
+            return _LEAVE
+        case Policy.STAY_IN_MODE if previous is not None:
+            return (previous, *(mode for mode in _KEEP if mode is not previous))
+    return _KEEP
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Problem:
+    """What is to be simulated.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its rod angle is the initial one.
+    pusher : Pusher
+    duration : float
+        > 0.
+    twist : (v_x, v_y, omega)
+        Initial twist at the ring centre, where inertia is an effect.
+    gap : float
+        Initial height of the contact point above the fence, >= 0.
+    on_ambiguity : str or Policy
+    rtol : float
+        Relative tolerance of one step.
+
+    Raises
+    ------
+    InvalidValue
+        Where a value is out of range, or a twist is given that the scene's effects determine.
+    """
+
+    scene: Scene
+    pusher: Pusher
+    duration: float
+    twist: Sequence[float] = (0.0, 0.0, 0.0)
+    gap: float = 0.0
+    on_ambiguity: Policy = Policy.KEEP_CONTACT
+    rtol: float = 1e-10
+
+    def __post_init__(self) -> None:
+        for name, kind in (("scene", Scene), ("pusher", Pusher)):
+            if not isinstance(getattr(self, name), kind):
+                raise InvalidValue(name, getattr(self, name), f"a {kind.__name__}", "construct one")
+        require_positive("duration", self.duration, "give the time to simulate")
+        require_number(
+            "gap", self.gap, lambda x: 0 <= x < math.inf, "a finite number >= 0",
+            "start on the fence or above it",
+        )  # fmt: skip
+        require_number(
+            "rtol", self.rtol, lambda x: 1e-13 <= x <= 1e-2, "a number in [1e-13, 1e-2]",
+            "choose a tolerance that double precision can hold",
+        )  # fmt: skip
+        object.__setattr__(self, "twist", _twist(self.twist))
+        object.__setattr__(self, "on_ambiguity", _policy(self.on_ambiguity))
+        if any(self.twist) and not self.has_inertia:
+            raise InvalidValue(
+                "twist", self.twist, "(0, 0, 0) for a scene without inertia",
+                "leave the twist out: the fence determines a quasi-static motion",
+            )  # fmt: skip
+
+    @property
+    def has_inertia(self) -> bool:
+        """Whether an effect stores energy, so that the twist is part of the state."""
+        return any(effect.degree == 2 for effect in self.scene.effects)
+
+
+def _twist(given: object) -> tuple[float, float, float]:
+    try:
+        twist = tuple(float(each) for each in given)  # type: ignore[attr-defined]
+    except (TypeError, ValueError):
+        twist = ()
+    if len(twist) != 3 or not all(map(math.isfinite, twist)):
+        raise InvalidValue("twist", given, "three finite numbers", "give (v_x, v_y, omega)")
+    return twist
+
+
+def _policy(given: object) -> Policy:
+    try:
+        return Policy(str(given))
+    except ValueError:
+        raise InvalidValue(
+            "on_ambiguity", given, ", ".join(Policy), "name one of these policies"
+        ) from None
