@@ -29,6 +29,8 @@ from .mechanics.errors import (
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solve import Solution, Solutions, solve
+from .simulation.pusher import Pusher
+from .simulation.simulate import simulate
 from .study.files import load_scene, save_scene
 from .study.store import open_dataset
 
@@ -44,6 +46,7 @@ __all__ = [
     "Outcome",
     "PerfectlyRough",
     "PlanarPushingError",
+    "Pusher",
     "RingFriction",
     "Scene",
     "Slider",
@@ -59,6 +62,7 @@ __all__ = [
     "motion_cone",
     "open_dataset",
     "save_scene",
+    "simulate",
     "slips_while_pushing",
     "solve",
     "spin_ratio",

@@ -52,8 +52,18 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     InvalidValue
         Where the scene has a law or an effect that scene files have no name for.
     """
+    content = scene_entry(scene, title)
+    SceneFile.model_validate(content)
+    with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
+        writer = YAML(typ="safe", pure=True)
+        writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]
+        writer.dump(content, stream)
+
+
+def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
+    """What a scene file of this scene holds; errors as in `save_scene`."""
     slider = scene.slider
-    content = {
+    return {
         "title": title,
         "slider": {
             "rod_length": float(slider.rod_length),
@@ -63,11 +73,6 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
         "contact": _contact_entry(scene),
         "effects": [_effect_entry(effect) for effect in scene.effects],
     }
-    SceneFile.model_validate(content)
-    with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
-        writer = YAML(typ="safe", pure=True)
-        writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]
-        writer.dump(content, stream)
 
 
 def _degrees(radians: float) -> float:

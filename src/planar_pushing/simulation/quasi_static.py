@@ -1,0 +1,252 @@
+"""Friction of the support alone: the fence's velocity and the rod angle settle the twist (Sec. 3).
+
+Each mode yields a `Flow`: rotation, motion of the contact over the fence and force. The state needs no
+twist, and the contact stays on the fence because the gap is part of the state.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.simulation.mode import SLACK, Cause, Entry, Guard, Mode, State
+from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.pusher import Segment
+from planar_pushing.simulation.record import NO_MODE, Record
+from planar_pushing.simulation.support import Support
+
+
+class Flow(NamedTuple):
+    """R omega, speed of the centre, velocity of the contact relative to the fence, force."""
+
+    spin: float = 0.0
+    speed: float = 0.0
+    slip: float = 0.0
+    rise: float = 0.0
+    force_x: float = 0.0
+    force_y: float = 0.0
+
+
+class QuasiStatic:
+    """The system of a scene whose effects are all of degree 1."""
+
+    def __init__(self, problem: Problem) -> None:
+        scene = problem.scene
+        self.problem = problem
+        self.support = Support(scene.scaled_effects)
+        self.count = len(scene.effects)
+        self.kinks = sorted({kink for effect in scene.effects for kink in effect.kinks})
+        self.radius, self.length = scene.slider.radius, scene.slider.length_ratio
+        angles = scene.contact.force_angles
+        self.middle, self.half = (angles.right + angles.left) / 2, angles.span / 2
+        self.edges = {ContactMode.SLIP_RIGHT: angles.left, ContactMode.SLIP_LEFT: angles.right}
+        self.slips = scene.contact.slips
+        self.segment = problem.pusher.segments(problem.duration)[0]
+
+    def initial(self) -> State:
+        slider, gap = self.problem.scene.slider, self.problem.gap
+        return [0.0, gap, slider.rod_angle, 0.0, -gap, 0.0, 0.0, 0.0, *([0.0] * self.count)]
+
+    def scales(self) -> list[float]:
+        lengths = self.radius * max(1.0, self.length)
+        weight = self.support.at(1.0, 0.0)[0]
+        size = [lengths, lengths, 1.0, lengths, lengths, lengths]
+        energies = [weight * lengths] * (2 + self.count)
+        return size + energies
+
+    def pace(self, time: float) -> float:
+        speed = math.hypot(*self.segment.velocity(time))
+        return self.radius * max(1.0, self.length) / speed if speed else math.inf
+
+    def enter(self, segment: Segment, state: State, mode: Mode | None) -> State:
+        self.segment = segment
+        return state
+
+    def modes(self, time: float, state: State) -> list[Mode]:
+        touching = state[Entry.GAP] <= SLACK * self.radius
+        found: list[Mode] = [Rest(self)]
+        moves = self.segment.velocity(time) != (0.0, 0.0)
+        if touching and (moves or not self.segment.constant):
+            found.append(Stick(self))
+            if self.slips:
+                found += [Slip(self, kind) for kind in self.edges]
+        return found
+
+    def after(self, cause: Cause, time: float, state: State) -> tuple[float, State]:
+        if cause is Cause.TOUCHES:
+            state[Entry.GAP] = 0.0
+        return time, state
+
+    def rates(self, time: float, flow: Flow) -> State:
+        """Derivative of the state under a flow."""
+        fence_x, fence_y = self.segment.velocity(time)
+        work = flow.force_x * fence_x + flow.force_y * fence_y
+        lost = -flow.force_x * flow.slip
+        rates = [flow.slip, flow.rise, flow.spin / self.radius, fence_x, fence_y]
+        # A rest over the fence is no slip of the contact.
+        slip = flow.slip if flow.rise == 0.0 and (flow.force_x or flow.force_y) else 0.0
+        if self.count == 1:
+            return [*rates, slip, lost, work, work - lost]
+        rest = flow.speed == 0.0 and flow.spin == 0.0
+        powers = [0.0] * self.count if rest else self.support.powers(flow.speed, flow.spin)
+        return [*rates, slip, lost, work, *powers]
+
+    def common_guards(self, time: float, state: State, flow: Flow) -> tuple[Guard, ...]:
+        """What every mode of contact watches: the ring's centre, kinks, and the fence's turns."""
+        guards = []
+        if self.length > 0:
+            guards.append(Guard(Cause.LIES, math.sin(state[Entry.ANGLE])))
+        for kink in self.kinks:
+            total = abs(flow.spin) + kink * flow.speed
+            off = abs(flow.spin) - kink * flow.speed
+            guards.append(Guard(Cause.KINK, off / total if total else 0.0, True))
+        if not self.segment.constant:
+            x, y = self.segment.velocity(time)
+            speed = math.hypot(x, y)
+            guards.append(Guard(Cause.CHOICE, y / speed if speed else 0.0, True))
+            guards.append(Guard(Cause.CHOICE, x / speed if speed else 0.0, True))
+        return tuple(guards)
+
+    def record(self, time: float, state: State, mode: Mode | None, solutions: int) -> Record:
+        flow = mode.flow(time, state) if isinstance(mode, (Rest, Stick, Slip)) else Flow()
+        along, gap, psi, fence_x, fence_y, slip, contact, work, *dissipated = state
+        e_x, e_y = math.cos(psi), math.sin(psi)
+        w_x, w_y = self.segment.velocity(time)
+        lever = self.length * flow.spin
+        twist = (w_x + flow.slip - lever * e_y, w_y + flow.rise + lever * e_x, flow.spin)
+        if flow.speed == 0.0:
+            twist = (0.0, 0.0, flow.spin)
+        reach = self.length * self.radius
+        ratio = _ratio(flow.spin, flow.speed)
+        return Record(
+            time=time,
+            position=(fence_x + along + reach * e_x, fence_y + gap + reach * e_y),
+            rod_angle=psi,
+            twist=twist,
+            fence=(fence_x, fence_y),
+            slip=slip,
+            gap=gap,
+            force=(flow.force_x, flow.force_y),
+            mode=NO_MODE if mode is None else int(mode.kind),
+            solutions=solutions,
+            spin_ratio=ratio,
+            dissipated=tuple(dissipated),
+            contact_dissipated=contact,
+            work=work,
+            kinetic_energy=0.0,
+            evaluations=(self.support.evaluations,) * self.count,
+        )
+
+
+def _ratio(spin: float, speed: float) -> float:
+    if spin == 0.0:
+        return 0.0
+    return spin / speed if speed > 0.0 else math.copysign(math.inf, spin)
+
+
+class Rest:
+    """No force and no motion; the fence is clear of the slider, or does not push it."""
+
+    kind = ContactMode.SEPARATE
+
+    def __init__(self, system: QuasiStatic) -> None:
+        self.system = system
+
+    def flow(self, time: float, state: State) -> Flow:
+        fence_x, fence_y = self.system.segment.velocity(time)
+        return Flow(slip=-fence_x, rise=-fence_y)
+
+    def rates(self, time: float, state: State) -> State:
+        return self.system.rates(time, self.flow(time, state))
+
+    def guards(self, time: float, state: State) -> tuple[Guard, ...]:
+        system = self.system
+        clear = Guard(Cause.TOUCHES, state[Entry.GAP] / system.radius)
+        if system.segment.constant:
+            return (clear,)
+        moves = state[Entry.GAP] <= SLACK and system.segment.velocity(time) != (0.0, 0.0)
+        return clear, Guard(Cause.CHOICE, 1.0 if moves else -1.0, True)
+
+
+class Stick:
+    """The contact moves with the fence, the force lies in the friction cone."""
+
+    kind = ContactMode.STICK
+
+    def __init__(self, system: QuasiStatic) -> None:
+        length = system.length
+        self.system = system
+        # The share of a nearly translating ring.
+        self.share = 2 * length**2 / (1 + 2 * length**2)
+
+    def flow(self, time: float, state: State) -> Flow:
+        system, psi = self.system, state[Entry.ANGLE]
+        fence_x, fence_y = system.segment.velocity(time)
+        e_x, e_y = math.cos(psi), math.sin(psi)
+        along, aside = fence_x * e_x + fence_y * e_y, fence_x * e_y - fence_y * e_x
+        if along == 0.0 and aside == 0.0:
+            return Flow()
+        motion = system.support.stick(along, aside, system.length, self.share)
+        self.share, spin, force_along, force_aside = motion
+        return Flow(
+            spin=spin,
+            speed=math.hypot(along, (1.0 - self.share) * aside),
+            force_x=force_along * e_x + force_aside * e_y,
+            force_y=force_along * e_y - force_aside * e_x,
+        )
+
+    def rates(self, time: float, state: State) -> State:
+        return self.system.rates(time, self.flow(time, state))
+
+    def guards(self, time: float, state: State) -> tuple[Guard, ...]:
+        system, flow = self.system, self.flow(time, state)
+        rest = flow.force_x == 0.0 and flow.force_y == 0.0
+        inside = -1.0 if rest else system.half - abs(math.atan2(flow.force_x, flow.force_y))
+        if system.half >= math.pi:
+            inside = 1.0
+        return Guard(Cause.LEAVES_CONE, inside), *system.common_guards(time, state, flow)
+
+
+class Slip:
+    """The contact moves over the fence, under a force on the opposite edge of the friction cone."""
+
+    def __init__(self, system: QuasiStatic, kind: ContactMode) -> None:
+        self.system, self.kind = system, kind
+        self.side = 1.0 if kind is ContactMode.SLIP_RIGHT else -1.0
+        edge = system.edges[kind]
+        self.edge = edge
+        # The edges of infinite friction lie along the fence, where no rounding may lift the force.
+        self.toward = math.cos(edge), 0.0 if edge in (0.0, math.pi) else math.sin(edge)
+        self.guess = 0.5
+
+    def flow(self, time: float, state: State) -> Flow:
+        system, psi = self.system, state[Entry.ANGLE]
+        fence_x, fence_y = system.segment.velocity(time)
+        e_x, e_y = math.cos(psi), math.sin(psi)
+        t_x, t_y = self.toward
+        arm = system.length * (e_y * t_x - e_x * t_y)
+        speed, spin = system.support.spin_ratio(arm, self.guess)
+        self.guess = speed if abs(arm) > 1.0 else abs(spin)
+        lever = system.length * spin
+        advance = speed * t_y - lever * e_x
+        if advance * fence_y <= 0.0:
+            return Flow(rise=-1.0)
+        scale = fence_y / advance
+        force = system.support.at(speed, spin)[0]
+        return Flow(
+            spin=scale * spin,
+            speed=scale * speed,
+            slip=scale * (speed * t_x + lever * e_y) - fence_x,
+            force_x=force * t_x,
+            force_y=force * t_y,
+        )
+
+    def rates(self, time: float, state: State) -> State:
+        return self.system.rates(time, self.flow(time, state))
+
+    def guards(self, time: float, state: State) -> tuple[Guard, ...]:
+        system, flow = self.system, self.flow(time, state)
+        pace = math.hypot(*system.segment.velocity(time))
+        slips = self.side * flow.slip / pace if flow.rise == 0.0 and pace else -1.0
+        return Guard(Cause.SLIP_ENDS, slips), *system.common_guards(time, state, flow)

@@ -1,0 +1,107 @@
+"""`simulate`: the motion of a pushed slider over time, as a log."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Sequence
+from typing import cast
+
+import numpy as np
+import xarray as xr
+from tqdm import tqdm
+
+from planar_pushing.mechanics.errors import InvalidValue, require_number
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.simulation import event_driven, log
+from planar_pushing.simulation.problem import Policy, Problem
+from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.record import Records
+from planar_pushing.simulation.stream import streaming
+
+METHODS = {"event-driven": event_driven.integrate}
+
+
+def simulate(
+    scene: Scene,
+    *,
+    pusher: Pusher,
+    duration: float,
+    method: str = "event-driven",
+    rtol: float = 1e-10,
+    on_ambiguity: str = Policy.KEEP_CONTACT,
+    twist: Sequence[float] = (0.0, 0.0, 0.0),
+    gap: float = 0.0,
+    samples: int = 101,
+    path: str | os.PathLike[str] | None = None,
+    progress: bool = False,
+) -> xr.Dataset:
+    """Simulate the slider under a moving fence, and log its motion.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its rod angle is the initial one; the contact starts on the fence, at the origin.
+    pusher : Pusher
+        The fence's velocity over time.
+    duration : float
+        Time to simulate, > 0.
+    method : {"event-driven"}
+    rtol : float
+        Relative tolerance of the motion.
+    on_ambiguity : {"keep-contact", "separate", "stay-in-mode"}
+        Which mode is taken where several are consistent: the contact that sticks before one that slips
+        before none; none first; or the mode so far, as long as it is consistent.
+    twist : (v_x, v_y, omega)
+        Initial twist at the ring centre, for a scene with inertia.
+    gap : float
+        Initial height of the contact above the fence.
+    samples : int
+        Number of evenly spaced instants in the log, >= 2; every event is logged besides.
+    path : path, optional
+        A file to which the log is streamed; memory then stays bounded, and the dataset that is returned
+        reads from the file.
+    progress : bool
+        Whether to show a progress bar.
+
+    Returns
+    -------
+    xarray.Dataset
+        One entry of each variable for each instant; angles in degrees. Where the motion could not be
+        continued the attribute `stopped` says why, and it is empty otherwise.
+
+    Raises
+    ------
+    InvalidValue
+        Where a value is not allowed.
+    InvalidFile
+        Where `path` cannot be written.
+    """
+    problem = Problem(
+        scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
+        on_ambiguity=cast(Policy, on_ambiguity), rtol=rtol,
+    )  # fmt: skip
+    if method not in METHODS:
+        raise InvalidValue("method", method, ", ".join(METHODS), "name one of these methods")
+    count = require_number(
+        "samples", samples, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
+        "ask at least for the first and the last instant",
+    )  # fmt: skip
+    times = np.linspace(0.0, duration, int(count)).tolist()
+    batches = _shown(METHODS[method](problem, times), duration, progress)
+    if path is None:
+        records = [record for batch in batches for record in batch]
+        return log.dataset(problem, method, records)
+    with streaming(path, problem, method) as stream:
+        for batch in batches:
+            stream.append(batch)
+        stream.end(batch[-1])
+    return xr.open_dataset(path, engine="h5netcdf")
+
+
+def _shown(batches: Records, duration: float, progress: bool) -> Records:
+    """The same batches, with a progress bar over the simulated time."""
+    with tqdm(total=duration, disable=not progress, unit="time", leave=False) as bar:
+        for batch in batches:
+            bar.update(batch[-1].time - bar.n)
+            yield batch

@@ -1,0 +1,81 @@
+"""A log that grows on disk: each batch of records is appended and flushed.
+
+A log is not written beside its place and moved there when complete, as datasets are: a run that is killed
+leaves what it has logged so far, with the attribute `finished` at 0.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import h5netcdf
+
+from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.simulation import log
+from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.record import Record
+
+PathLike = str | os.PathLike[str]
+#: Instants in a chunk of the file.
+CHUNK = 256
+
+
+class Stream:
+    """An open log; `append` writes a batch and flushes it."""
+
+    def __init__(self, file: h5netcdf.File) -> None:
+        self.file, self.length = file, 0
+
+    def append(self, records: list[Record]) -> None:
+        """Write records to the end of the log."""
+        values = log.arrays(records)
+        start, self.length = self.length, self.length + len(records)
+        self.file.resize_dimension("time", self.length)
+        for name, value in values.items():
+            self.file.variables[name][start : self.length] = value
+        self.file.flush()
+
+    def end(self, record: Record) -> None:
+        """Note that the run has ended, and with which record."""
+        self.file.attrs.update(log.ending(record))
+
+
+@contextmanager
+def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]:
+    """Open a new log at `path`.
+
+    Raises
+    ------
+    InvalidFile
+        Where the file cannot be written.
+    """
+    target = Path(path)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        file = h5netcdf.File(target, "w")
+    except OSError as error:
+        raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
+    with file:
+        _define(file, problem, method)
+        yield Stream(file)
+
+
+def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
+    coordinates = log.coordinates(problem.scene)
+    file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
+    file.attrs.update(log.attributes(problem, method) | {"finished": 0})
+    time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
+    time.attrs.update(log.TIME)
+    for name, labels in coordinates.items():
+        label = file.create_variable(name, (name,), h5netcdf.core.h5py.string_dtype())
+        label[:] = labels
+        label.attrs.update({"units": "1", "long_name": log.COORDINATES[name]})
+    for name, variable in log.VARIABLES.items():
+        dims = "time", *variable.dims
+        chunks = CHUNK, *(len(coordinates[dim]) for dim in variable.dims)
+        created = file.create_variable(name, dims, variable.dtype, chunks=chunks)
+        created.attrs.update(log.variable_attributes(name))
+    file.flush()
