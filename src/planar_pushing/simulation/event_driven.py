@@ -8,16 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
-from scipy.integrate import DOP853, DenseOutput
+from scipy.integrate import DenseOutput
 
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.guarding import Misjudged, Watcher
-from planar_pushing.simulation.mode import Cause, Mode, State, System
+from planar_pushing.simulation.inertial import Inertial
+from planar_pushing.simulation.mode import Cause, Inconsistent, Mode, State, System
 from planar_pushing.simulation.problem import Problem, preference
 from planar_pushing.simulation.pusher import Segment
 from planar_pushing.simulation.quasi_static import QuasiStatic
 from planar_pushing.simulation.record import Record, Records
+from planar_pushing.simulation.stepping import Singular, steps
 
 #: A margin this near to zero is judged by where it goes from there.
 NEAR = 1e-10
@@ -47,7 +48,8 @@ def integrate(problem: Problem, times: Sequence[float]) -> Records:
     times : sequence of float
         Increasing, within the duration.
     """
-    return EventDriven(problem, QuasiStatic(problem), times).run()
+    system = Inertial(problem) if problem.has_inertia else QuasiStatic(problem)
+    return EventDriven(problem, system, times).run()
 
 
 class EventDriven:
@@ -57,7 +59,6 @@ class EventDriven:
         self.problem, self.system = problem, system
         self.times, self.next = list(times), 0
         self.time, self.state = 0.0, system.initial()
-        self.tolerances = [step_tolerance(problem) * scale for scale in system.scales()]
         self.mode: Mode | None = None
         self.others: list[Mode] = []
         self.solutions = 0
@@ -68,8 +69,11 @@ class EventDriven:
     def run(self) -> Records:
         """Lists of records, in order of time."""
         for segment in self.problem.pusher.segments(self.problem.duration):
-            self.state = self.system.enter(segment, self.state, self.mode)
-            self._choose(segment, frozenset())
+            try:
+                self.state = self.system.enter(segment, self.state, self.mode)
+                self._choose(segment, frozenset())
+            except Inconsistent as error:
+                self._stop(str(error))
             self._log(self.time, self.state)
             for _ in self._through(segment):
                 if len(self.records) >= BATCH:
@@ -112,28 +116,29 @@ class EventDriven:
         """Integrate one mode; at its end time and state are those just after the event."""
         watcher = Watcher(mode, self.time)
         watcher.start(self.state)
-        solver = DOP853(
-            lambda t, y: mode.rates(t, y.tolist()), self.time, np.array(self.state), segment.end,
-            rtol=step_tolerance(self.problem), atol=self.tolerances,
-        )  # fmt: skip
-        while solver.status == "running":
-            solver.step()
-            if solver.status == "failed":
-                self._stop(f"the motion is singular in the mode {mode.kind.name}")
-                return
-            dense = solver.dense_output()
-            event = watcher.first_event(dense)
-            if event is not None:
-                self._samples(event[0], dense)
-                self._happened(*event, dense)
-                return
-            self._samples(solver.t, dense)
-            self.time, self.state = solver.t, solver.y.tolist()
-            yield
+        rtol = step_tolerance(self.problem)
+        try:
+            for time, state, dense in steps(
+                self.system, mode, self.time, self.state, segment.end, rtol
+            ):
+                event = watcher.first_event(dense)
+                if event is not None:
+                    self._samples(event[0], dense)
+                    self._happened(mode, *event, dense)
+                    return
+                self._samples(time, dense)
+                self.time, self.state = time, state
+                yield
+        except Singular:
+            self._stop(f"the motion is singular in the mode {mode.kind.name}")
 
-    def _happened(self, time: float, cause: Cause, dense: DenseOutput) -> None:
+    def _happened(self, mode: Mode, time: float, cause: Cause, dense: DenseOutput) -> None:
         state = dense(time).tolist()
-        self.time, self.state = self.system.after(cause, time, state)
+        self.time, self.state = time, state
+        try:
+            self.time, self.state = self.system.after(cause, time, state, mode)
+        except Inconsistent as error:
+            self._stop(str(error))
         if cause is Cause.LIES:
             self._stop(cause.value)
 

@@ -44,7 +44,12 @@ class Cause(Enum):
     STOPS = "the slider comes to rest"
     CHOICE = "another mode may have become consistent"
     KINK = "the response to the motion is not smooth here"
+    STARTS = "the fence begins to push a slider at rest"
     LIES = "the ring's centre comes down to the fence"
+
+
+class Inconsistent(Exception):
+    """There is no state after an event; the message says what is not consistent."""
 
 
 class Guard(NamedTuple):
@@ -61,6 +66,10 @@ class Mode(Protocol):
     @property
     def kind(self) -> ContactMode:
         """What the contact does."""
+        ...
+
+    def force(self, time: float, state: State) -> tuple[float, float]:
+        """Force of the fence on the slider."""
         ...
 
     def rates(self, time: float, state: State) -> State:
@@ -87,16 +96,26 @@ class System(Protocol):
         """Time in which the motion takes the slider about one length."""
         ...
 
+    def settling(self, time: float, state: State) -> float:
+        """Rate at which friction turns the twist towards its quasi-static direction; 0 without inertia."""
+        ...
+
     def enter(self, segment: Segment, state: State, mode: Mode | None) -> State:
-        """State just after the fence has taken up the motion of a segment."""
+        """State just after the fence has taken up the motion of a segment; errors as in `after`."""
         ...
 
     def modes(self, time: float, state: State) -> list[Mode]:
         """Modes whose conditions hold at this instant."""
         ...
 
-    def after(self, cause: Cause, time: float, state: State) -> tuple[float, State]:
-        """Time and state just after an event."""
+    def after(self, cause: Cause, time: float, state: State, mode: Mode) -> tuple[float, State]:
+        """Time and state just after an event that ends a mode.
+
+        Raises
+        ------
+        Inconsistent
+            Where there is no such state.
+        """
         ...
 
     def record(self, time: float, state: State, mode: Mode | None, solutions: int) -> Record:

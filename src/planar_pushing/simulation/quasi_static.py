@@ -13,7 +13,8 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.mode import SLACK, Cause, Entry, Guard, Mode, State
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Segment
-from planar_pushing.simulation.record import NO_MODE, Record
+from planar_pushing.simulation.record import NO_MODE, Record, spin_ratio
+from planar_pushing.simulation.setting import Vector, setting
 from planar_pushing.simulation.support import Support
 
 
@@ -37,11 +38,7 @@ class QuasiStatic:
         self.support = Support(scene.scaled_effects)
         self.count = len(scene.effects)
         self.kinks = sorted({kink for effect in scene.effects for kink in effect.kinks})
-        self.radius, self.length = scene.slider.radius, scene.slider.length_ratio
-        angles = scene.contact.force_angles
-        self.middle, self.half = (angles.right + angles.left) / 2, angles.span / 2
-        self.edges = {ContactMode.SLIP_RIGHT: angles.left, ContactMode.SLIP_LEFT: angles.right}
-        self.slips = scene.contact.slips
+        self.setting = setting(scene)
         self.segment = problem.pusher.segments(problem.duration)[0]
 
     def initial(self) -> State:
@@ -49,7 +46,7 @@ class QuasiStatic:
         return [0.0, gap, slider.rod_angle, 0.0, -gap, 0.0, 0.0, 0.0, *([0.0] * self.count)]
 
     def scales(self) -> list[float]:
-        lengths = self.radius * max(1.0, self.length)
+        lengths = self.setting.radius * max(1.0, self.setting.length)
         weight = self.support.at(1.0, 0.0)[0]
         size = [lengths, lengths, 1.0, lengths, lengths, lengths]
         energies = [weight * lengths] * (2 + self.count)
@@ -57,23 +54,26 @@ class QuasiStatic:
 
     def pace(self, time: float) -> float:
         speed = math.hypot(*self.segment.velocity(time))
-        return self.radius * max(1.0, self.length) / speed if speed else math.inf
+        return self.setting.radius * max(1.0, self.setting.length) / speed if speed else math.inf
+
+    def settling(self, time: float, state: State) -> float:
+        return 0.0
 
     def enter(self, segment: Segment, state: State, mode: Mode | None) -> State:
         self.segment = segment
         return state
 
     def modes(self, time: float, state: State) -> list[Mode]:
-        touching = state[Entry.GAP] <= SLACK * self.radius
+        touching = state[Entry.GAP] <= SLACK * self.setting.radius
         found: list[Mode] = [Rest(self)]
         moves = self.segment.velocity(time) != (0.0, 0.0)
         if touching and (moves or not self.segment.constant):
             found.append(Stick(self))
-            if self.slips:
-                found += [Slip(self, kind) for kind in self.edges]
+            if self.setting.slips:
+                found += [Slip(self, kind) for kind in self.setting.edges]
         return found
 
-    def after(self, cause: Cause, time: float, state: State) -> tuple[float, State]:
+    def after(self, cause: Cause, time: float, state: State, mode: Mode) -> tuple[float, State]:
         if cause is Cause.TOUCHES:
             state[Entry.GAP] = 0.0
         return time, state
@@ -83,7 +83,7 @@ class QuasiStatic:
         fence_x, fence_y = self.segment.velocity(time)
         work = flow.force_x * fence_x + flow.force_y * fence_y
         lost = -flow.force_x * flow.slip
-        rates = [flow.slip, flow.rise, flow.spin / self.radius, fence_x, fence_y]
+        rates = [flow.slip, flow.rise, flow.spin / self.setting.radius, fence_x, fence_y]
         # A rest over the fence is no slip of the contact.
         slip = flow.slip if flow.rise == 0.0 and (flow.force_x or flow.force_y) else 0.0
         if self.count == 1:
@@ -95,7 +95,7 @@ class QuasiStatic:
     def common_guards(self, time: float, state: State, flow: Flow) -> tuple[Guard, ...]:
         """What every mode of contact watches: the ring's centre, kinks, and the fence's turns."""
         guards = []
-        if self.length > 0:
+        if self.setting.length > 0:
             guards.append(Guard(Cause.LIES, math.sin(state[Entry.ANGLE])))
         for kink in self.kinks:
             total = abs(flow.spin) + kink * flow.speed
@@ -113,12 +113,12 @@ class QuasiStatic:
         along, gap, psi, fence_x, fence_y, slip, contact, work, *dissipated = state
         e_x, e_y = math.cos(psi), math.sin(psi)
         w_x, w_y = self.segment.velocity(time)
-        lever = self.length * flow.spin
+        lever = self.setting.length * flow.spin
         twist = (w_x + flow.slip - lever * e_y, w_y + flow.rise + lever * e_x, flow.spin)
         if flow.speed == 0.0:
             twist = (0.0, 0.0, flow.spin)
-        reach = self.length * self.radius
-        ratio = _ratio(flow.spin, flow.speed)
+        reach = self.setting.length * self.setting.radius
+        ratio = spin_ratio(flow.spin, flow.speed)
         return Record(
             time=time,
             position=(fence_x + along + reach * e_x, fence_y + gap + reach * e_y),
@@ -139,12 +139,6 @@ class QuasiStatic:
         )
 
 
-def _ratio(spin: float, speed: float) -> float:
-    if spin == 0.0:
-        return 0.0
-    return spin / speed if speed > 0.0 else math.copysign(math.inf, spin)
-
-
 class Rest:
     """No force and no motion; the fence is clear of the slider, or does not push it."""
 
@@ -157,12 +151,16 @@ class Rest:
         fence_x, fence_y = self.system.segment.velocity(time)
         return Flow(slip=-fence_x, rise=-fence_y)
 
+    def force(self, time: float, state: State) -> Vector:
+        flow = self.flow(time, state)
+        return flow.force_x, flow.force_y
+
     def rates(self, time: float, state: State) -> State:
         return self.system.rates(time, self.flow(time, state))
 
     def guards(self, time: float, state: State) -> tuple[Guard, ...]:
         system = self.system
-        clear = Guard(Cause.TOUCHES, state[Entry.GAP] / system.radius)
+        clear = Guard(Cause.TOUCHES, state[Entry.GAP] / system.setting.radius)
         if system.segment.constant:
             return (clear,)
         moves = state[Entry.GAP] <= SLACK and system.segment.velocity(time) != (0.0, 0.0)
@@ -175,7 +173,7 @@ class Stick:
     kind = ContactMode.STICK
 
     def __init__(self, system: QuasiStatic) -> None:
-        length = system.length
+        length = system.setting.length
         self.system = system
         # The share of a nearly translating ring.
         self.share = 2 * length**2 / (1 + 2 * length**2)
@@ -187,7 +185,7 @@ class Stick:
         along, aside = fence_x * e_x + fence_y * e_y, fence_x * e_y - fence_y * e_x
         if along == 0.0 and aside == 0.0:
             return Flow()
-        motion = system.support.stick(along, aside, system.length, self.share)
+        motion = system.support.stick(along, aside, system.setting.length, self.share)
         self.share, spin, force_along, force_aside = motion
         return Flow(
             spin=spin,
@@ -196,15 +194,17 @@ class Stick:
             force_y=force_along * e_y - force_aside * e_x,
         )
 
+    def force(self, time: float, state: State) -> Vector:
+        flow = self.flow(time, state)
+        return flow.force_x, flow.force_y
+
     def rates(self, time: float, state: State) -> State:
         return self.system.rates(time, self.flow(time, state))
 
     def guards(self, time: float, state: State) -> tuple[Guard, ...]:
         system, flow = self.system, self.flow(time, state)
-        rest = flow.force_x == 0.0 and flow.force_y == 0.0
-        inside = -1.0 if rest else system.half - abs(math.atan2(flow.force_x, flow.force_y))
-        if system.half >= math.pi:
-            inside = 1.0
+        rests = flow.force_x == 0.0 and flow.force_y == 0.0
+        inside = -1.0 if rests else system.setting.holds(flow.force_x, flow.force_y, 0.0)
         return Guard(Cause.LEAVES_CONE, inside), *system.common_guards(time, state, flow)
 
 
@@ -214,10 +214,7 @@ class Slip:
     def __init__(self, system: QuasiStatic, kind: ContactMode) -> None:
         self.system, self.kind = system, kind
         self.side = 1.0 if kind is ContactMode.SLIP_RIGHT else -1.0
-        edge = system.edges[kind]
-        self.edge = edge
-        # The edges of infinite friction lie along the fence, where no rounding may lift the force.
-        self.toward = math.cos(edge), 0.0 if edge in (0.0, math.pi) else math.sin(edge)
+        self.toward = system.setting.edges[kind]
         self.guess = 0.5
 
     def flow(self, time: float, state: State) -> Flow:
@@ -225,10 +222,10 @@ class Slip:
         fence_x, fence_y = system.segment.velocity(time)
         e_x, e_y = math.cos(psi), math.sin(psi)
         t_x, t_y = self.toward
-        arm = system.length * (e_y * t_x - e_x * t_y)
+        arm = system.setting.length * (e_y * t_x - e_x * t_y)
         speed, spin = system.support.spin_ratio(arm, self.guess)
         self.guess = speed if abs(arm) > 1.0 else abs(spin)
-        lever = system.length * spin
+        lever = system.setting.length * spin
         advance = speed * t_y - lever * e_x
         if advance * fence_y <= 0.0:
             return Flow(rise=-1.0)
@@ -241,6 +238,10 @@ class Slip:
             force_x=force * t_x,
             force_y=force * t_y,
         )
+
+    def force(self, time: float, state: State) -> Vector:
+        flow = self.flow(time, state)
+        return flow.force_x, flow.force_y
 
     def rates(self, time: float, state: State) -> State:
         return self.system.rates(time, self.flow(time, state))

@@ -6,6 +6,7 @@ only after a record whose `stopped` says why.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -78,3 +79,10 @@ class Record(NamedTuple):
 
 
 Records = Iterator[list[Record]]
+
+
+def spin_ratio(spin: float, speed: float) -> float:
+    """Spin ratio R omega / v, 0 at rest."""
+    if spin == 0.0:
+        return 0.0
+    return spin / speed if speed > 0.0 else math.copysign(math.inf, spin)

@@ -1,0 +1,321 @@
+"""Inertia, with or without friction of the support: the twist is part of the state.
+
+It is kept as the velocity (r_t, r_n) of the contact over the fence and the rotation R omega, so that a
+contact that sticks has no relative velocity at all, and one that slips no normal one.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import NamedTuple
+
+from planar_pushing.mechanics import response
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.simulation.contact_inertia import (
+    ContactInertia,
+    contact_inertia,
+    impulses,
+)
+from planar_pushing.simulation.inertial_modes import Free, Rest, Slide, Stick
+from planar_pushing.simulation.mode import SLACK, Cause, Entry, Inconsistent, Mode, State
+from planar_pushing.simulation.problem import Problem, preference
+from planar_pushing.simulation.pusher import Segment
+from planar_pushing.simulation.record import NO_MODE, Record, spin_ratio
+from planar_pushing.simulation.setting import Vector, setting
+from planar_pushing.simulation.support import Support
+
+#: Below this part of the typical speed a slider that starts moves in its impending direction.
+NO_DIRECTION = 1e-9
+SAMPLES = 65
+
+
+class Instant(NamedTuple):
+    """What the forces at one instant follow from.
+
+    Attributes
+    ----------
+    velocity : (v_x, v_y)
+        Of the ring centre.
+    fence, turn : (x, y)
+        Velocity and acceleration of the fence.
+    free : (x, y)
+        Acceleration of the contact without a contact force, relative to that of the fence.
+    resistance : (f_x, f_y, torque)
+        Friction on the support.
+    powers : tuple of float
+        What each effect of degree 1 dissipates.
+    inertia : ContactInertia
+    """
+
+    velocity: Vector
+    fence: Vector
+    turn: Vector
+    free: Vector
+    resistance: tuple[float, float, float]
+    powers: tuple[float, ...]
+    inertia: ContactInertia
+
+
+class Inertial:
+    """The system of a scene with an effect of degree 2."""
+
+    def __init__(self, problem: Problem) -> None:
+        effects = problem.scene.scaled_effects
+        rubbing = response.of_degree(effects, 1)
+        self.problem, self.setting = problem, setting(problem.scene)
+        self.support = Support(rubbing) if rubbing else None
+        self.count = len(rubbing)
+        self.at = len(Entry) + self.count
+        self.weight = float(response.profile(rubbing, 0.0)[0]) if rubbing else 0.0
+        segments = problem.pusher.segments(problem.duration)
+        self.segment = segments[0]
+        self.fence: Vector = (0.0, 0.0)
+        self.speed = self._typical_speed(segments)
+        self.instants = 0
+        mass, radius = self.setting.mass, self.setting.radius
+        self.force = mass * self.speed**2 / radius + self.weight
+
+    def _typical_speed(self, segments: tuple[Segment, ...]) -> float:
+        speeds = [math.hypot(*self.problem.twist[:2])]
+        speeds.append(abs(self.problem.twist[2]) * self.setting.radius)
+        for segment in segments:
+            parts = (0.0,) if segment.constant else tuple(i / SAMPLES for i in range(SAMPLES + 1))
+            span = segment.end - segment.start
+            speeds += [math.hypot(*segment.velocity(segment.start + p * span)) for p in parts]
+        return max(speeds) or 1.0
+
+    def initial(self) -> State:
+        psi, gap = self.problem.scene.slider.rod_angle, self.problem.gap
+        v_x, v_y, omega = self.problem.twist
+        spin = omega * self.setting.radius
+        lever = self.setting.length * spin
+        contact = v_x + lever * math.sin(psi), v_y - lever * math.cos(psi)
+        return [0.0, gap, psi, 0.0, -gap, 0.0, 0.0, 0.0, *([0.0] * self.count), *contact, spin]
+
+    def scales(self) -> list[float]:
+        lengths = self.setting.radius * max(1.0, self.setting.length)
+        energy = self.force * lengths
+        size = [lengths, lengths, 1.0, lengths, lengths, lengths]
+        return size + [energy] * (2 + self.count) + [0.01 * self.speed] * 3
+
+    def pace(self, time: float) -> float:
+        pace = self.setting.radius * max(1.0, self.setting.length) / self.speed
+        return min(pace, self.setting.mass * self.speed / self.weight) if self.weight else pace
+
+    def settling(self, time: float, state: State) -> float:
+        size = self._size(time, state)
+        return self.weight / (self.setting.mass * max(size, NO_DIRECTION * self.speed))
+
+    def _size(self, time: float, state: State) -> float:
+        """Speed of the centre and of the rotation together."""
+        own, at, psi = self.setting, self.at, state[Entry.ANGLE]
+        fence, spin = self.segment.velocity(time), state[at + 2]
+        lever = own.length * spin
+        v_x = fence[0] + state[at] - lever * math.sin(psi)
+        v_y = fence[1] + state[at + 1] + lever * math.cos(psi)
+        return math.hypot(v_x, v_y) + abs(spin)
+
+    def instant(self, time: float, state: State, impending: tuple[float, ...]) -> Instant:
+        """Everything at an instant that the contact force does not change."""
+        own, at, psi = self.setting, self.at, state[Entry.ANGLE]
+        along, rise, spin = state[at], state[at + 1], state[at + 2]
+        fence, turn = self.segment.velocity(time), self.segment.acceleration(time)
+        e_x, e_y = math.cos(psi), math.sin(psi)
+        lever = own.length * spin
+        velocity = fence[0] + along - lever * e_y, fence[1] + rise + lever * e_x
+        resistance, powers = self._resistance(velocity, spin, impending)
+        pull = own.length * spin * spin / own.radius
+        swing = -own.length * resistance[2] / own.moment
+        free = (
+            -resistance[0] / own.mass + swing * e_y + pull * e_x - turn[0],
+            -resistance[1] / own.mass - swing * e_x + pull * e_y - turn[1],
+        )
+        inertia = contact_inertia(own, psi)
+        return Instant(velocity, fence, turn, free, resistance, powers, inertia)
+
+    def _resistance(
+        self, velocity: Vector, spin: float, impending: tuple[float, ...]
+    ) -> tuple[tuple[float, float, float], tuple[float, ...]]:
+        """Friction on the support along the motion, or along the impending one from rest."""
+        self.instants += 1
+        if self.support is None:
+            return (0.0, 0.0, 0.0), ()
+        v_x, v_y = velocity
+        speed = math.sqrt(v_x * v_x + v_y * v_y)
+        starts = any(impending) and speed + abs(spin) <= NO_DIRECTION * self.speed
+        if starts:
+            v_x, v_y, spin = impending
+            speed = math.hypot(v_x, v_y)
+        if speed == 0.0 and spin == 0.0:
+            return (0.0, 0.0, 0.0), (0.0,) * self.count
+        force, torque, _ = self.support.at(speed, spin)
+        part = force / speed if speed else 0.0
+        resistance = part * v_x, part * v_y, torque
+        if starts:
+            return resistance, (0.0,) * self.count
+        if self.count == 1:
+            return resistance, (force * speed + torque * spin,)
+        return resistance, self.support.powers(speed, spin)
+
+    def is_at_rest(self, time: float, state: State) -> bool:
+        """Whether friction holds a slider that does not move."""
+        return self.support is not None and self._size(time, state) <= NO_DIRECTION * self.speed
+
+    def touches(self, state: State) -> bool:
+        """Whether the contact is on the fence and does not leave it."""
+        near = state[Entry.GAP] <= SLACK * self.setting.radius
+        return near and abs(state[self.at + 1]) <= SLACK * self.speed
+
+    def modes(self, time: float, state: State) -> list[Mode]:
+        rests = self.is_at_rest(time, state)
+        if not self.touches(state):
+            return [Rest(self, touching=False) if rests else Free(self)]
+        if rests:
+            return self._from_rest(time, state)
+        found: list[Mode] = []
+        rises = self.instant(time, state, (0.0, 0.0, 0.0)).free[1]
+        if rises >= -SLACK * self.force / self.setting.mass:
+            found.append(Free(self))
+        slip = state[self.at]
+        if abs(slip) <= SLACK * self.speed:
+            found.append(Stick(self))
+            slip = 0.0
+        if self.setting.slips:
+            sides = {ContactMode.SLIP_RIGHT: 1.0, ContactMode.SLIP_LEFT: -1.0}
+            found += [Slide(self, kind) for kind, side in sides.items() if side * slip >= 0.0]
+        return found
+
+    def _from_rest(self, time: float, state: State) -> list[Mode]:
+        """Modes in which a slider at rest may start: those of `solve`, with their impending motion."""
+        turn, slip = self.segment.acceleration(time), state[self.at]
+        size = math.hypot(*turn)
+        if abs(slip) > SLACK * self.speed or size == 0.0:
+            return [Rest(self, touching=True)]
+        scene = self.problem.scene
+        angle = state[Entry.ANGLE] % (2 * math.pi) if self.setting.length else math.pi / 2
+        slider = replace(scene.slider, rod_angle=angle)
+        found: list[Mode] = []
+        for each in solve(replace(scene, slider=slider), math.atan2(turn[1], turn[0]), size):
+            impending = each.twist[0], each.twist[1], each.twist[2] * slider.radius
+            start = tuple(float(part) for part in impending)
+            match each.mode:
+                case ContactMode.SEPARATE:
+                    found.append(Rest(self, touching=True))
+                case ContactMode.STICK:
+                    found.append(Stick(self, start))
+                case kind:
+                    found.append(Slide(self, kind, start))
+        return found
+
+    def enter(self, segment: Segment, state: State, mode: Mode | None) -> State:
+        """Take up a new motion of the fence; a jump of its velocity is an impact on what it touches."""
+        before, self.segment = self.fence, segment
+        now = segment.velocity(segment.start)
+        at = self.at
+        jump = (before[0] - now[0], before[1] - now[1])
+        state = [*state]
+        state[at], state[at + 1] = state[at] + jump[0], state[at + 1] + jump[1]
+        end = segment.velocity(segment.end)
+        self.fence = end
+        if state[Entry.GAP] <= SLACK * self.setting.radius and jump != (0.0, 0.0):
+            self._impact(segment.start, state, mode)
+        return state
+
+    def _impact(self, time: float, state: State, mode: Mode | None) -> None:
+        """Change the twist by an inelastic impulse that the contact law admits."""
+        at, own, psi = self.at, self.setting, state[Entry.ANGLE]
+        before = state[at], state[at + 1]
+        slack = SLACK * self.speed
+        if max(map(abs, before)) <= slack:
+            state[at], state[at + 1] = 0.0, 0.0
+            return
+        inertia = contact_inertia(own, psi)
+        found = impulses(own, inertia, before, slack)
+        if not found:
+            raise Inconsistent("no impulse at the contact is consistent")
+        order = preference(self.problem.on_ambiguity, None if mode is None else mode.kind)
+        _, impulse, after = min(found, key=lambda each: order.index(each.kind))
+        torque = own.length * (impulse[0] * math.sin(psi) - impulse[1] * math.cos(psi))
+        state[at], state[at + 1] = after
+        state[at + 2] += torque / own.moment
+        fence = self.segment.velocity(time)
+        state[Entry.WORK] += impulse[0] * fence[0] + impulse[1] * fence[1]
+        means = (before[0] + after[0]) / 2, (before[1] + after[1]) / 2
+        state[Entry.CONTACT] -= impulse[0] * means[0] + impulse[1] * means[1]
+
+    def after(self, cause: Cause, time: float, state: State, mode: Mode) -> tuple[float, State]:
+        at = self.at
+        match cause:
+            case Cause.TOUCHES:
+                state[Entry.GAP] = 0.0
+                self._impact(time, state, mode)
+            case Cause.SLIP_ENDS:
+                state[at] = 0.0
+            case Cause.STOPS:
+                return self._stopped(time, state, mode)
+            case Cause.STARTS:
+                state[Entry.GAP] = 0.0
+                state[at], state[at + 1] = 0.0, 0.0
+        return time, state
+
+    def _stopped(self, time: float, state: State, mode: Mode) -> tuple[float, State]:
+        """Finish a motion that dies out: speeds fall in proportion to the time that is left.
+
+        The energy then falls with its square, and everything moves on at half its present rate.
+        """
+        energy, rates = self.kinetic_energy(time, state), mode.rates(time, state)
+        lost = sum(rates[Entry.CONTACT : self.at]) - 2 * rates[Entry.WORK]
+        if lost <= 0.0:
+            return time, state
+        left = min(2 * energy / lost, self.segment.end - time)
+        fence = self.segment.velocity(time)
+        last = self.segment.velocity(time + left)
+        for entry in range(self.at):
+            state[entry] += rates[entry] * left / 2
+        for i, entry in enumerate((Entry.FENCE_X, Entry.FENCE_Y)):
+            state[entry] += fence[i] * left / 2
+            state[Entry.ALONG + i] -= fence[i] * left / 2
+        if self.touches(state):
+            state[Entry.GAP] = 0.0
+        state[self.at :] = [-last[0], -last[1], 0.0]
+        return time + left, state
+
+    def kinetic_energy(self, time: float, state: State) -> float:
+        """Of the slider."""
+        own = self.setting
+        velocity = self.instant(time, state, (0.0, 0.0, 0.0)).velocity
+        spin = state[self.at + 2]
+        total = own.mass * (velocity[0] ** 2 + velocity[1] ** 2) + own.moment * spin**2
+        return total / 2
+
+    def record(self, time: float, state: State, mode: Mode | None, solutions: int) -> Record:
+        now = self.instant(time, state, (0.0, 0.0, 0.0))
+        along, gap, psi, fence_x, fence_y, slip, contact, work = state[: len(Entry)]
+        dissipated, spin = state[len(Entry) : self.at], state[self.at + 2]
+        reach = self.setting.length * self.setting.radius
+        rubbing = iter(dissipated)
+        effects = self.problem.scene.effects
+        evaluations = {1: self.support.evaluations if self.support else 0, 2: self.instants}
+        return Record(
+            time=time,
+            position=(
+                fence_x + along + reach * math.cos(psi),
+                fence_y + gap + reach * math.sin(psi),
+            ),
+            rod_angle=psi,
+            twist=(*now.velocity, spin),
+            fence=(fence_x, fence_y),
+            slip=slip,
+            gap=gap,
+            force=mode.force(time, state) if mode else (0.0, 0.0),
+            mode=NO_MODE if mode is None else int(mode.kind),
+            solutions=solutions,
+            spin_ratio=spin_ratio(spin, math.hypot(*now.velocity)),
+            dissipated=tuple(next(rubbing) if e.degree == 1 else 0.0 for e in effects),
+            contact_dissipated=contact,
+            work=work,
+            kinetic_energy=self.kinetic_energy(time, state),
+            evaluations=tuple(evaluations[effect.degree] for effect in effects),
+        )
