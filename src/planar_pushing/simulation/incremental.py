@@ -57,6 +57,11 @@ class Step(NamedTuple):
 class Increment(Protocol):
     """The steps of a scene with one set of effects."""
 
+    @property
+    def evaluations(self) -> int:
+        """How often the inertia was evaluated."""
+        ...
+
     def free(self, step: Step) -> Twist:
         """Twist after a step without contact force."""
         ...
@@ -137,6 +142,7 @@ class QuasiStaticIncrement:
         self.support, self.length = support, length
         self.share = 2 * length**2 / (1 + 2 * length**2)
         self.guesses = dict.fromkeys(ContactMode, 0.5)
+        self.evaluations = 0
 
     def free(self, step: Step) -> Twist:
         return REST

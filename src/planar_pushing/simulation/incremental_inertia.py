@@ -12,10 +12,10 @@ import itertools
 import math
 
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.simulation.energies import Energies
 from planar_pushing.simulation.incremental import REST, SLACK, Step, Trial, Twist, contact_motion
 from planar_pushing.simulation.pusher import Vector
 from planar_pushing.simulation.scalar_root import bracketed, safe_newton
-from planar_pushing.simulation.support import Support
 
 #: Parts into which the range of a slip's impulse is cut; two roots in one part go unseen.
 PARTS = 6
@@ -28,17 +28,16 @@ class InertialIncrement:
 
     Parameters
     ----------
-    support : Support or None
-        The friction, None without.
-    inertia : (mass, moment)
-        The moment over the radius squared.
+    energies : Energies
+        The friction and the inertia.
     length : float
         Rod length in radii.
     """
 
-    def __init__(self, support: Support | None, inertia: tuple[float, float], length: float) -> None:
+    def __init__(self, energies: Energies, length: float) -> None:
+        support = energies.support if energies.friction else None
         self.support, self.length = support, length
-        self.mass, self.moment = inertia
+        self.mass, self.moment = energies.mass, energies.moment
         self.evaluations, self.angle = 0, math.pi / 4
         self.weights = (support.at(1.0, 0.0)[0], support.at(0.0, 1.0)[1]) if support else (0.0, 0.0)
 
@@ -187,7 +186,9 @@ class InertialIncrement:
             sizes = [low, high]
         values = [excess(size) for size in sizes]
         found = []
-        for (a, b), (f, g) in zip(itertools.pairwise(sizes), itertools.pairwise(values), strict=True):
+        for (a, b), (f, g) in zip(
+            itertools.pairwise(sizes), itertools.pairwise(values), strict=True
+        ):
             if (f < 0.0) != (g < 0.0):
                 size = bracketed(excess, a, b, f, g)
                 found.append(Trial(mode, motion(size), (size * force[0], size * force[1])))

@@ -14,9 +14,8 @@ from collections.abc import Iterator, Sequence
 
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.errors import require_positive
-from planar_pushing.mechanics.response import of_degree
+from planar_pushing.simulation.energies import Energies
 from planar_pushing.simulation.incremental import (
-    REST,
     Contact,
     Increment,
     QuasiStaticIncrement,
@@ -30,7 +29,6 @@ from planar_pushing.simulation.mode import Cause
 from planar_pushing.simulation.problem import Problem, preference
 from planar_pushing.simulation.pusher import Segment, Vector
 from planar_pushing.simulation.record import NO_MODE, Record, Records
-from planar_pushing.simulation.support import Support
 
 #: Steps of a run whose step is not given.
 STEPS = 1000
@@ -48,7 +46,8 @@ def integrate(problem: Problem, times: Sequence[float], step: float | None = Non
     problem : Problem
         Its tolerance has no part in this method.
     times : sequence of float
-        Increasing, within the duration. The records hold these times and every change of mode.
+        Increasing, within the duration. The records hold these times and every change of mode or of
+        the number of consistent ones.
     step : float, optional
         Greatest length of a step; a thousandth of the duration by default. The error is proportional
         to it.
@@ -77,14 +76,11 @@ class TimeStepping:
     def __init__(self, problem: Problem) -> None:
         scene, slider = problem.scene, problem.scene.slider
         self.problem, self.radius, self.length = problem, slider.radius, slider.length_ratio
-        friction = of_degree(scene.scaled_effects, 1)
-        self.friction = [i for i, e in enumerate(scene.effects) if e.degree == 1]
-        self.support = Support(friction)
-        self.inertia = _inertia(problem)
+        self.energies = Energies(scene.scaled_effects)
         self.increment: Increment = (
-            InertialIncrement(self.support if friction else None, self.inertia, self.length)
-            if self.inertia
-            else QuasiStaticIncrement(self.support, self.length)
+            InertialIncrement(self.energies, self.length)
+            if problem.has_inertia
+            else QuasiStaticIncrement(self.energies.support, self.length)
         )
         self.contact = Contact(scene.contact, self.length)
         self.time, self.along, self.gap, self.slip = 0.0, 0.0, problem.gap, 0.0
@@ -93,7 +89,6 @@ class TimeStepping:
         self.twist: Twist = (v_x, v_y, self.radius * omega)
         self.mode: ContactMode | None = None
         self.solutions, self.force, self.stopped = 0, (0.0, 0.0), ""
-        self.work, self.lost, self.dissipated = 0.0, 0.0, [0.0] * len(scene.effects)
         self.records: list[Record] = []
 
     def run(self, times: Sequence[float], size: float) -> Records:
@@ -138,14 +133,14 @@ class TimeStepping:
             self.mode, self.solutions, self.force = None, 0, (0.0, 0.0)
             self.stopped = "no contact mode is consistent"
             return
-        first = previous is None
+        changes = chosen.mode is not previous or len(trials) != self.solutions
         self.mode, self.solutions = chosen.mode, len(trials)
         self.force = chosen.impulse[0] / h, chosen.impulse[1] / h
-        if first and not self.problem.has_inertia:
+        if not self.problem.has_inertia:
             self.twist = chosen.twist
-        if chosen.mode is not previous:
+        if changes:
             self._log()
-        self._account(chosen, (moved[0] / h, moved[1] / h), h)
+        self.energies.account(chosen, self.twist, moved, h)
         self._move(chosen, moved, h)
         self.time = until
         if self.length > 0 and self.gap + self.length * self.radius * math.sin(self.rod_angle) <= 0:
@@ -156,27 +151,6 @@ class TimeStepping:
         order = preference(self.problem.on_ambiguity, self.mode)
         key = lambda trial: (order.index(trial.mode), math.hypot(*trial.impulse))  # noqa: E731
         return min(trials, key=key, default=None)
-
-    def _account(self, trial: Trial, fence: Vector, h: float) -> None:
-        """Work of the fence, and the energies that it becomes."""
-        work = trial.impulse[0] * fence[0] + trial.impulse[1] * fence[1]
-        gained = self._kinetic(trial.twist) - self._kinetic(self.twist) if self.inertia else 0.0
-        v_x, v_y, spin = trial.twist
-        powers = [0.0] * len(self.friction)
-        if trial.twist != REST and self.friction:
-            powers = list(self.support.powers(math.hypot(v_x, v_y), spin))
-        self.work += work
-        rest = work - gained - h * sum(powers)
-        flight = trial.impulse == (0.0, 0.0) and sum(powers) > 0.0
-        share = 1.0 + rest / (h * sum(powers)) if flight else 1.0
-        for index, power in zip(self.friction, powers, strict=True):
-            self.dissipated[index] += share * h * power
-        self.lost += 0.0 if flight else rest
-
-    def _kinetic(self, twist: Twist) -> float:
-        assert self.inertia is not None
-        mass, moment = self.inertia
-        return (mass * (twist[0] ** 2 + twist[1] ** 2) + moment * twist[2] ** 2) / 2
 
     def _move(self, trial: Trial, moved: Vector, h: float) -> None:
         """Take the slider and the fence to the end of the step."""
@@ -215,32 +189,17 @@ class TimeStepping:
                 mode=NO_MODE if self.mode is None else int(self.mode),
                 solutions=self.solutions,
                 spin_ratio=_ratio(spin, speed),
-                dissipated=tuple(self.dissipated),
-                contact_dissipated=self.lost,
-                work=self.work,
-                kinetic_energy=self._kinetic(self.twist) if self.inertia else 0.0,
-                evaluations=self._evaluations(),
+                dissipated=tuple(self.energies.dissipated),
+                contact_dissipated=self.energies.lost,
+                work=self.energies.work,
+                kinetic_energy=self.energies.kinetic(self.twist),
+                evaluations=self.energies.evaluations(self.increment.evaluations),
                 stopped=self.stopped,
             )
         )
-
-    def _evaluations(self) -> tuple[int, ...]:
-        made = self.increment.evaluations if isinstance(self.increment, InertialIncrement) else 0
-        effects = range(len(self.dissipated))
-        return tuple(self.support.evaluations if i in self.friction else made for i in effects)
 
 
 def _ratio(spin: float, speed: float) -> float:
     if spin == 0.0:
         return 0.0
     return spin / speed if speed > 0.0 else math.copysign(math.inf, spin)
-
-
-def _inertia(problem: Problem) -> tuple[float, float] | None:
-    """Mass, and moment of inertia over the radius squared, of all effects of degree 2."""
-    effects = of_degree(problem.scene.scaled_effects, 2)
-    if not effects:
-        return None
-    profiles = [effect.profile(1.0) for effect in effects]
-    mass, moment = (math.fsum(float(part) for part in parts) for parts in zip(*profiles, strict=True))
-    return mass, moment
