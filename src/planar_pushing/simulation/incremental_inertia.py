@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Callable
 
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.energies import Energies
@@ -178,21 +179,19 @@ class InertialIncrement:
         def excess(size: float) -> float:
             return contact_motion(motion(size), self.length, step.rod_angle)[1] - step.target[1]
 
+        sizes = self._sizes(step, gain, excess)
+        return [Trial(mode, motion(p), (p * force[0], p * force[1])) for p in sizes]
+
+    def _sizes(self, step: Step, gain: float, excess: Callable[[float], float]) -> list[float]:
+        """Impulses without an excess of normal motion; `gain` is its slope without friction."""
         low, high = self._range(step, gain)
+        if self.support is None:
+            return [high] if high > 0.0 else []
         if not low < high:
             return []
         sizes = [low + (high - low) * i / PARTS for i in range(PARTS + 1)]
-        if self.support is None:
-            sizes = [low, high]
-        values = [excess(size) for size in sizes]
-        found = []
-        for (a, b), (f, g) in zip(
-            itertools.pairwise(sizes), itertools.pairwise(values), strict=True
-        ):
-            if (f < 0.0) != (g < 0.0):
-                size = bracketed(excess, a, b, f, g)
-                found.append(Trial(mode, motion(size), (size * force[0], size * force[1])))
-        return found
+        ends = itertools.pairwise((size, excess(size)) for size in sizes)
+        return [bracketed(excess, a, b, f, g) for (a, f), (b, g) in ends if (f < 0.0) != (g < 0.0)]
 
     def _range(self, step: Step, gain: float) -> Vector:
         """Bounds of a slip's impulse: that of inertia alone, shifted by what friction can do at most."""
@@ -202,5 +201,5 @@ class InertialIncrement:
         # A gain of nothing but rounding leaves the size open.
         gain = math.copysign(max(abs(gain), SLACK / self.mass), gain)
         ends = sorted(((-away - shift) / gain, (-away + shift) / gain))
-        margin = 1e-9 * (ends[1] - ends[0]) + SLACK * abs(ends[1])
+        margin = 1e-9 * (ends[1] - ends[0])
         return max(ends[0] - margin, 0.0), ends[1] + margin
