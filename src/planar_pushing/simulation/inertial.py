@@ -26,9 +26,12 @@ from planar_pushing.simulation.record import NO_MODE, Record, spin_ratio
 from planar_pushing.simulation.setting import Vector, setting
 from planar_pushing.simulation.support import Support
 
-#: Below this part of the typical speed a slider that starts moves in its impending direction.
-NO_DIRECTION = 1e-9
-SAMPLES = 65
+#: Below this part of the typical speed friction holds the slider.
+AT_REST = 1e-9
+#: Below this part of it a slider that starts has no direction of motion but the impending one.
+NO_DIRECTION = 1e-13
+#: A fence slower than this part of it, and hardly accelerated, does not move.
+STILL = 1e-10
 
 
 class Instant(NamedTuple):
@@ -69,22 +72,17 @@ class Inertial:
         self.count = len(rubbing)
         self.at = len(Entry) + self.count
         self.weight = float(response.profile(rubbing, 0.0)[0]) if rubbing else 0.0
-        segments = problem.pusher.segments(problem.duration)
-        self.segment = segments[0]
+        self.segment = problem.pusher.segments(problem.duration)[0]
         self.fence: Vector = (0.0, 0.0)
-        self.speed = self._typical_speed(segments)
+        self.speed = self._typical_speed()
         self.instants = 0
         mass, radius = self.setting.mass, self.setting.radius
         self.force = mass * self.speed**2 / radius + self.weight
 
-    def _typical_speed(self, segments: tuple[Segment, ...]) -> float:
-        speeds = [math.hypot(*self.problem.twist[:2])]
-        speeds.append(abs(self.problem.twist[2]) * self.setting.radius)
-        for segment in segments:
-            parts = (0.0,) if segment.constant else tuple(i / SAMPLES for i in range(SAMPLES + 1))
-            span = segment.end - segment.start
-            speeds += [math.hypot(*segment.velocity(segment.start + p * span)) for p in parts]
-        return max(speeds) or 1.0
+    def _typical_speed(self) -> float:
+        v_x, v_y, omega = self.problem.twist
+        fence = self.problem.pusher.typical_speed(self.problem.duration)
+        return max(math.hypot(v_x, v_y), abs(omega) * self.setting.radius, fence) or 1.0
 
     def initial(self) -> State:
         psi, gap = self.problem.scene.slider.rod_angle, self.problem.gap
@@ -106,7 +104,7 @@ class Inertial:
 
     def settling(self, time: float, state: State) -> float:
         size = self._size(time, state)
-        return self.weight / (self.setting.mass * max(size, NO_DIRECTION * self.speed))
+        return self.weight / (self.setting.mass * max(size, AT_REST * self.speed))
 
     def _size(self, time: float, state: State) -> float:
         """Speed of the centre and of the rotation together."""
@@ -161,7 +159,7 @@ class Inertial:
 
     def is_at_rest(self, time: float, state: State) -> bool:
         """Whether friction holds a slider that does not move."""
-        return self.support is not None and self._size(time, state) <= NO_DIRECTION * self.speed
+        return self.support is not None and self._size(time, state) <= AT_REST * self.speed
 
     def touches(self, state: State) -> bool:
         """Whether the contact is on the fence and does not leave it."""
@@ -188,26 +186,50 @@ class Inertial:
         return found
 
     def _from_rest(self, time: float, state: State) -> list[Mode]:
-        """Modes in which a slider at rest may start: those of `solve`, with their impending motion."""
-        turn, slip = self.segment.acceleration(time), state[self.at]
-        size = math.hypot(*turn)
-        if abs(slip) > SLACK * self.speed or size == 0.0:
-            return [Rest(self, touching=True)]
-        scene = self.problem.scene
-        angle = state[Entry.ANGLE] % (2 * math.pi) if self.setting.length else math.pi / 2
-        slider = replace(scene.slider, rod_angle=angle)
+        """Modes in which a slider at rest on the fence may start."""
         found: list[Mode] = []
-        for each in solve(replace(scene, slider=slider), math.atan2(turn[1], turn[0]), size):
-            impending = each.twist[0], each.twist[1], each.twist[2] * slider.radius
-            start = tuple(float(part) for part in impending)
-            match each.mode:
+        for kind, start in self._starts(time, state):
+            match kind:
                 case ContactMode.SEPARATE:
                     found.append(Rest(self, touching=True))
                 case ContactMode.STICK:
                     found.append(Stick(self, start))
-                case kind:
+                case _:
                     found.append(Slide(self, kind, start))
         return found
+
+    def _starts(self, time: float, state: State) -> list[tuple[ContactMode, tuple[float, ...]]]:
+        """Contact modes and scaled accelerations from rest: those of `solve`."""
+        turn = self.segment.acceleration(time)
+        size = math.hypot(*turn)
+        # Differences of a velocity leave some noise where the fence is still.
+        still = math.hypot(*self.segment.velocity(time)) <= STILL * self.speed
+        none = size <= (STILL * self.speed / self.pace(time) if still else 0.0)
+        if none or abs(state[self.at]) > AT_REST * self.speed:
+            return [(ContactMode.SEPARATE, (0.0, 0.0, 0.0))]
+        scene = self.problem.scene
+        angle = state[Entry.ANGLE] % (2 * math.pi) if self.setting.length else math.pi / 2
+        slider = replace(scene.slider, rod_angle=angle)
+        solutions = solve(replace(scene, slider=slider), math.atan2(turn[1], turn[0]), size)
+        scale = 1.0, 1.0, slider.radius
+        return [
+            (each.mode, tuple(float(a) * b for a, b in zip(each.twist, scale, strict=True)))
+            for each in solutions
+        ]
+
+    def _start(self, time: float, state: State, mode: Mode) -> None:
+        """Let a slider at rest keep up with a fence that has just begun to push it."""
+        at, order = self.at, preference(self.problem.on_ambiguity, mode.kind)
+        state[Entry.GAP] = 0.0
+        pushing = [
+            each for each in self._starts(time, state) if each[0] is not ContactMode.SEPARATE
+        ]
+        if pushing:
+            _, start = min(pushing, key=lambda each: order.index(each[0]))
+            fence, turn = self.segment.velocity(time), self.segment.acceleration(time)
+            part = fence[1] / turn[1] if turn[1] else 0.0
+            slip = start[0] + self.setting.length * start[2] * math.sin(state[Entry.ANGLE])
+            state[at:] = [part * (slip - turn[0]), 0.0, part * start[2]]
 
     def enter(self, segment: Segment, state: State, mode: Mode | None) -> State:
         """Take up a new motion of the fence; a jump of its velocity is an impact on what it touches."""
@@ -256,8 +278,7 @@ class Inertial:
             case Cause.STOPS:
                 return self._stopped(time, state, mode)
             case Cause.STARTS:
-                state[Entry.GAP] = 0.0
-                state[at], state[at + 1] = 0.0, 0.0
+                self._start(time, state, mode)
         return time, state
 
     def _stopped(self, time: float, state: State, mode: Mode) -> tuple[float, State]:

@@ -23,6 +23,8 @@ NODES, WEIGHTS = (tuple(map(float, each)) for each in np.polynomial.legendre.leg
 #: Sixth-order central differences; the step balances truncation against rounding.
 STENCIL = ((1, 3 / 4), (2, -3 / 20), (3, 1 / 60))
 STEP = 2e-3
+#: Parts of a segment at which its speed is looked at.
+PARTS = tuple(i / 64 for i in range(65))
 
 
 def vector(given: object) -> Vector:
@@ -137,6 +139,14 @@ class Pusher:
         inner = [time for time in self.breakpoints if 0 < time < duration]
         ends = [0.0, *inner, duration]
         return tuple(self._smooth(a, b) for a, b in itertools.pairwise(ends))
+
+    def typical_speed(self, duration: float) -> float:
+        """The greatest speed among samples of the fence's motion."""
+        return max(
+            math.hypot(*segment.velocity(segment.start + part * (segment.end - segment.start)))
+            for segment in self.segments(duration)
+            for part in ((0.0,) if segment.constant else PARTS)
+        )
 
     def _smooth(self, start: float, end: float) -> Segment:
         given = self.velocity

@@ -17,6 +17,9 @@ from planar_pushing.simulation.record import NO_MODE, Record, spin_ratio
 from planar_pushing.simulation.setting import Vector, setting
 from planar_pushing.simulation.support import Support
 
+#: The fence pushes a slider at rest from this part of its typical speed on.
+PUSHES = 2e-10
+
 
 class Flow(NamedTuple):
     """R omega, speed of the centre, velocity of the contact relative to the fence, force."""
@@ -40,6 +43,7 @@ class QuasiStatic:
         self.kinks = sorted({kink for effect in scene.effects for kink in effect.kinks})
         self.setting = setting(scene)
         self.segment = problem.pusher.segments(problem.duration)[0]
+        self.speed = problem.pusher.typical_speed(problem.duration) or 1.0
 
     def initial(self) -> State:
         slider, gap = self.problem.scene.slider, self.problem.gap
@@ -65,7 +69,7 @@ class QuasiStatic:
 
     def modes(self, time: float, state: State) -> list[Mode]:
         touching = state[Entry.GAP] <= SLACK * self.setting.radius
-        found: list[Mode] = [Rest(self)]
+        found: list[Mode] = [Rest(self, touching)]
         moves = self.segment.velocity(time) != (0.0, 0.0)
         if touching and (moves or not self.segment.constant):
             found.append(Stick(self))
@@ -74,7 +78,7 @@ class QuasiStatic:
         return found
 
     def after(self, cause: Cause, time: float, state: State, mode: Mode) -> tuple[float, State]:
-        if cause is Cause.TOUCHES:
+        if cause is Cause.TOUCHES or state[Entry.GAP] <= SLACK * self.setting.radius:
             state[Entry.GAP] = 0.0
         return time, state
 
@@ -144,8 +148,8 @@ class Rest:
 
     kind = ContactMode.SEPARATE
 
-    def __init__(self, system: QuasiStatic) -> None:
-        self.system = system
+    def __init__(self, system: QuasiStatic, touching: bool) -> None:
+        self.system, self.touching = system, touching
 
     def flow(self, time: float, state: State) -> Flow:
         fence_x, fence_y = self.system.segment.velocity(time)
@@ -160,11 +164,13 @@ class Rest:
 
     def guards(self, time: float, state: State) -> tuple[Guard, ...]:
         system = self.system
-        clear = Guard(Cause.TOUCHES, state[Entry.GAP] / system.setting.radius)
+        if not self.touching:
+            return (Guard(Cause.TOUCHES, state[Entry.GAP] / system.setting.radius),)
+        fence = system.segment.velocity(time)
+        pushes = Guard(Cause.STARTS, PUSHES - fence[1] / system.speed)
         if system.segment.constant:
-            return (clear,)
-        moves = state[Entry.GAP] <= SLACK and system.segment.velocity(time) != (0.0, 0.0)
-        return clear, Guard(Cause.CHOICE, 1.0 if moves else -1.0, True)
+            return (pushes,)
+        return pushes, Guard(Cause.CHOICE, 1.0 if fence != (0.0, 0.0) else -1.0, True)
 
 
 class Stick:
@@ -182,14 +188,16 @@ class Stick:
         system, psi = self.system, state[Entry.ANGLE]
         fence_x, fence_y = system.segment.velocity(time)
         e_x, e_y = math.cos(psi), math.sin(psi)
-        along, aside = fence_x * e_x + fence_y * e_y, fence_x * e_y - fence_y * e_x
-        if along == 0.0 and aside == 0.0:
+        pace = math.hypot(fence_x, fence_y)
+        if pace == 0.0:
             return Flow()
+        w_x, w_y = fence_x / pace, fence_y / pace
+        along, aside = w_x * e_x + w_y * e_y, w_x * e_y - w_y * e_x
         motion = system.support.stick(along, aside, system.setting.length, self.share)
         self.share, spin, force_along, force_aside = motion
         return Flow(
-            spin=spin,
-            speed=math.hypot(along, (1.0 - self.share) * aside),
+            spin=pace * spin,
+            speed=pace * math.hypot(along, (1.0 - self.share) * aside),
             force_x=force_along * e_x + force_aside * e_y,
             force_y=force_along * e_y - force_aside * e_x,
         )
@@ -215,7 +223,7 @@ class Slip:
         self.system, self.kind = system, kind
         self.side = 1.0 if kind is ContactMode.SLIP_RIGHT else -1.0
         self.toward = system.setting.edges[kind]
-        self.guess = 0.5
+        self.guess, self.advance = 0.5, 0.0
 
     def flow(self, time: float, state: State) -> Flow:
         system, psi = self.system, state[Entry.ANGLE]
@@ -226,10 +234,8 @@ class Slip:
         speed, spin = system.support.spin_ratio(arm, self.guess)
         self.guess = speed if abs(arm) > 1.0 else abs(spin)
         lever = system.setting.length * spin
-        advance = speed * t_y - lever * e_x
-        if advance * fence_y <= 0.0:
-            return Flow(rise=-1.0)
-        scale = fence_y / advance
+        self.advance = speed * t_y - lever * e_x
+        scale = fence_y / self.advance if self.advance else 0.0
         force = system.support.at(speed, spin)[0]
         return Flow(
             spin=scale * spin,
@@ -248,6 +254,12 @@ class Slip:
 
     def guards(self, time: float, state: State) -> tuple[Guard, ...]:
         system, flow = self.system, self.flow(time, state)
-        pace = math.hypot(*system.segment.velocity(time))
-        slips = self.side * flow.slip / pace if flow.rise == 0.0 and pace else -1.0
-        return Guard(Cause.SLIP_ENDS, slips), *system.common_guards(time, state, flow)
+        fence_x, fence_y = system.segment.velocity(time)
+        pace = math.hypot(fence_x, fence_y)
+        slips = self.side * flow.slip / (pace + abs(flow.slip)) if pace else -1.0
+        moves = self.advance / (1.0 + system.setting.length) * fence_y / pace if pace else -1.0
+        return (
+            Guard(Cause.SLIP_ENDS, slips),
+            Guard(Cause.FORCE_ENDS, moves),
+            *system.common_guards(time, state, flow),
+        )
