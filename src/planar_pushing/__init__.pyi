@@ -29,6 +29,7 @@ from .mechanics.errors import (
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solve import Solution, Solutions, solve
+from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
 from .study.files import load_scene, save_scene
@@ -63,6 +64,7 @@ __all__ = [
     "open_dataset",
     "save_scene",
     "simulate",
+    "simulate_batch",
     "slips_while_pushing",
     "solve",
     "spin_ratio",

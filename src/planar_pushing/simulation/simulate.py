@@ -13,13 +13,13 @@ from tqdm import tqdm
 
 from planar_pushing.mechanics.errors import InvalidValue, require_number
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.simulation import event_driven, log
+from planar_pushing.simulation import event_driven, log, time_stepping
 from planar_pushing.simulation.problem import Policy, Problem
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.record import Records
 from planar_pushing.simulation.stream import streaming
 
-METHODS = {"event-driven": event_driven.integrate}
+METHODS = ("event-driven", "time-stepping")
 
 
 def simulate(
@@ -33,6 +33,7 @@ def simulate(
     twist: Sequence[float] = (0.0, 0.0, 0.0),
     gap: float = 0.0,
     samples: int = 101,
+    step: float | None = None,
     path: str | os.PathLike[str] | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
@@ -46,9 +47,11 @@ def simulate(
         The fence's velocity over time.
     duration : float
         Time to simulate, > 0.
-    method : {"event-driven"}
+    method : {"event-driven", "time-stepping"}
+        DOP853 from event to event to the tolerance, or steps of first order, which survive
+        configurations in which the equations of motion have no solution.
     rtol : float
-        Relative tolerance of the motion.
+        Relative tolerance of the motion, for the event-driven method.
     on_ambiguity : {"keep-contact", "separate", "stay-in-mode"}
         Which mode is taken where several are consistent: the contact that sticks before one that slips
         before none; none first; or the mode so far, as long as it is consistent.
@@ -58,6 +61,8 @@ def simulate(
         Initial height of the contact above the fence.
     samples : int
         Number of evenly spaced instants in the log, >= 2; every event is logged besides.
+    step : float, optional
+        Greatest step of the time-stepping method, by default a thousandth of the duration.
     path : path, optional
         A file to which the log is streamed; memory then stays bounded, and the dataset that is returned
         reads from the file.
@@ -88,7 +93,7 @@ def simulate(
         "ask at least for the first and the last instant",
     )  # fmt: skip
     times = np.linspace(0.0, duration, int(count)).tolist()
-    batches = _shown(METHODS[method](problem, times), duration, progress)
+    batches = _shown(_integrate(problem, method, times, step), duration, progress)
     if path is None:
         records = [record for batch in batches for record in batch]
         return log.dataset(problem, method, records)
@@ -97,6 +102,17 @@ def simulate(
             stream.append(batch)
         stream.end(batch[-1])
     return xr.open_dataset(path, engine="h5netcdf")
+
+
+def _integrate(problem: Problem, method: str, times: list[float], step: float | None) -> Records:
+    if method == "time-stepping":
+        return time_stepping.integrate(problem, times, step)
+    if step is not None:
+        raise InvalidValue(
+            "step", step, "a number for the time-stepping method only",
+            "leave it out: the event-driven method takes its steps by rtol",
+        )  # fmt: skip
+    return event_driven.integrate(problem, times)
 
 
 def _shown(batches: Records, duration: float, progress: bool) -> Records:
