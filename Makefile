@@ -8,7 +8,7 @@ READY := $(VENV)/ready
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 
-.PHONY: all test lint golden images dictionary schemas lock report clean help
+.PHONY: all test lint bench golden images dictionary schemas lock report clean help
 .DELETE_ON_ERROR:
 
 all: $(READY)
@@ -23,6 +23,9 @@ lint: $(READY)
 	$(BIN)/snakefmt --check --diff Snakefile workflow
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
+
+bench: $(READY) ## time the wrench, its inverse and a motion cone against their floors
+	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
 golden: $(READY) ## compute the golden data anew and print the differences; WRITE=1 stores them
 	$(BIN)/python -m planar_pushing.golden.update $(if $(WRITE),--write)
