@@ -31,6 +31,7 @@ def ratio(benchmark, request):
 
 
 def pytest_terminal_summary(terminalreporter):
-    terminalreporter.section("time as a multiple of the floor's")
+    if RATIOS:
+        terminalreporter.section("time as a multiple of the floor's")
     for name, found, limit in RATIOS:
         terminalreporter.write_line(f"{name:64} {found:10.6f}   at most {limit:g}")

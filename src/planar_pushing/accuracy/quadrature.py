@@ -46,7 +46,9 @@ def _scalar_torque(theta: float, k: float) -> float:
 def _weighted(k: Array, theta: Array, weight: Array) -> Wrenches:
     column = k[:, None]
     cosine, speed = np.cos(theta), np.sqrt(_square(column, theta))
-    force, torque = ((1 + column * cosine) / speed) @ weight, ((column + cosine) / speed) @ weight
+    # Not a matrix product: its threads would wait for one another, and its order of sums varies.
+    force = ((1 + column * cosine) / speed * weight).sum(axis=1)
+    torque = ((column + cosine) / speed * weight).sum(axis=1)
     return force, torque, np.full(k.shape, 2 * theta.size)
 
 

@@ -20,7 +20,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     left, right = figure.subplots(1, 2, width_ratios=(3.4, 1))
     figure.subplots_adjust(left=0.085, right=0.985, bottom=0.125, top=0.83, wspace=0.35)
     work_precision(left, data.method.values, data.cone_seconds, data.cone_error.values, LIMITS)
-    left.set(xlim=(3e-8, 3e-1), yticks=10.0 ** np.arange(-14, 3, 4))
+    left.set(xlim=(1e-8, 3e-1), yticks=10.0 ** np.arange(-14, 3, 4))
     left.set(xlabel="time for both edges of a cone, seconds", ylabel="largest error, degrees")
     _settings(left, data)
     _rim(right, data)
@@ -33,7 +33,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
 #: Which settings of a method are named, and on which side of their markers.
 NAMED = {
     "linear table": ("{:g} entries", (0, -1), "right"),
-    "cubic table": ("{:g} entries", (0, -1), "right"),
+    "cubic table": ("{:g} entries", (0, -1), "left"),
     "find_root": ("tolerance {:g}", (0, -1), "left"),
     "brentq on quad": ("tolerance {:g}", (0, -1), "left"),
 }
