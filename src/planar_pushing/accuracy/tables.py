@@ -13,7 +13,7 @@ import xarray as xr
 
 from planar_pushing.accuracy import grids, reference
 from planar_pushing.accuracy.cones import ROD_ANGLE, edges, inverses, motion_angles
-from planar_pushing.accuracy.methods import Method, wrench_methods
+from planar_pushing.accuracy.methods import wrench_methods
 from planar_pushing.accuracy.models import rim_errors
 from planar_pushing.accuracy.timing import machine, seconds
 from planar_pushing.mechanics.planar import Array
@@ -89,16 +89,17 @@ def _wrench_error(force: Array, torque: Array) -> list[float]:
 def wrench_times() -> Variables:
     """Seconds for a wrench at every setting and spin ratio, each repeat."""
     rows = [(each, setting) for each in wrench_methods() for setting in each.settings]
-    taken = [[_time(each, setting, k) for k in SPIN_RATIOS] for each, setting in rows]
+    batch = np.array([each.batch(setting) for each, setting in rows])
+    calls = [
+        partial(each.run, np.full(count, k), setting)
+        for (each, setting), count in zip(rows, batch, strict=True)
+        for k in SPIN_RATIOS
+    ]
+    taken = seconds(calls).reshape(len(rows), SPIN_RATIOS.size, -1) / batch[:, None, None]
     return {
         "wrench_seconds": (("point", "spin_ratio", "repeat"), taken),
-        "batch": ("point", [each.batch(setting) for each, setting in rows]),
+        "batch": ("point", batch),
     }
-
-
-def _time(method: Method, setting: float, spin_ratio: float) -> Array:
-    batch = np.full(method.batch(setting), spin_ratio)
-    return seconds(partial(method.run, batch, setting)) / batch.size
 
 
 def cone_errors() -> xr.Dataset:
@@ -121,36 +122,37 @@ def cone_times() -> Variables:
     """Seconds for both edges of a motion cone at every setting, each repeat."""
     length, angle = edges()
     rows = [(each, setting) for each in inverses() for setting in each.settings]
-    taken = []
-    for each, setting in rows:
-        copies = np.tile(length, each.copies), np.tile(angle, each.copies)
-        call = partial(motion_angles, each, setting, *copies)
-        taken.append(seconds(call) / (copies[0].size / 2))
-    batch = [each.copies * length.size // 2 for each, _ in rows]
+    batch = np.array([each.copies * length.size // 2 for each, _ in rows])
+    calls = [
+        partial(
+            motion_angles, each, setting, np.tile(length, each.copies), np.tile(angle, each.copies)
+        )
+        for each, setting in rows
+    ]
+    taken = seconds(calls) / batch[:, None]
     return {"cone_seconds": (("point", "repeat"), taken), "batch": ("point", batch)}
 
 
 def grid_table(sizes: tuple[int, ...] = grids.SIZES) -> xr.Dataset:
     """Time, memory and error against the size of the grid, and time and memory against the block."""
+    cases = [(size, grids.BLOCK) for size in sizes]
+    cases += [(grids.SIZE, block) for block in grids.BLOCKS]
     with TemporaryDirectory() as folder:
-        path = Path(folder) / "grid.h5"
-        taken, errors, memory = [], [], []
-        for size in sizes:
-            taken.append(seconds(partial(grids.write_grid, size, grids.BLOCK, path), 3))
-            errors.append(grids.grid_errors(path))
-            memory.append(grids.peak_memory(size, grids.BLOCK, path))
-        times = [
-            seconds(partial(grids.write_grid, grids.SIZE, block, path), 3) for block in grids.BLOCKS
+        paths = [Path(folder) / f"{size}_{block}.h5" for size, block in cases]
+        calls = [
+            partial(grids.write_grid, *case, path) for case, path in zip(cases, paths, strict=True)
         ]
-        held = [grids.peak_memory(grids.SIZE, block, path) for block in grids.BLOCKS]
+        times = seconds(calls, 3)
+        errors = [grids.grid_errors(path) for path in paths[: len(sizes)]]
+        memory = [grids.peak_memory(*case, path) for case, path in zip(cases, paths, strict=True)]
     points, half_way = np.array(errors).T
     variables = {
-        "size_seconds": (("size", "repeat"), taken),
-        "size_memory": ("size", memory),
+        "size_seconds": (("size", "repeat"), times[: len(sizes)]),
+        "size_memory": ("size", memory[: len(sizes)]),
         "point_error": ("size", points),
         "interpolation_error": ("size", half_way),
-        "block_seconds": (("block", "repeat"), times),
-        "block_memory": ("block", held),
+        "block_seconds": (("block", "repeat"), times[len(sizes) :]),
+        "block_memory": ("block", memory[len(sizes) :]),
     }
     coords = {"size": list(sizes), "block": list(grids.BLOCKS)}
     return labelled(variables, coords, "Grid of limit curves")

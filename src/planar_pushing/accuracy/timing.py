@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import platform
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from pathlib import Path
 
@@ -13,20 +13,23 @@ import numpy as np
 
 from planar_pushing.mechanics.planar import Array
 
-#: Repeats that are kept of every measurement; one more, the first, warms up.
-REPEATS = 7
+#: Rounds that are kept; one more, the first, warms up.
+REPEATS = 9
 PACKAGES = ("planar-pushing", "numpy", "scipy", "h5py", "python-flint")
 
 
-def seconds(call: Callable[[], object], repeats: int = REPEATS) -> Array:
-    """Durations of repeated calls after one that does not count, shape (repeats,)."""
-    call()
-    taken = np.empty(repeats)
-    for index in range(repeats):
-        start = time.perf_counter()
-        call()
-        taken[index] = time.perf_counter() - start
-    return taken
+def seconds(calls: Sequence[Callable[[], object]], repeats: int = REPEATS) -> Array:
+    """Durations of calls, taken in turns after a round that does not count, shape (calls, repeats).
+
+    What else the machine does for a while then falls on few repeats of every call, not on all of one.
+    """
+    taken = np.empty((repeats + 1, len(calls)))
+    for each in taken:
+        for index, call in enumerate(calls):
+            start = time.perf_counter()
+            call()
+            each[index] = time.perf_counter() - start
+    return taken[1:].T
 
 
 def machine() -> dict[str, str]:

@@ -45,7 +45,9 @@ def _settings(ax: Axes, data: xr.Dataset) -> None:
         rows = np.flatnonzero(data.method.values == name)
         away = 8 if side == "left" else -8
         for row in rows[list(which)]:
-            at = float(data.cone_seconds[row].min()), float(data.cone_error[row])
+            times = data.cone_seconds[row]
+            beside = times.min() if side == "right" else times.median()
+            at = float(beside), float(data.cone_error[row])
             words = text.format(float(data.setting[row]))
             ax.annotate(
                 words, at, (away, 0), textcoords="offset points", ha=side, va="center",
