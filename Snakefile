@@ -29,6 +29,7 @@ localrules:
     claims,
     paper,
     hard_cases,
+    counts,
 
 
 rule all:
@@ -40,3 +41,4 @@ rule all:
         rules.claims.input,
         rules.paper.input,
         rules.hard_cases.input,
+        rules.counts.input,

@@ -1,13 +1,60 @@
-# What accuracy costs: measured on this machine, so outside of `all` and of the golden check.
+# What accuracy and each effect cost. Errors and counts are a part of `all`; times are measured on this
+# machine, by `snakemake accuracy`, outside of `all` and of the golden check.
+BUILDERS = [
+    f"study.datasets.{name}"
+    for name in ("limit_curves", "motion_cones", "contact_modes")
+]
 ACCURACY = ["accuracy_wrench", "accuracy_cone", "accuracy_study"]
+
+
+#: Like the report, built with the study that the golden data certify.
+COUNTS = ["accuracy_errors", "evaluations"] if STUDY.golden else []
+
+
+rule counts:
+    input:
+        expand("results/data/{name}.nc", name=COUNTS),
+
+
+rule accuracy_errors:
+    input:
+        modules=modules("accuracy.tables", "study.store"),
+    output:
+        "results/data/accuracy_errors.nc",
+    log:
+        "results/logs/accuracy/accuracy_errors.log",
+    benchmark:
+        "results/benchmarks/accuracy/accuracy_errors.tsv"
+    message:
+        "Computing the errors of every method"
+    script:
+        "../scripts/accuracy_errors.py"
+
+
+rule evaluations:
+    input:
+        study=STUDY_FILE,
+        scenes=[push.file for push in STUDY.scenes.values()],
+        modules=modules("effort.measure", "study.store", *BUILDERS),
+    output:
+        "results/data/evaluations.nc",
+    log:
+        "results/logs/accuracy/evaluations.log",
+    benchmark:
+        "results/benchmarks/accuracy/evaluations.tsv"
+    message:
+        "Counting the evaluations of each effect"
+    script:
+        "../scripts/evaluations.py"
 
 
 rule accuracy:
     input:
         "results/data/accuracy.nc",
+        "results/data/effects.nc",
         expand(
             "results/figures/{figure}.{kind}",
-            figure=ACCURACY,
+            figure=[*ACCURACY, "effects"],
             kind=["svg", "pdf", "png"],
         ),
 
@@ -25,6 +72,39 @@ rule accuracy_data:
         "Measuring what accuracy costs"
     script:
         "../scripts/accuracy.py"
+
+
+rule effects_data:
+    input:
+        study=STUDY_FILE,
+        scenes=[push.file for push in STUDY.scenes.values()],
+        modules=modules("effort.measure", "study.store", *BUILDERS),
+    output:
+        "results/data/effects.nc",
+    log:
+        "results/logs/accuracy/effects.log",
+    threads: workflow.cores
+    message:
+        "Measuring what each effect costs"
+    script:
+        "../scripts/effects.py"
+
+
+rule effects_figure:
+    input:
+        data="results/data/effects.nc",
+        modules=modules("figures.effects", "figures.render"),
+        style="src/planar_pushing/figures/paper.mplstyle",
+    output:
+        svg="results/figures/effects.svg",
+        pdf="results/figures/effects.pdf",
+        png="results/figures/effects.png",
+    log:
+        "results/logs/figures/effects.log",
+    message:
+        "Drawing effects"
+    script:
+        "../scripts/effects_figure.py"
 
 
 rule accuracy_figure:

@@ -86,7 +86,10 @@ def _dataset_case(name: str, study: StudyFile) -> Case:
 
 
 def cases(study: StudyFile) -> Iterator[Case]:
-    """Every operation on one slider with each set of effects, on the study's scenes, and its datasets."""
+    """Every operation on one slider with each set of effects, on the study's scenes, and on its grid.
+
+    The grid has one rod angle and every tenth coefficient of friction.
+    """
     for effects in study.grid.effects:
         scene = Scene(
             slider=study.ring(max(study.grid.rod_length)),
@@ -95,7 +98,9 @@ def cases(study: StudyFile) -> Iterator[Case]:
         )
         for operation in OPERATIONS:
             yield _scene_case("one slider", operation, scene)
-        grid = study.grid.model_copy(update={"effects": (effects,)})
+        few = {"effects": (effects,), "rod_angle": (study.slider.rod_angle,)}
+        few["contact_friction_coefficient"] = study.grid.contact_friction_coefficient[::10]
+        grid = study.grid.model_copy(update=few)
         for name in DATASETS:
             yield _dataset_case(name, study.model_copy(update={"grid": grid}))
     for name, push in study.scenes.items():
@@ -113,18 +118,13 @@ def _times(case: Case) -> list[float]:
     return seconds
 
 
-def measure(study: StudyFile) -> xr.Dataset:
-    """Evaluations of each effect and times of each case, over `case` and `effect`."""
-    found = list(cases(study))
+def evaluations(study: StudyFile) -> xr.Dataset:
+    """Evaluations of each effect in each case, over `case` and `effect`; the same on every machine."""
+    found, names = list(cases(study)), list(NAMES.values())
     tallies = [case.run() for case in found]
-    names = list(NAMES.values())
-    seconds = np.array([_times(case) for case in found])
     counts = np.array([[tally[name] for name in names] for tally in tallies])
     dataset = xr.Dataset(
-        {
-            "evaluations": (("case", "effect"), counts),
-            "time": (("case", "repeat"), seconds),
-        },
+        {"evaluations": (("case", "effect"), counts)},
         coords={
             "effect": names,
             "scene": ("case", [case.scene for case in found]),
@@ -134,13 +134,19 @@ def measure(study: StudyFile) -> xr.Dataset:
     )
     return describe(
         dataset,
-        title="What each effect costs: evaluations counted, time measured on one machine",
+        title="How often each effect is evaluated",
         source="scenes and grid of the study",
         parameters={"study": study.title},
     )
 
 
-def friction_inertia_both(data: xr.Dataset, operation: str) -> tuple[float, ...]:
-    """Shortest time of an operation on the one slider for each set of effects, seconds."""
-    chosen = data.isel(case=(data.scene == "one slider") & (data.operation == operation))
-    return tuple(float(each) for each in chosen.time.min("repeat"))
+def measure(study: StudyFile) -> xr.Dataset:
+    """Evaluations, and the time of each case in each repeat on this machine."""
+    counted = evaluations(study)
+    seconds = np.array([_times(case) for case in cases(study)])
+    return describe(
+        counted.assign(time=(("case", "repeat"), seconds)),
+        title="What each effect costs: evaluations counted, time measured on one machine",
+        source="scenes and grid of the study",
+        parameters={"study": study.title},
+    )
