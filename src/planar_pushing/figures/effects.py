@@ -49,7 +49,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         ax.invert_yaxis()
         ax.set_xscale("log")
         low, high = ax.get_xlim()
-        ax.set_xlim(low, high * 30)  # room for the evaluations
+        ax.set_xlim(low, high * 80)  # room for the evaluations
         ax.set_xlabel("time (ms)")
         ax.set_title(title)
     handles, labels = axes[0].get_legend_handles_labels()
