@@ -3,11 +3,12 @@
 import re
 
 
-def test_the_target_measures_once_and_draws_three_figures(built):
+def test_the_target_measures_once_and_draws_its_figures(built):
     said = built.snakemake("--dry-run", "accuracy")
     table = re.search(r"Job stats:\njob +count\n[- ]+\n(.*?)\ntotal", said, re.DOTALL)
     jobs = dict(re.findall(r"(\w+) +(\d+)", table[1]))
-    assert jobs == {"accuracy": "1", "accuracy_data": "1", "accuracy_figure": "3"}
+    drawn = {"accuracy_figure": "3", "effects_figure": "1"}
+    assert jobs == {"accuracy": "1", "accuracy_data": "1", "effects_data": "1"} | drawn
 
 
 def test_the_default_target_leaves_it_out(built):
