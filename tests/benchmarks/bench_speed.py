@@ -4,6 +4,8 @@ The floor of the wrench and of its inverse is what the wrench cannot do without,
 the same array.
 """
 
+import time
+
 import numpy as np
 import pytest
 from scipy.special import ellipe, ellipkm1
@@ -11,6 +13,7 @@ from scipy.special import ellipe, ellipkm1
 import planar_pushing as pp
 from planar_pushing.accuracy.cones import inverses, motion_angles
 
+pytestmark = pytest.mark.benchmark(timer=time.process_time)
 COUNT = 10**6
 RANDOM = np.random.default_rng(0)
 RING = pp.RingFriction()

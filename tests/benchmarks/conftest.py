@@ -1,7 +1,11 @@
-"""Ratios of a candidate's time to a floor's, taken in turns, and their table at the end."""
+"""Ratios of a candidate's time to a floor's, taken in turns, and their table at the end.
+
+Times are those of the processor, so that other programs on the machine count as little as can be.
+"""
 
 from __future__ import annotations
 
+import statistics
 import time
 
 import pytest
@@ -11,18 +15,19 @@ RATIOS: list[tuple[str, float, float]] = []
 
 @pytest.fixture
 def ratio(benchmark, request):
-    """Time `candidate` with `floor` before each round; least time over least time, and its limit."""
+    """Time `candidate` with `floor` before each round; the median ratio, against its limit."""
 
-    def measure(candidate, floor, limit, *, scale=1.0, rounds=40):
+    def measure(candidate, floor, limit, *, scale=1.0, rounds=25):
         taken = []
 
         def run_floor():
-            start = time.perf_counter()
+            start = time.process_time()
             floor()
-            taken.append(time.perf_counter() - start)
+            taken.append(time.process_time() - start)
 
         benchmark.pedantic(candidate, setup=run_floor, rounds=rounds, warmup_rounds=2)
-        found = scale * benchmark.stats.stats.min / min(taken)
+        pairs = zip(benchmark.stats.stats.data, taken[-rounds:], strict=True)
+        found = scale * statistics.median(mine / floors for mine, floors in pairs)
         benchmark.extra_info["ratio"], benchmark.extra_info["limit"] = found, limit
         RATIOS.append((request.node.name, found, limit))
         return found
