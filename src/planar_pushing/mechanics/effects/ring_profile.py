@@ -101,15 +101,25 @@ def _by_series(size: Array) -> tuple[Array, Array, Array]:
 def _by_integrals(size: Array) -> tuple[Array, Array, Array]:
     """f, t and t' at min(size, 1/size) >= NEAR_RING; at 1, where t' is infinite, it is large."""
     k = np.minimum(size, 1 / size)
-    m, x = k * k, np.abs(1 - size) * (1 + size) * (k / size)
+    m, x = k * k, np.abs(1 - size)
+    x *= 1 + size
+    x *= k / size
     second, first = ellipe(m), ellipkm1(np.maximum(x, TINY))
-    slope = (2 / np.pi) * (first - second) / m
+    slope = first - second
+    slope *= 2 / np.pi
+    slope /= m
     # E' = (E - K) / (2 m) carries E over from the rounded m to 1 - x.
-    second += ((m - 1) + x) * (np.pi / 4) * slope
-    torque = (2 / np.pi) * (second - x * first)
+    m -= 1
+    m += x
+    m *= slope
+    m *= np.pi / 4
+    second += m
+    torque = second - np.multiply(x, first, out=x)
+    torque *= 2 / np.pi
     torque *= np.maximum(size, 1)
     torque /= np.minimum(size, 1)
-    return (2 / np.pi) * second, torque, slope
+    second *= 2 / np.pi
+    return second, torque, slope
 
 
 def inner_profile(size: Array) -> tuple[Array, Array, Array]:
