@@ -87,7 +87,8 @@ class Watcher:
         value = self._value(i, dense)
         if value(bracket[0]) <= 0.0:
             return bracket[0]
-        return float(brentq(value, *bracket, xtol=1e-15, rtol=1e-15))
+        root: float = brentq(value, *bracket, xtol=1e-15, rtol=1e-15)
+        return root
 
     def _bracket(
         self, i: int, times: list[float], values: list[float], dense: DenseOutput

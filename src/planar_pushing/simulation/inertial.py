@@ -7,31 +7,25 @@ contact that sticks has no relative velocity at all, and one that slips no norma
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from typing import NamedTuple
 
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.solve import solve
 from planar_pushing.simulation.contact_inertia import (
     ContactInertia,
     contact_inertia,
-    impulses,
 )
+from planar_pushing.simulation.inertial_events import AT_REST, impact, set_off, starts, stopped
 from planar_pushing.simulation.inertial_modes import Free, Rest, Slide, Stick
-from planar_pushing.simulation.mode import SLACK, Cause, Entry, Inconsistent, Mode, State
-from planar_pushing.simulation.problem import Problem, preference
+from planar_pushing.simulation.mode import SLACK, Cause, Entry, Mode, State
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Segment
 from planar_pushing.simulation.record import NO_MODE, Record, spin_ratio
 from planar_pushing.simulation.setting import Vector, setting
 from planar_pushing.simulation.support import Support
 
-#: Below this part of the typical speed friction holds the slider.
-AT_REST = 1e-9
-#: Below this part of it a slider that starts has no direction of motion but the impending one.
+#: Below this part of the typical speed a slider that starts has no direction but the impending one.
 NO_DIRECTION = 1e-13
-#: A fence slower than this part of it, and hardly accelerated, does not move.
-STILL = 1e-10
 
 
 class Instant(NamedTuple):
@@ -161,10 +155,13 @@ class Inertial:
         """Whether friction holds a slider that does not move."""
         return self.support is not None and self._size(time, state) <= AT_REST * self.speed
 
+    def is_on_fence(self, state: State) -> bool:
+        """Whether there is no gap."""
+        return state[Entry.GAP] <= SLACK * self.setting.radius
+
     def touches(self, state: State) -> bool:
         """Whether the contact is on the fence and does not leave it."""
-        near = state[Entry.GAP] <= SLACK * self.setting.radius
-        return near and abs(state[self.at + 1]) <= SLACK * self.speed
+        return self.is_on_fence(state) and abs(state[self.at + 1]) <= SLACK * self.speed
 
     def modes(self, time: float, state: State) -> list[Mode]:
         rests = self.is_at_rest(time, state)
@@ -188,7 +185,7 @@ class Inertial:
     def _from_rest(self, time: float, state: State) -> list[Mode]:
         """Modes in which a slider at rest on the fence may start."""
         found: list[Mode] = []
-        for kind, start in self._starts(time, state):
+        for kind, start in starts(self, time, state):
             match kind:
                 case ContactMode.SEPARATE:
                     found.append(Rest(self, touching=True))
@@ -197,39 +194,6 @@ class Inertial:
                 case _:
                     found.append(Slide(self, kind, start))
         return found
-
-    def _starts(self, time: float, state: State) -> list[tuple[ContactMode, tuple[float, ...]]]:
-        """Contact modes and scaled accelerations from rest: those of `solve`."""
-        turn = self.segment.acceleration(time)
-        size = math.hypot(*turn)
-        # Differences of a velocity leave some noise where the fence is still.
-        still = math.hypot(*self.segment.velocity(time)) <= STILL * self.speed
-        none = size <= (STILL * self.speed / self.pace(time) if still else 0.0)
-        if none or abs(state[self.at]) > AT_REST * self.speed:
-            return [(ContactMode.SEPARATE, (0.0, 0.0, 0.0))]
-        scene = self.problem.scene
-        angle = state[Entry.ANGLE] % (2 * math.pi) if self.setting.length else math.pi / 2
-        slider = replace(scene.slider, rod_angle=angle)
-        solutions = solve(replace(scene, slider=slider), math.atan2(turn[1], turn[0]), size)
-        scale = 1.0, 1.0, slider.radius
-        return [
-            (each.mode, tuple(float(a) * b for a, b in zip(each.twist, scale, strict=True)))
-            for each in solutions
-        ]
-
-    def _start(self, time: float, state: State, mode: Mode) -> None:
-        """Let a slider at rest keep up with a fence that has just begun to push it."""
-        at, order = self.at, preference(self.problem.on_ambiguity, mode.kind)
-        state[Entry.GAP] = 0.0
-        pushing = [
-            each for each in self._starts(time, state) if each[0] is not ContactMode.SEPARATE
-        ]
-        if pushing:
-            _, start = min(pushing, key=lambda each: order.index(each[0]))
-            fence, turn = self.segment.velocity(time), self.segment.acceleration(time)
-            part = fence[1] / turn[1] if turn[1] else 0.0
-            slip = start[0] + self.setting.length * start[2] * math.sin(state[Entry.ANGLE])
-            state[at:] = [part * (slip - turn[0]), 0.0, part * start[2]]
 
     def enter(self, segment: Segment, state: State, mode: Mode | None) -> State:
         """Take up a new motion of the fence; a jump of its velocity is an impact on what it touches."""
@@ -241,67 +205,23 @@ class Inertial:
         state[at], state[at + 1] = state[at] + jump[0], state[at + 1] + jump[1]
         end = segment.velocity(segment.end)
         self.fence = end
-        if state[Entry.GAP] <= SLACK * self.setting.radius and jump != (0.0, 0.0):
-            self._impact(segment.start, state, mode)
+        if self.is_on_fence(state) and math.hypot(*jump) > SLACK * self.speed:
+            impact(self, segment.start, state, mode)
         return state
-
-    def _impact(self, time: float, state: State, mode: Mode | None) -> None:
-        """Change the twist by an inelastic impulse that the contact law admits."""
-        at, own, psi = self.at, self.setting, state[Entry.ANGLE]
-        before = state[at], state[at + 1]
-        slack = SLACK * self.speed
-        if max(map(abs, before)) <= slack:
-            state[at], state[at + 1] = 0.0, 0.0
-            return
-        inertia = contact_inertia(own, psi)
-        found = impulses(own, inertia, before, slack)
-        if not found:
-            raise Inconsistent("no impulse at the contact is consistent")
-        order = preference(self.problem.on_ambiguity, None if mode is None else mode.kind)
-        _, impulse, after = min(found, key=lambda each: order.index(each.kind))
-        torque = own.length * (impulse[0] * math.sin(psi) - impulse[1] * math.cos(psi))
-        state[at], state[at + 1] = after
-        state[at + 2] += torque / own.moment
-        fence = self.segment.velocity(time)
-        state[Entry.WORK] += impulse[0] * fence[0] + impulse[1] * fence[1]
-        means = (before[0] + after[0]) / 2, (before[1] + after[1]) / 2
-        state[Entry.CONTACT] -= impulse[0] * means[0] + impulse[1] * means[1]
 
     def after(self, cause: Cause, time: float, state: State, mode: Mode) -> tuple[float, State]:
         at = self.at
         match cause:
             case Cause.TOUCHES:
                 state[Entry.GAP] = 0.0
-                self._impact(time, state, mode)
+                impact(self, time, state, mode)
             case Cause.SLIP_ENDS:
                 state[at] = 0.0
             case Cause.STOPS:
-                return self._stopped(time, state, mode)
+                return stopped(self, time, state, mode)
             case Cause.STARTS:
-                self._start(time, state, mode)
+                set_off(self, time, state, mode)
         return time, state
-
-    def _stopped(self, time: float, state: State, mode: Mode) -> tuple[float, State]:
-        """Finish a motion that dies out: speeds fall in proportion to the time that is left.
-
-        The energy then falls with its square, and everything moves on at half its present rate.
-        """
-        energy, rates = self.kinetic_energy(time, state), mode.rates(time, state)
-        lost = sum(rates[Entry.CONTACT : self.at]) - 2 * rates[Entry.WORK]
-        if lost <= 0.0:
-            return time, state
-        left = min(2 * energy / lost, self.segment.end - time)
-        fence = self.segment.velocity(time)
-        last = self.segment.velocity(time + left)
-        for entry in range(self.at):
-            state[entry] += rates[entry] * left / 2
-        for i, entry in enumerate((Entry.FENCE_X, Entry.FENCE_Y)):
-            state[entry] += fence[i] * left / 2
-            state[Entry.ALONG + i] -= fence[i] * left / 2
-        if self.touches(state):
-            state[Entry.GAP] = 0.0
-        state[self.at :] = [-last[0], -last[1], 0.0]
-        return time + left, state
 
     def kinetic_energy(self, time: float, state: State) -> float:
         """Of the slider."""
