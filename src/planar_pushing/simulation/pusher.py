@@ -87,7 +87,8 @@ def _difference(velocity: Motion, start: float, end: float) -> Motion:
         values = np.array([velocity(middle + i * step) for i in range(-3, 4)])
         coefficients = np.polynomial.polynomial.polyfit(np.arange(-3, 4), values, 6)
         slope = np.polynomial.polynomial.polyder(coefficients)
-        x, y = np.polynomial.polynomial.polyval((time - middle) / step, slope)
+        at = np.array((time - middle) / step)
+        x, y = np.polynomial.polynomial.polyval(at, slope)
         return float(x) / step, float(y) / step
 
     return acceleration

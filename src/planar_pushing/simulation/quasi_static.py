@@ -256,8 +256,16 @@ class Slip:
         system, flow = self.system, self.flow(time, state)
         fence_x, fence_y = system.segment.velocity(time)
         pace = math.hypot(fence_x, fence_y)
-        slips = self.side * flow.slip / (pace + abs(flow.slip)) if pace else -1.0
-        moves = self.advance / (1.0 + system.setting.length) * fence_y / pace if pace else -1.0
+        if pace == 0.0:
+            return (
+                Guard(Cause.SLIP_ENDS, -1.0),
+                Guard(Cause.FORCE_ENDS, -1.0),
+                *system.common_guards(time, state, flow),
+            )
+        slips = self.side * flow.slip / (pace + abs(flow.slip))
+        # A fence that keeps moving along itself moves nothing by slip.
+        lifts = fence_y != 0.0 or not system.segment.constant
+        moves = self.advance / (1.0 + system.setting.length) * fence_y / pace if lifts else -1.0
         return (
             Guard(Cause.SLIP_ENDS, slips),
             Guard(Cause.FORCE_ENDS, moves),

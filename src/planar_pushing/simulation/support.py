@@ -122,7 +122,7 @@ class Support:
             turned = speed + length * slant * spin
             rise = curvature * turned**2 + force * (length * along / speed) ** 2 / speed
             step = -excess / (rise * lever)
-            if excess * lever > 0.0:
+            if (excess > 0.0) == (lever > 0.0):
                 high = share
             else:
                 low = share

@@ -1,0 +1,46 @@
+"""Simulations in one line, for the tests."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import planar_pushing as pp
+
+
+def heading(degrees, speed=1.0):
+    """A velocity by its angle."""
+    angle = np.deg2rad(degrees)
+    return speed * np.cos(angle), speed * np.sin(angle)
+
+
+def run(scene, velocity, duration, **options):
+    """The log of a simulation; `velocity` is what `Pusher` takes, or a pusher."""
+    pusher = velocity if isinstance(velocity, pp.Pusher) else pp.Pusher(velocity=velocity)
+    return pp.simulate(scene, pusher=pusher, duration=duration, **options)
+
+
+def final(log, name):
+    """Last value of a variable."""
+    return log[name].values[-1]
+
+
+def imbalance(log):
+    """Work of the fence less the energy gained and dissipated, at every instant."""
+    lost = log.dissipated.sum("effect") + log.contact_dissipated
+    gained = log.kinetic_energy - log.kinetic_energy[0]
+    return np.abs((log.work - log.work[0] - gained - (lost - lost[0])).values)
+
+
+def check(log, tolerance=1e-9):
+    """What holds of every log: finite numbers, no penetration, energy, and an end that is explained."""
+    for name, variable in log.data_vars.items():
+        if variable.dtype.kind == "f" and name != "spin_ratio":
+            assert np.isfinite(variable).all(), name
+    assert not np.isnan(log.spin_ratio).any()
+    assert log.gap.min() >= -tolerance
+    assert np.all(np.diff(log.time) >= 0)
+    scale = 1 + float(np.abs(log.work).max()) + float(log.kinetic_energy.max())
+    assert imbalance(log).max() <= tolerance * scale
+    reached = log.time.values[-1] == log.attrs["duration"]
+    assert reached != bool(log.attrs["stopped"])
+    return log

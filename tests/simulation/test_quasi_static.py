@@ -1,0 +1,221 @@
+"""Quasi-static motion: published references, independent ones, the policies, hard cases."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from properties.strategies import coefficients, friction, scenes
+from simulation.runs import check, final, heading, run
+
+import planar_pushing as pp
+from planar_pushing.simulation.support import Support
+from unit.builders import DEFINITION_2, make_scene
+
+#: l, mu, fence angle, psi0, T; final rod angle in degrees, and slip.
+REFERENCES = [
+    (5, np.inf, 165, 45, 3, 33.49164319965058, 2.1514157444528927),
+    (2, 2, 60, 45, 3, 6.511092064133266, -0.15251676648881093),
+    (2, 2, 170, 45, 3, 29.673182764562068, 2.437240035590965),
+    (1, 0.5, 20, 80, 2, 110.23885816124236, -1.0410568765402608),
+]
+
+
+@pytest.mark.parametrize("reference", REFERENCES, ids=str)
+def test_published_references(reference):
+    length, mu, angle, psi, duration, rod_angle, slip = reference
+    log = check(run(make_scene(length, mu, psi=np.deg2rad(psi)), heading(angle), duration))
+    assert final(log, "rod_angle") == pytest.approx(rod_angle, abs=1e-9)
+    assert final(log, "slip") == pytest.approx(slip, abs=1e-9)
+
+
+def inner_spin_ratio(arm):
+    """k with H(k) = arm for 0 < arm < 1, from the elliptic integrals."""
+
+    def excess(k):
+        e, m = mpmath.ellipe(k * k), k * k
+        return (e - (1 - m) * mpmath.ellipk(m)) / (k * e) - arm
+
+    return mpmath.findroot(
+        excess, (arm, min(1 - mpmath.mpf(10) ** -12, 2 * arm)), solver="anderson"
+    )
+
+
+def test_slip_under_infinite_friction_in_closed_form():
+    """Force along -x: the centre keeps its height, so l sin psi falls as the fence rises."""
+    length, duration = 5, 3
+    w_x, w_y = heading(165)
+    log = run(make_scene(length, np.inf), (w_x, w_y), duration)
+    height = length * math.sin(math.pi / 4) - w_y * duration
+    assert final(log, "rod_angle") == pytest.approx(
+        math.degrees(math.asin(height / length)), abs=1e-10
+    )
+
+    def slip_speed(time):
+        sine = math.sin(math.pi / 4) - w_y * time / length
+        omega = -w_y / (length * mpmath.sqrt(1 - sine**2))
+        # |k| > 1, and the ring is self-dual: 1 / |k| belongs to the arm's inverse.
+        speed = -omega * inner_spin_ratio(1 / (length * sine))
+        return -speed + omega * length * sine - w_x
+
+    slip = mpmath.quad(slip_speed, [0, duration / 2, duration])
+    assert final(log, "slip") == pytest.approx(float(slip), abs=1e-10)
+
+
+def test_ring_without_rod_slips_along_the_edge():
+    log = check(run(make_scene(0, 0.3), heading(60), 2))
+    along = math.sin(math.radians(60)) * 0.3
+    assert final(log, "slip") == pytest.approx(2 * (along - math.cos(math.radians(60))), abs=1e-12)
+    assert final(log, "rod_angle") == 45
+
+
+@pytest.mark.parametrize(
+    ("policy", "modes"),
+    [("keep-contact", {1}), ("stay-in-mode", {1}), ("separate", {0})],
+)
+def test_pulling_is_kept_or_lost_by_the_policy(policy, modes):
+    scene = make_scene(2, 2.0)
+    log = check(run(scene, [(0, heading(10)), (0.5, heading(-10))], 0.6, on_ambiguity=policy))
+    pulled = log.sel(time=slice(0.501, None))
+    assert set(pulled.mode.values) == modes
+    assert set(log.sel(time=slice(None, 0.499)).mode.values) == {1}
+    turn = np.flatnonzero(log.time == 0.5)[-1]
+    assert log.outcome[turn] == pp.Outcome.AMBIGUOUS
+    assert log.solutions[turn] == 3
+    assert (final(log, "gap") > 0.01) == (policy == "separate")
+
+
+def test_modes_at_the_start_are_those_of_solve():
+    for angle in range(-170, 171, 20):
+        for scene in (make_scene(2, 2.0), make_scene(5, np.inf), make_scene(0.5, 0.3)):
+            log = run(scene, heading(angle), 1e-3, samples=2)
+            found = pp.solve(scene, np.deg2rad(angle))
+            assert log.solutions[0] == len(found)
+            kept = found.solutions[1 if len(found) > 1 else 0]
+            assert log.mode[0] == kept.mode
+            assert log.force[0].values == pytest.approx(kept.force, abs=1e-10)
+            assert log.twist[0].values == pytest.approx(kept.twist, abs=1e-10)
+
+
+def test_no_consistent_mode_stops_the_run_and_keeps_the_log():
+    log = run(make_scene(2, DEFINITION_2), heading(165), 1)
+    assert log.sizes["time"] == 1
+    assert log.mode[0] == -1
+    assert log.outcome[0] == pp.Outcome.INCONSISTENT
+    assert log.attrs["stopped"] == "no contact mode is consistent"
+    assert log.attrs["stopped_time"] == 0
+
+
+def test_rod_that_comes_to_lie_along_the_fence_stops_the_run():
+    log = check(run(make_scene(2, 2.0, psi=np.deg2rad(20)), heading(80), 8))
+    assert "comes down to the fence" in log.attrs["stopped"]
+    assert final(log, "rod_angle") == pytest.approx(0, abs=1e-10)
+
+
+def test_large_friction_tends_to_infinite_friction_like_its_inverse():
+    infinite = run(make_scene(5, np.inf), heading(165), 3)
+    errors = [
+        final(run(make_scene(5, mu), heading(165), 3), "rod_angle") - final(infinite, "rod_angle")
+        for mu in (1e3, 1e5)
+    ]
+    assert errors[0] / errors[1] == pytest.approx(100, rel=1e-2)
+
+
+def test_motion_centre_crosses_the_ring():
+    scene = make_scene(1.5, np.inf, psi=np.deg2rad(80))
+    logs = [check(run(scene, heading(10), 3, rtol=rtol)) for rtol in (1e-8, 1e-11)]
+    k = np.abs(logs[1].spin_ratio.values)
+    assert k.min() < 0.999 < 1.001 < k.max()
+    assert final(logs[0], "rod_angle") == pytest.approx(final(logs[1], "rod_angle"), abs=1e-7)
+
+
+def test_fence_leaves_stands_and_comes_back():
+    log = check(run(make_scene(2, 2.0), [(0, (0, -1)), (1, (0.2, 0)), (2, (0.2, 1))], 4))
+    contact = log.time[log.mode != 0]
+    assert contact[0] == pytest.approx(3, abs=1e-12)
+    before = log.sel(time=slice(None, 2.999))
+    assert np.all(before.rod_angle == before.rod_angle[0])
+    assert final(log, "rod_angle") != before.rod_angle[0]
+
+
+def test_fence_of_any_function_of_time_agrees_with_its_pieces():
+    pieces = run(make_scene(2, 0.6), [(0, heading(60)), (1, heading(120))], 2)
+    pusher = pp.Pusher(velocity=lambda t: heading(60 if t < 1 else 120), breakpoints=(1,))
+    function = run(make_scene(2, 0.6), pusher, 2)
+    assert final(function, "rod_angle") == pytest.approx(final(pieces, "rod_angle"), abs=1e-10)
+    assert final(function, "slip") == pytest.approx(final(pieces, "slip"), abs=1e-10)
+
+
+@pytest.mark.parametrize("speed", [1e-6, 1e3])
+def test_path_does_not_depend_on_the_speed(speed):
+    slow = run(make_scene(2, 2.0), heading(60, speed), 3 / speed)
+    assert final(slow, "rod_angle") == pytest.approx(REFERENCES[1][5], abs=1e-9)
+
+
+def test_smooth_start_turn_and_grazing_of_the_fence():
+    def circles(t):
+        return math.cos(2 * t), math.sin(2 * t)
+
+    def touches_and_leaves(t):
+        return 1.0, 0.3 * math.sin(t) ** 2
+
+    def starts(t):
+        return 0.0, t * t
+
+    for velocity in (circles, touches_and_leaves, starts):
+        log = check(run(make_scene(2, 0.6), pp.Pusher(velocity=velocity), 1.4))
+        assert log.attrs["stopped"] == ""
+        assert set(log.mode.values) & {1, 2, 3}
+
+
+def test_any_effect_of_degree_one_is_simulated_through_its_profile():
+    class Borrowed:
+        """A ring that hides what it is."""
+
+        degree, kinks = 1, (1.0,)
+
+        def scaled(self, length):
+            return self
+
+        def profile(self, spin_ratio):
+            return pp.RingFriction().profile(spin_ratio)
+
+    scene = make_scene(2, 2.0, (Borrowed(),))
+    log = run(scene, heading(60), 0.5)
+    ring = run(make_scene(2, 2.0), heading(60), 0.5)
+    assert final(log, "rod_angle") == pytest.approx(final(ring, "rod_angle"), abs=1e-9)
+    assert "Borrowed" in log.attrs["scene"]
+
+
+def test_two_effects_of_degree_one_share_the_load():
+    parts = (pp.RingFriction(weight=0.25), pp.RingFriction(weight=0.75))
+    log, whole = (run(make_scene(2, 2.0, e), heading(60), 1) for e in (parts, (pp.RingFriction(),)))
+    assert final(log, "rod_angle") == pytest.approx(final(whole, "rod_angle"), abs=1e-10)
+    assert final(log, "dissipated") == pytest.approx(
+        final(whole, "dissipated") * [0.25, 0.75], rel=1e-9
+    )
+
+
+@given(st.floats(0, 1), st.floats(-2, 2), st.floats(-np.pi, np.pi))
+def test_sticking_motion_does_not_depend_on_the_guess(guess, exponent, lean):
+    support, length = Support((pp.RingFriction(),)), 10.0**exponent
+    along, aside = math.cos(lean), math.sin(lean)
+    found = support.stick(along, aside, length, guess)
+    again = support.stick(along, aside, length, 0.5)
+    assert found[1:] == pytest.approx(again[1:], abs=1e-12)
+    assert support.evaluations < 60
+
+
+@settings(max_examples=25)
+@given(
+    scenes(contact=coefficients, effects=friction), st.floats(-180, 180), st.floats(-180, 180),
+    st.sampled_from(["keep-contact", "separate", "stay-in-mode"]),
+)  # fmt: skip
+def test_random_scenes_run_to_an_end_that_is_explained(scene, first, second, policy):
+    fence = [(0, heading(first)), (0.4, heading(second))]
+    log = check(run(scene, fence, 1, on_ambiguity=policy, samples=11, rtol=1e-8), 1e-8)
+    assert not log.attrs["stopped"] or log.attrs["stopped"].startswith(("the", "no contact"))
