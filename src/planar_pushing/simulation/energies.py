@@ -52,17 +52,19 @@ class Energies:
         """
         work = (trial.impulse[0] * moved[0] + trial.impulse[1] * moved[1]) / h
         left = work + self.kinetic(before) - self.kinetic(trial.twist)
-        v_x, v_y, spin = trial.twist
-        powers = (0.0,) * len(self.friction)
-        if self.friction and trial.twist != REST:
-            powers = self.support.powers(math.hypot(v_x, v_y), spin)
+        flight = trial.impulse == (0.0, 0.0)
+        powers = self._powers(before if flight and trial.twist == REST else trial.twist)
         total = h * math.fsum(powers)
-        flight = trial.impulse == (0.0, 0.0) and total > 0.0
-        share = left / total if flight else 1.0
+        share = left / total if flight and total > 0.0 else 1.0
         for index, power in zip(self.friction, powers, strict=True):
             self.dissipated[index] += share * h * power
         self.work += work
         self.lost += 0.0 if flight else left - total
+
+    def _powers(self, twist: Twist) -> tuple[float, ...]:
+        if not self.friction or twist == REST:
+            return (0.0,) * len(self.friction)
+        return self.support.powers(math.hypot(twist[0], twist[1]), twist[2])
 
     def evaluations(self, inertia: int) -> tuple[int, ...]:
         """Evaluations of each effect, given those of the inertia."""

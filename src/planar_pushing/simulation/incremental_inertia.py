@@ -201,5 +201,6 @@ class InertialIncrement:
         # A gain of nothing but rounding leaves the size open.
         gain = math.copysign(max(abs(gain), SLACK / self.mass), gain)
         ends = sorted(((-away - shift) / gain, (-away + shift) / gain))
-        margin = 1e-9 * (ends[1] - ends[0])
+        # Friction along the contact's motion shifts it by exactly its all: the root is then at an end.
+        margin = 1e-3 * (ends[1] - ends[0])
         return max(ends[0] - margin, 0.0), ends[1] + margin

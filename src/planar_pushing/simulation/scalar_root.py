@@ -49,10 +49,17 @@ def safe_newton(
 def bracketed(
     function: Callable[[float], float], low: float, high: float, f_low: float, f_high: float
 ) -> float:
-    """Root between two values of opposite sign, by Brent's method to a few places of rounding."""
-    if f_low == 0.0:
+    """Root between two values of opposite sign, by Brent's method to a few places of rounding.
+
+    The values at the ends are taken as they are given: a function that starts from its last root may
+    differ in the last place when it is called again.
+    """
+    ends = {low: f_low, high: f_high}
+    if f_low == 0.0 or not low < high:
         return low
     if f_high == 0.0:
         return high
-    root: float = brentq(function, low, high, xtol=1e-300, rtol=4 * EPS)
+    root: float = brentq(
+        lambda x: ends[x] if x in ends else function(x), low, high, xtol=1e-300, rtol=4 * EPS
+    )
     return root

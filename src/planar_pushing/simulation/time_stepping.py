@@ -36,6 +36,8 @@ STEPS = 1000
 BATCH = 256
 #: A gap that is this small in radii is closed.
 CLOSED = 1e-12
+#: Times closer than this part of the time that has passed are one time.
+APART = 1e-12
 
 
 def integrate(problem: Problem, times: Sequence[float], step: float | None = None) -> Records:
@@ -95,8 +97,7 @@ class TimeStepping:
         """Lists of records, in order of time."""
         wanted = sorted({*map(float, times), 0.0, float(self.problem.duration)})
         for segment in self.problem.pusher.segments(self.problem.duration):
-            inner = [time for time in wanted if segment.start < time < segment.end]
-            for start, end in itertools.pairwise([segment.start, *inner, segment.end]):
+            for start, end in itertools.pairwise(_marks(segment, wanted)):
                 for _ in self._span(segment, start, end, size):
                     if len(self.records) >= BATCH:
                         yield self._handed_on()
@@ -197,6 +198,16 @@ class TimeStepping:
                 stopped=self.stopped,
             )
         )
+
+
+def _marks(segment: Segment, wanted: Sequence[float]) -> list[float]:
+    """Ends of a segment and the times wanted between them, without those that rounding doubles."""
+    least = APART * segment.end
+    marks = [segment.start]
+    for time in wanted:
+        if marks[-1] + least < time < segment.end - least:
+            marks.append(time)
+    return [*marks, segment.end]
 
 
 def _ratio(spin: float, speed: float) -> float:
