@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from properties.strategies import coefficients, friction, scenes
-from simulation.runs import check, final, heading, run
 
 import planar_pushing as pp
 from planar_pushing.simulation.support import Support
+from properties.strategies import coefficients, friction, scenes
+from simulation.runs import check, final, heading, run
 from unit.builders import DEFINITION_2, make_scene
 
 #: l, mu, fence angle, psi0, T; final rod angle in degrees, and slip.

@@ -6,6 +6,7 @@ enumerated and the policy takes one. The driver knows nothing of the equations.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 
 from scipy.integrate import DenseOutput
@@ -122,13 +123,11 @@ class EventDriven:
                 self.system, mode, self.time, self.state, segment.end, rtol
             ):
                 event = watcher.first_event(dense)
+                yield from self._samples(time if event is None else event[0], dense)
                 if event is not None:
-                    self._samples(event[0], dense)
                     self._happened(mode, *event, dense)
                     return
-                self._samples(time, dense)
                 self.time, self.state = time, state
-                yield
         except Singular:
             self._stop(f"the motion is singular in the mode {mode.kind.name}")
 
@@ -175,17 +174,16 @@ class EventDriven:
             now > NEAR or then >= now - TREND for now, then in zip(margins, later, strict=True)
         )
 
-    def _samples(self, end: float, dense: DenseOutput) -> None:
-        """Log the uniform samples up to a time."""
-        stop = self.next
-        while stop < len(self.times) and self.times[stop] < end:
-            stop += 1
-        times = self.times[self.next : stop]
-        self.next = stop
-        if times:
+    def _samples(self, end: float, dense: DenseOutput) -> Iterator[None]:
+        """Log the uniform samples up to a time, a batch at a time."""
+        stop = bisect_left(self.times, end, lo=self.next)
+        while self.next < stop:
+            times = self.times[self.next : min(stop, self.next + BATCH)]
+            self.next += len(times)
             for time, state in zip(times, dense(times).T.tolist(), strict=True):
                 held = 1 + sum(_clear(mode, time, state) for mode in self.others)
                 self.records.append(self.system.record(time, state, self.mode, held))
+            yield
 
     def _log(self, time: float, state: State) -> None:
         """Log an instant, unless the run has just stopped there."""

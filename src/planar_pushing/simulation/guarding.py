@@ -79,7 +79,7 @@ class Watcher:
         sign = self.signs[i] or 1.0
 
         def value(time: float) -> float:
-            return sign * float(self.mode.guards(time, dense(time).tolist())[i].value)
+            return float(sign) * float(self.mode.guards(time, dense(time).tolist())[i].value)
 
         return value
 
@@ -109,7 +109,7 @@ class Watcher:
             time = start + (end - start) / 2**halving
             if value(time) > SLACK:
                 self.signs[i] = 1.0
-                return time
+                return float(time)
         raise Misjudged
 
     def _dip(

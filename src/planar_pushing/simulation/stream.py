@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import h5netcdf
+import h5py
 
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.simulation import log
@@ -26,8 +27,9 @@ CHUNK = 256
 class Stream:
     """An open log; `append` writes a batch and flushes it."""
 
-    def __init__(self, file: h5netcdf.File) -> None:
-        self.file, self.length = file, 0
+    def __init__(self, file: h5netcdf.File, disk: h5py.File) -> None:
+        self.file, self.disk, self.length = file, disk, 0
+        self._flush()
 
     def append(self, records: list[Record]) -> None:
         """Write records to the end of the log."""
@@ -36,7 +38,12 @@ class Stream:
         self.file.resize_dimension("time", self.length)
         for name, value in values.items():
             self.file.variables[name][start : self.length] = value
+        self._flush()
+
+    def _flush(self) -> None:
+        """What netCDF adds goes to the file, and the file to the disk."""
         self.file.flush()
+        self.disk.flush()
 
     def end(self, record: Record) -> None:
         """Note that the run has ended, and with which record."""
@@ -55,12 +62,13 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
     target = Path(path)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        file = h5netcdf.File(target, "w")
+        # netCDF readers want the order of creation kept.
+        disk = h5py.File(target, "w", track_order=True)
     except OSError as error:
         raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
-    with file:
+    with disk, h5netcdf.File(disk, "r+") as file:
         _define(file, problem, method)
-        yield Stream(file)
+        yield Stream(file, disk)
 
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
@@ -70,7 +78,7 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
     time.attrs.update(log.TIME)
     for name, labels in coordinates.items():
-        label = file.create_variable(name, (name,), h5netcdf.core.h5py.string_dtype())
+        label = file.create_variable(name, (name,), h5py.string_dtype())
         label[:] = labels
         label.attrs.update({"units": "1", "long_name": log.COORDINATES[name]})
     for name, variable in log.VARIABLES.items():
@@ -78,4 +86,3 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
         chunks = CHUNK, *(len(coordinates[dim]) for dim in variable.dims)
         created = file.create_variable(name, dims, variable.dtype, chunks=chunks)
         created.attrs.update(log.variable_attributes(name))
-    file.flush()
