@@ -40,6 +40,33 @@ def contact_inertia(setting: Setting, rod_angle: float) -> ContactInertia:
     return ContactInertia(shift + turn * e_x * e_x, turn * e_x * e_y, shift + turn * e_y * e_y)
 
 
+class Instant(NamedTuple):
+    """What the forces at one instant follow from.
+
+    Attributes
+    ----------
+    velocity : (v_x, v_y)
+        Of the ring centre.
+    fence, turn : (x, y)
+        Velocity and acceleration of the fence.
+    free : (x, y)
+        Acceleration of the contact without a contact force, relative to that of the fence.
+    resistance : (f_x, f_y, torque)
+        Friction on the support.
+    powers : tuple of float
+        What each effect of degree 1 dissipates.
+    inertia : ContactInertia
+    """
+
+    velocity: Vector
+    fence: Vector
+    turn: Vector
+    free: Vector
+    resistance: tuple[float, float, float]
+    powers: tuple[float, ...]
+    inertia: ContactInertia
+
+
 class Impulse(NamedTuple):
     """A consistent impulse at the contact, and the contact's velocity over the fence after it."""
 

@@ -7,52 +7,25 @@ contact that sticks has no relative velocity at all, and one that slips no norma
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.contact_inertia import (
-    ContactInertia,
+    Instant,
     contact_inertia,
 )
 from planar_pushing.simulation.inertial_events import AT_REST, impact, set_off, starts, stopped
 from planar_pushing.simulation.inertial_modes import Free, Rest, Slide, Stick
+from planar_pushing.simulation.inertial_record import record
 from planar_pushing.simulation.mode import SLACK, Cause, Entry, Mode, State
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Segment
-from planar_pushing.simulation.record import NO_MODE, Record, spin_ratio
+from planar_pushing.simulation.record import Record
 from planar_pushing.simulation.setting import Vector, setting
 from planar_pushing.simulation.support import Support
 
 #: Below this part of the typical speed a slider that starts has no direction but the impending one.
 NO_DIRECTION = 1e-13
-
-
-class Instant(NamedTuple):
-    """What the forces at one instant follow from.
-
-    Attributes
-    ----------
-    velocity : (v_x, v_y)
-        Of the ring centre.
-    fence, turn : (x, y)
-        Velocity and acceleration of the fence.
-    free : (x, y)
-        Acceleration of the contact without a contact force, relative to that of the fence.
-    resistance : (f_x, f_y, torque)
-        Friction on the support.
-    powers : tuple of float
-        What each effect of degree 1 dissipates.
-    inertia : ContactInertia
-    """
-
-    velocity: Vector
-    fence: Vector
-    turn: Vector
-    free: Vector
-    resistance: tuple[float, float, float]
-    powers: tuple[float, ...]
-    inertia: ContactInertia
 
 
 class Inertial:
@@ -232,31 +205,4 @@ class Inertial:
         return total / 2
 
     def record(self, time: float, state: State, mode: Mode | None, solutions: int) -> Record:
-        now = self.instant(time, state, (0.0, 0.0, 0.0))
-        along, gap, psi, fence_x, fence_y, slip, contact, work = state[: len(Entry)]
-        dissipated, spin = state[len(Entry) : self.at], state[self.at + 2]
-        reach = self.setting.length * self.setting.radius
-        rubbing = iter(dissipated)
-        effects = self.problem.scene.effects
-        evaluations = {1: self.support.evaluations if self.support else 0, 2: self.instants}
-        return Record(
-            time=time,
-            position=(
-                fence_x + along + reach * math.cos(psi),
-                fence_y + gap + reach * math.sin(psi),
-            ),
-            rod_angle=psi,
-            twist=(*now.velocity, spin),
-            fence=(fence_x, fence_y),
-            slip=slip,
-            gap=gap,
-            force=mode.force(time, state) if mode else (0.0, 0.0),
-            mode=NO_MODE if mode is None else int(mode.kind),
-            solutions=solutions,
-            spin_ratio=spin_ratio(spin, math.hypot(*now.velocity)),
-            dissipated=tuple(next(rubbing) if e.degree == 1 else 0.0 for e in effects),
-            contact_dissipated=contact,
-            work=work,
-            kinetic_energy=self.kinetic_energy(time, state),
-            evaluations=tuple(evaluations[effect.degree] for effect in effects),
-        )
+        return record(self, time, state, mode, solutions)

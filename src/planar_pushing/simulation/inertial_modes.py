@@ -9,11 +9,12 @@ import math
 from typing import TYPE_CHECKING
 
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.simulation.contact_inertia import Instant
 from planar_pushing.simulation.mode import Cause, Entry, Guard, State
 from planar_pushing.simulation.setting import Vector
 
 if TYPE_CHECKING:
-    from planar_pushing.simulation.inertial import Inertial, Instant
+    from planar_pushing.simulation.inertial import Inertial
 
 #: Part of the typical force below which a force has no direction of its own.
 NO_FORCE = 1e-9
