@@ -18,7 +18,8 @@ from planar_pushing.mechanics import response
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.effects.base import IsotropicEffect
-from planar_pushing.mechanics.effects.ring_friction import ring_profile, ring_spin_ratio
+from planar_pushing.mechanics.effects.ring_inverse import ring_spin_ratio
+from planar_pushing.mechanics.effects.ring_profile import ring_profile
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.planar import Array, contact_motion_angle, moment_arm
 from planar_pushing.mechanics.scene import Scene, Slider

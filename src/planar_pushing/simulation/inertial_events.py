@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.response import resistance
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slipping import slip_motions
 from planar_pushing.mechanics.solve import solve
@@ -78,7 +79,7 @@ def _slipping_starts(scene: Scene, normal: float, slip: float) -> list[Start]:
     angles, slider = scene.contact.force_angles, scene.slider
     edge = angles.left if slip > 0 else angles.right
     rod = slider.length_ratio, slider.rod_angle
-    speed, ratio, exists = slip_motions(scene.scaled_effects, *rod, edge, normal)
+    speed, ratio, exists = slip_motions(resistance(scene.scaled_effects), *rod, edge, normal)
     for v, k in zip(speed[exists].tolist(), ratio[exists].tolist(), strict=True):
         found.append((kind, (v * math.cos(edge), v * math.sin(edge), v * k)))
     return found
