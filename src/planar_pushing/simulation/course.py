@@ -27,6 +27,12 @@ from planar_pushing.simulation.lanes import (
 #: The mode that follows is chosen this far (radians) past the end of the last one, where margins are
 #: larger than what rounding leaves of them.
 AHEAD, RESOLVED = 1e-7, 1e-12
+#: Past a kink the motion centre is this far off the ring, and where it only touches the ring it stays on
+#: the outside: there its distance is smaller than what the solver leaves of it.
+LOOK, TOUCHING = 1e-4, 1e-7
+#: Weight of the kink's margin: less than a millionth past it the motion is smooth enough, and a
+#: motion centre that only touches the ring makes no events.
+KINK = 1e-4
 #: More steps or changes of mode than any smooth course takes.
 LIMIT = 10_000
 NO_MODE = -1
@@ -86,9 +92,9 @@ class Course:
         self.mode, self.choices, self.changes, self.evaluations = np.zeros((4, count), dtype=int)
         self.guesses = {mode: np.full(count, 0.5) for mode in CONTACT}
         self.guesses[ContactMode.STICK] = first_share(self.lanes.length)
-        self._choose(np.arange(count), self.angle)
-        moving = np.maximum(self.lanes.speed, np.finfo(float).tiny)
-        self.size = 0.1 * np.maximum(1.0, self.lanes.length) / moving
+        self._choose(np.arange(count), self.angle, np.zeros(count))
+        speed = self.lanes.speed
+        self.size = 0.1 * np.maximum(1.0, self.lanes.length) / np.where(speed > 0, speed, 1.0)
 
     def motion(self, index: Index, mode: ContactMode, angle: Array) -> Motion:
         """Motion of some lanes in one mode, which ends where the ring's centre comes down."""
@@ -104,7 +110,8 @@ class Course:
     def _smooth(self, index: Index, mode: ContactMode, angle: Array) -> Motion:
         """The same; the margin also ends where the motion centre crosses the ring, which is a kink."""
         motion = self.motion(index, mode, angle)
-        return motion._replace(margin=np.minimum(motion.margin, self.inner[index] * motion.inner))
+        kink = KINK * (self.inner[index] * motion.inner + TOUCHING)
+        return motion._replace(margin=np.minimum(motion.margin, kink))
 
     def _consistent(self, index: Index, angle: Array) -> Found:
         """Whether each of the modes in order of preference is consistent; shape (modes, lanes)."""
@@ -118,8 +125,11 @@ class Course:
             tests[mode] = margin > (-RESOLVED if mode is ContactMode.STICK else RESOLVED)
         return np.stack([tests[mode] for mode in self.preference])
 
-    def _choose(self, index: Index, angle: Array) -> None:
-        """Give each lane the first consistent mode in the order of preference."""
+    def _choose(self, index: Index, angle: Array, look: Array) -> None:
+        """Give each lane the first consistent mode in the order of preference.
+
+        On which side of the ring its motion centre is, is seen at a distance `look` from the angle.
+        """
         consistent = self._consistent(index, angle)
         first = np.array(self.preference)[np.argmax(consistent, axis=0)]
         self.choices[index] = consistent.sum(axis=0)
@@ -127,8 +137,8 @@ class Course:
         for mode in CONTACT:
             here = np.nonzero(self.mode[index] == mode)[0]
             if len(here):
-                motion = self.motion(index[here], mode, angle[here])
-                self.inner[index[here]] = np.where(motion.inner >= 0, 1.0, -1.0)
+                inner = self.motion(index[here], mode, angle[here] + look[here]).inner
+                self.inner[index[here]] = np.where(inner < -TOUCHING, -1.0, 1.0)
 
     def run(self, until: Array) -> None:
         """Advance every lane to its own time; where no mode is consistent it stays behind."""
@@ -201,9 +211,9 @@ class Course:
         time, slip = lockstep.passage(lambda a: self._smooth(index, mode, a), start, angle)
         self._move(index, angle, time, slip)
         self.evaluations[index] += len(lockstep.NODES)
-        ahead = angle + AHEAD * np.sign(beyond - inside)
-        self.lies[index] = np.sin(ahead) < 0
-        index, ahead = index[~self.lies[index]], ahead[~self.lies[index]]
+        way = np.sign(beyond - inside)
+        self.lies[index] = np.sin(angle + AHEAD * way) < 0
+        index, angle, way = (each[~self.lies[index]] for each in (index, angle, way))
         before = self.mode[index]
-        self._choose(index, ahead)
+        self._choose(index, angle + AHEAD * way, LOOK * way)
         self.changes[index] += self.mode[index] != before
