@@ -213,7 +213,8 @@ class Course:
         self.evaluations[index] += len(lockstep.NODES)
         way = np.sign(beyond - inside)
         self.lies[index] = np.sin(angle + AHEAD * way) < 0
-        index, angle, way = (each[~self.lies[index]] for each in (index, angle, way))
+        stands = ~self.lies[index]
+        index, ahead, look = index[stands], (angle + AHEAD * way)[stands], (LOOK * way)[stands]
         before = self.mode[index]
-        self._choose(index, angle + AHEAD * way, LOOK * way)
+        self._choose(index, ahead, look)
         self.changes[index] += self.mode[index] != before
