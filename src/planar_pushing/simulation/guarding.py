@@ -87,7 +87,7 @@ class Watcher:
         value = self._value(i, dense)
         if value(bracket[0]) <= 0.0:
             return bracket[0]
-        root: float = brentq(value, *bracket, xtol=1e-15, rtol=1e-15)
+        root: float = brentq(value, *bracket, xtol=1e-30, rtol=1e-15, maxiter=500)
         return root
 
     def _bracket(

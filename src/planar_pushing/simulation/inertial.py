@@ -178,7 +178,8 @@ class Inertial:
         state[at], state[at + 1] = state[at] + jump[0], state[at + 1] + jump[1]
         end = segment.velocity(segment.end)
         self.fence = end
-        if self.is_on_fence(state) and math.hypot(*jump) > SLACK * self.speed:
+        slack = SLACK * self.speed
+        if self.is_on_fence(state) and (math.hypot(*jump) > slack or state[at + 1] < -slack):
             impact(self, segment.start, state, mode)
         return state
 

@@ -58,6 +58,8 @@ def starts(system: Inertial, time: float, state: State) -> list[Start]:
     still = math.hypot(*system.segment.velocity(time)) <= STILL * system.speed
     if size <= (STILL * system.speed / system.pace(time) if still else 0.0):
         return [RESTS]
+    if still and abs(turn[1]) <= AT_REST * size:
+        turn = turn[0], 0.0
     scene = system.problem.scene
     angle = state[Entry.ANGLE] % (2 * math.pi) if system.setting.length else math.pi / 2
     slider = replace(scene.slider, rod_angle=angle)
