@@ -240,3 +240,17 @@ def test_random_scenes_run_to_an_end_that_is_explained(scene, angle, omega, gap,
     fence = [(0, heading(angle)), (0.4, STILL)]
     options = {"twist": (0.2, -0.3, omega), "gap": gap, "on_ambiguity": policy}
     check(run(scene, fence, 1, samples=11, rtol=1e-8, **options), 1e-7)
+
+
+def test_initial_twist_into_the_fence_is_an_impact():
+    log = check(run(make_scene(2, pp.PerfectlyRough(), INERTIA), STILL, 0.1, twist=(0, -1, 0)))
+    assert log.contact_dissipated[0] > 0.1
+    assert log.attrs["stopped"] == ""
+
+
+def test_fence_that_slides_along_before_it_pushes():
+    pusher = pp.Pusher(velocity=lambda t: (0.6 * t, 0.3 * t * t))
+    log = check(run(make_scene(2, 0.5, BOTH), pusher, 1.5))
+    assert log.attrs["stopped"] == ""
+    assert log.mode[0] == pp.ContactMode.SEPARATE
+    assert final(log, "mode") == pp.ContactMode.SLIP_LEFT

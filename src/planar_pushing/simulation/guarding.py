@@ -88,6 +88,10 @@ class Watcher:
         if value(bracket[0]) <= 0.0:
             return bracket[0]
         root: float = brentq(value, *bracket, xtol=1e-30, rtol=1e-15, maxiter=500)
+        # Where the guard jumps, the event has to lie on the far side of the jump.
+        step = 1e-15 * root
+        while step and root < bracket[1] and value(root) > SLACK:
+            root, step = min(root + step, bracket[1]), 2 * step
         return root
 
     def _bracket(
