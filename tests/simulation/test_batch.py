@@ -61,6 +61,7 @@ def test_the_references():
     assert found.slip.values == pytest.approx(SLIPS, abs=1e-9)
     assert found["mode"].values.tolist() == [2, 3, 2, 3]
     assert (found.stopped == 0).all()
+    assert found.initial_rod_angle.values == pytest.approx([45, 45, 45, 80])
 
 
 @pytest.mark.parametrize(

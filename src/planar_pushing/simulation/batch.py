@@ -108,7 +108,7 @@ def simulate_batch(
     given = scene_parameters(rod_length, rod_angle, friction_coefficient, velocity, duration)
     parts = sample_parts(samples)
     lanes, preference = _lanes(given, size), PREFERENCES[on_ambiguity]
-    course = Course(lanes, preference, STEP_PART * tolerance, given["rod_angle"])
+    course = Course(lanes, preference, STEP_PART * tolerance, given["rod_angle"].copy())
     taken = []
     for part in parts:
         course.run(part * given["duration"])
