@@ -3,7 +3,9 @@
 from pathlib import Path
 
 from planar_pushing.report import tables
+from planar_pushing.report.cost_tables import COST_TABLES
 from planar_pushing.report.results import Results
+from planar_pushing.report.writing import write_text
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
@@ -15,5 +17,6 @@ with job_log(snakemake.log[0]):
         "verdict": tables.verdict_text(results),
         "provenance": tables.provenance_text(results, snakemake.input.study),
     }
+    texts |= {name: text(results) for name, text in COST_TABLES.items()}
     for name, text in texts.items():
-        tables.write_text(text, snakemake.output[name])
+        write_text(text, snakemake.output[name])

@@ -118,6 +118,19 @@ PROMISES: dict[str, str] = {
     "figure_13": "",
 }
 
+#: Figures about how this work computes, in the order of the report, and their captions.
+OURS: dict[str, str] = {
+    "accuracy_evaluations": (
+        "Error of the friction wrench against evaluations of the integrand, at four spin ratios k, a "
+        "marker for each setting of a method. Formulas evaluate no integrand and stand in the grey "
+        "strip. Dotted: rounding of a double."
+    ),
+    "hard_cases": (
+        "Error of each hard case in units in the last place, from best to worst condition within a "
+        "group, beside the error that half a unit in the inputs causes."
+    ),
+}
+
 _STATICS = "Sec. 3: quasi-static pushing and pulling"
 _DYNAMICS = "Sec. 4: dynamic pushing and pulling"
 

@@ -46,16 +46,29 @@ def work_precision(
 ) -> None:
     """Draw errors of shape (point,) against the times of shape (point, repeat).
 
-    A marker stands at the least time, and a hair leads to the median. Errors beyond the limits of the
-    axis stand on its ends.
+    A marker stands at the least time, and a hair leads to the median.
     """
-    shown = np.clip(np.nan_to_num(errors, posinf=limits[1]), *limits)
     low, middle = best(times), np.asarray(times.median("repeat").values)
+    shown = within(errors, limits)
+    for name in dict.fromkeys(names):
+        rows = np.flatnonzero(names == name)
+        color = LOOKS[str(name)]["color"]
+        ax.hlines(shown[rows], low[rows], middle[rows], color=color, linewidth=0.6)
+    curves(ax, names, low, errors, limits)
+
+
+def within(errors: Array, limits: tuple[float, float]) -> Array:
+    """Errors, those beyond the limits of the axis moved to its ends."""
+    return np.asarray(np.clip(np.nan_to_num(errors, posinf=limits[1]), *limits))
+
+
+def curves(ax: Axes, names: Array, x: Array, errors: Array, limits: tuple[float, float]) -> None:
+    """Draw errors against costs of shape (point,), a line for each method, both axes logarithmic."""
+    shown = within(errors, limits)
     for name in dict.fromkeys(names):
         rows = np.flatnonzero(names == name)
         look = {"markersize": 4.0, "linewidth": 0.9, "clip_on": False, **LOOKS[str(name)]}
-        ax.hlines(shown[rows], low[rows], middle[rows], color=look["color"], linewidth=0.6)
-        ax.plot(low[rows], shown[rows], **look)
+        ax.plot(x[rows], shown[rows], **look)
     ax.set(xscale="log", yscale="log", ylim=limits)
     ax.minorticks_off()
     ax.grid(True)

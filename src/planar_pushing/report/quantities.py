@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -97,6 +97,18 @@ def computed(
 
     what = (compute.__doc__ or "").partition("\n")[0].rstrip(".")
     return Quantity(read=read, digits=digits, unit=unit, source=f"{dataset}: {what}")
+
+
+def magnitude(
+    dataset: str, compute: Callable[[xr.Dataset], float], *, unit: str = "1", digits: int = 1
+) -> Quantity:
+    """Like `computed`, with a power of ten and so many digits after the point of its factor."""
+    number = computed(dataset, compute, unit=unit)
+
+    def read(results: Results) -> str:
+        return f"{number.read(results):.{digits}e}"
+
+    return replace(number, read=read)
 
 
 def claimed(claim: str, field: str, *, digits: int, unit: str = "1") -> Quantity:

@@ -14,11 +14,17 @@ from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.store import open_dataset, read_dataset
 
 
+#: Datasets on how this work computes; a group is named behind a slash.
+MEASURED = ("accuracy", "accuracy_errors", "effects", "evaluations", "hard_cases")
+
+
 @cache
 def _opened(name: str, folder: Path) -> xr.Dataset:
-    kind, _, figure = name.partition("/")
+    kind, _, part = name.partition("/")
     if kind == "figures":
-        return read_dataset(folder / "figures" / "data" / f"{figure}.nc")
+        return read_dataset(folder / "figures" / "data" / f"{part}.nc")
+    if kind in MEASURED:
+        return read_dataset(folder / "data" / f"{kind}.nc", part or None)
     return open_dataset(name, folder)
 
 
@@ -30,9 +36,10 @@ class Results:
     golden: Path
 
     def dataset(self, name: str) -> xr.Dataset:
-        """Dataset as `open_dataset` names it, or what a figure plots as "figures/figure_06"; read once.
+        """Dataset as `open_dataset` names it, one of `MEASURED`, or what a figure plots; read once.
 
-        Errors as in `open_dataset`.
+        A group is named as "accuracy_errors/cone", a figure as "figures/figure_06". Errors as in
+        `open_dataset`.
         """
         return _opened(name, self.folder)
 

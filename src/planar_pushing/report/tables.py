@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import csv
 import hashlib
-import io
-import json
 import os
 import platform
-from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
-from planar_pushing.figures.catalog import CAPTIONS, FIGURES, PROMISES, SECTIONS
+from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.margins import margins
@@ -22,10 +18,9 @@ from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import Results
 from planar_pushing.report.verdict import verdict_rows
-from planar_pushing.study.files import replacing
+from planar_pushing.report.writing import csv_text, json_text
 
 PathLike = str | os.PathLike[str]
-Rows = Sequence[dict[str, str]]
 #: Packages that the results and the report are made with.
 PACKAGES = (
     "planar-pushing",
@@ -45,22 +40,30 @@ GOLDEN_PACKAGES = {"python-flint": "python_flint", "FLINT": "flint"}
 
 def numbers_text(results: Results) -> str:
     """Table of the numbers of the prose."""
-    return _json(numbers(results))
+    return json_text(numbers(results))
 
 
 def figures_text(results: Results) -> str:
-    """Table of the figures: captions, what the paper's promise, sections, and margins in points."""
-    return _json(
-        {
-            name: {
-                "caption": CAPTIONS[name],
-                "promise": PROMISES[name],
-                "section": SECTIONS[name],
-                "margins": margins(results.folder / "figures" / f"{name}.png"),
-            }
-            for name in FIGURES
+    """Table of the figures: captions, what the paper's promise, sections, and margins in points.
+
+    Figures about our own work are numbered on from those of the paper's subjects.
+    """
+
+    def white(name: str) -> dict[str, float]:
+        return margins(results.folder / "figures" / f"{name}.png")
+
+    found: dict[str, dict[str, object]] = {
+        name: {
+            "caption": CAPTIONS[name],
+            "promise": PROMISES[name],
+            "section": SECTIONS[name],
+            "margins": white(name),
         }
-    )
+        for name in FIGURES
+    }
+    for number, (name, caption) in enumerate(OURS.items(), len(FIGURES) + 1):
+        found[name] = {"caption": caption, "number": str(number), "margins": white(name)}
+    return json_text(found)
 
 
 def cones_text(results: Results) -> str:
@@ -82,7 +85,7 @@ def cones_text(results: Results) -> str:
             for side, value in zip(SIDES, pair, strict=True)
         }
         rows.append({"rod length": f"{length:g}", **edges})
-    return _csv(rows)
+    return csv_text(rows)
 
 
 SIDES = ("right", "left")
@@ -103,7 +106,7 @@ def verdict_text(results: Results) -> str:
     rows = verdict_rows(results)
     if not rows:
         raise InvalidFile(f"{results.folder}/tables/golden_verdict.txt: compares nothing; build it")
-    return _csv(rows)
+    return csv_text(rows)
 
 
 def provenance_text(results: Results, study: PathLike) -> str:
@@ -114,22 +117,4 @@ def provenance_text(results: Results, study: PathLike) -> str:
     rows += [(name, version(name)) for name in PACKAGES]
     marks = results.golden_marks()[0]
     rows += [(f"{name}, golden data", marks[key]) for name, key in GOLDEN_PACKAGES.items()]
-    return _csv([{"what": name, "version": value} for name, value in rows])
-
-
-def write_text(text: str, path: PathLike) -> None:
-    """Write a table whole or not at all."""
-    with replacing(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
-
-
-def _json(content: object) -> str:
-    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
-
-
-def _csv(rows: Rows) -> str:
-    stream = io.StringIO()
-    writer = csv.DictWriter(stream, fieldnames=list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return stream.getvalue()
+    return csv_text([{"what": name, "version": value} for name, value in rows])

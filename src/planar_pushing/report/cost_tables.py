@@ -1,0 +1,158 @@
+"""The tables of the parts on accuracy, hard cases and effects, as CSV."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.report.costs import FEW_ULP, ill, method, part, well
+from planar_pushing.report.results import Results
+from planar_pushing.report.writing import csv_text
+
+#: The hard places by their number.
+PLACES = {
+    1: "centre on the ring",
+    2: "translation and rotation",
+    3: "lengths and proportions",
+    4: "friction none to infinite, cone edges",
+    5: "slow and fast",
+    6: "at rest",
+    7: "two slips or none (Painlev\u00e9)",
+}
+#: What is computed, by scene and operation.
+COMPUTED = {
+    ("one slider", "motion_cone"): "motion cone",
+    ("one slider", "limit_curve"): "limit curve",
+    ("one slider", "solve"): "modes of one push",
+    ("grid", "limit_curves"): "grid: limit curves",
+    ("grid", "motion_cones"): "grid: motion cones",
+    ("grid", "contact_modes"): "grid: contact modes",
+}
+EFFECTS = ("support_friction", "inertia", "support_friction+inertia")
+
+
+def spin_ratio_text(value: float) -> str:
+    """Shortest text of a spin ratio, a power of ten where it is far from one."""
+    return f"{value:.0e}" if abs(np.log10(value)) > 4 else f"{value:.10g}"
+
+
+def _methods(data: xr.Dataset) -> list[str]:
+    return list(dict.fromkeys(map(str, data.method.values)))
+
+
+def _setting(value: float) -> str:
+    """Setting of a method: nothing, a count, or a tolerance."""
+    if value == 0:
+        return "\u2013"
+    return f"{value:.0f}" if value >= 1 else f"{value:.0e}"
+
+
+def _error(value: float) -> str:
+    return f"{value:.1e}" if np.isfinite(value) else "no number"
+
+
+def wrench_text(results: Results) -> str:
+    """Table of the methods for the wrench at the setting whose worst error is least."""
+    wrench = results.dataset("accuracy_errors/wrench")
+    rows = []
+    for name in _methods(wrench):
+        one = method(wrench, name)
+        best = one.isel(point=int(one.error.max("spin_ratio").values.argmin()))
+        place = int(best.error.values.argmax())
+        evaluations = int(best.evaluations.values.max())
+        rows.append(
+            {
+                "method": name,
+                "points or tolerance": _setting(float(best.setting)),
+                "evaluations": str(evaluations) if evaluations else "\u2013",
+                "worst error": _error(float(best.error[place])),
+                "at": spin_ratio_text(float(best.spin_ratio[place])),
+            }
+        )
+    return csv_text(rows)
+
+
+def cone_text(results: Results) -> str:
+    """Table of the methods for motion cones at their most accurate setting."""
+    cone = results.dataset("accuracy_errors/cone")
+    rows = []
+    for name in _methods(cone):
+        best = method(cone, name).isel(point=-1)
+        evaluations = float(best.evaluations)
+        rows.append(
+            {
+                "method": name,
+                "entries or tolerance": _setting(float(best.setting)),
+                "evaluations": f"{evaluations:.0f}" if evaluations else "\u2013",
+                "largest error": _error(float(best.cone_error)),
+            }
+        )
+    return csv_text(rows)
+
+
+def places_text(results: Results) -> str:
+    """Table of the hard cases by place; errors of the well-conditioned ones alone."""
+    cases = results.dataset("hard_cases")
+    rows = []
+    for line, name in PLACES.items():
+        some = part(cases, "case", cases.line.values == line)
+        fine = well(some)
+        rows.append(
+            {
+                "place": name,
+                "cases": str(some.sizes["case"]),
+                "ill-conditioned": str(some.sizes["case"] - fine.sizes["case"]),
+                f"beyond {FEW_ULP} ulp": str(int((fine.error_ulp > FEW_ULP).sum())),
+                "largest error": f"{float(fine.error_ulp.max()):.1f}",
+            }
+        )
+    return csv_text(rows)
+
+
+def ill_text(results: Results) -> str:
+    """Table of the ill-conditioned cases, and the digits that rounding the inputs leaves of each."""
+    cases = ill(results.dataset("hard_cases"))
+    found = zip(
+        cases.case.values.tolist(),
+        cases.condition.values.tolist(),
+        cases.error_bound.values.tolist(),
+        cases.error_ulp.values.tolist(),
+        strict=True,
+    )
+    return csv_text(
+        [
+            {
+                "case": name,
+                "condition number": f"{condition:.1e}",
+                "digits": f"{max(0.0, -np.log10(bound)):.0f}",
+                "error": f"{error:.1e}",
+            }
+            for name, condition, bound, error in found
+        ]
+    )
+
+
+def evaluations_text(results: Results) -> str:
+    """Table of evaluations of friction and inertia, by computation and listed effects."""
+    counts = results.dataset("evaluations")
+    rows = []
+    for (scene, operation), name in COMPUTED.items():
+        here = (counts.scene.values == scene) & (counts.operation.values == operation)
+        row = {"computed": name}
+        for effects in EFFECTS:
+            (case,) = np.flatnonzero(here & (counts.effects.values == effects))
+            for effect in ("support_friction", "inertia"):
+                value = int(counts.evaluations.isel(case=case).sel(effect=effect))
+                row[f"{effects}: {effect}"] = str(value)
+        rows.append(row)
+    return csv_text(rows)
+
+
+#: The tables by name of their file.
+COST_TABLES = {
+    "accuracy_wrench": wrench_text,
+    "accuracy_cone": cone_text,
+    "hard_places": places_text,
+    "hard_ill": ill_text,
+    "evaluations": evaluations_text,
+}

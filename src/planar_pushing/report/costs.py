@@ -1,0 +1,180 @@
+"""Numbers of the report about accuracy, hard cases and effects, computed from their datasets."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.planar import Array
+
+EPS = float(np.finfo(float).eps)
+#: Errors of at most so many units in the last place count as none to speak of.
+FEW_ULP = 4
+#: Place of the hard cases in which two slips meet.
+PAINLEVE = 7
+
+
+def part(data: xr.Dataset, axis: str, holds: Array) -> xr.Dataset:
+    """Rows of an axis without coordinates for which something holds."""
+    return data.isel({axis: np.flatnonzero(holds)})
+
+
+def method(data: xr.Dataset, name: str) -> xr.Dataset:
+    """Rows of one method, a row for each setting."""
+    return part(data, "point", data.method.values == name)
+
+
+def worst_error(name: str) -> Callable[[xr.Dataset], float]:
+    """Make the function that finds a method's error at its best setting."""
+
+    def worst(wrench: xr.Dataset) -> float:
+        """Largest relative error over the spin ratios, at the method's best setting."""
+        return float(method(wrench, name).error.max("spin_ratio").min())
+
+    return worst
+
+
+def worst_error_in(unit: float, name: str) -> Callable[[xr.Dataset], float]:
+    """Make the function that finds a method's error at its best setting in a unit of it."""
+
+    def worst(wrench: xr.Dataset) -> float:
+        """Largest relative error over the spin ratios in a unit of it, at the best setting."""
+        return worst_error(name)(wrench) / unit
+
+    return worst
+
+
+def last_error(name: str, spin_ratio: float) -> Callable[[xr.Dataset], float]:
+    """Make the function that finds a method's error at one spin ratio and its last setting."""
+
+    def last(wrench: xr.Dataset) -> float:
+        """Relative error at one spin ratio, at the most accurate setting."""
+        return float(method(wrench, name).error.sel(spin_ratio=spin_ratio)[-1])
+
+    return last
+
+
+def last_evaluations(name: str, spin_ratio: float) -> Callable[[xr.Dataset], float]:
+    """Make the function that counts a method's evaluations at one spin ratio and its last setting."""
+
+    def last(wrench: xr.Dataset) -> float:
+        """Evaluations at one spin ratio, at the most accurate setting."""
+        return float(method(wrench, name).evaluations.sel(spin_ratio=spin_ratio)[-1])
+
+    return last
+
+
+def cone_error(name: str) -> Callable[[xr.Dataset], float]:
+    """Make the function that finds a method's error of cone edges."""
+
+    def error(cone: xr.Dataset) -> float:
+        """Largest error of a cone's edge, at the most accurate setting."""
+        return float(method(cone, name).cone_error[-1])
+
+    return error
+
+
+def cone_evaluations(name: str) -> Callable[[xr.Dataset], float]:
+    """Make the function that counts a method's evaluations for a cone edge."""
+
+    def evaluations(cone: xr.Dataset) -> float:
+        """Mean evaluations for a cone's edge, at the most accurate setting."""
+        return float(method(cone, name).evaluations[-1])
+
+    return evaluations
+
+
+def spin_ratios(wrench: xr.Dataset) -> float:
+    """Number of spin ratios."""
+    return float(wrench.sizes["spin_ratio"])
+
+
+def well(cases: xr.Dataset) -> xr.Dataset:
+    """Hard cases that are not ill-conditioned."""
+    return part(cases, "case", cases.ill_conditioned.values == 0)
+
+
+def ill(cases: xr.Dataset) -> xr.Dataset:
+    """Hard cases that are ill-conditioned."""
+    return part(cases, "case", cases.ill_conditioned.values > 0)
+
+
+def hard_cases(cases: xr.Dataset) -> float:
+    """Number of hard cases."""
+    return float(cases.sizes["case"])
+
+
+def ill_cases(cases: xr.Dataset) -> float:
+    """Number of ill-conditioned cases."""
+    return float(ill(cases).sizes["case"])
+
+
+def well_cases(cases: xr.Dataset) -> float:
+    """Number of well-conditioned cases."""
+    return float(well(cases).sizes["case"])
+
+
+def accurate_cases(cases: xr.Dataset) -> float:
+    """Number of well-conditioned cases that are right to a few units in the last place."""
+    return float((well(cases).error_ulp <= FEW_ULP).sum())
+
+
+def largest_error(cases: xr.Dataset) -> float:
+    """Largest error of the well-conditioned cases, units in the last place."""
+    return float(well(cases).error_ulp.max())
+
+
+def condition_there(cases: xr.Dataset) -> float:
+    """Condition number where the error of the well-conditioned cases is largest."""
+    fine = well(cases)
+    return float(fine.condition[int(np.argmax(fine.error_ulp.values))])
+
+
+def largest_error_elsewhere(cases: xr.Dataset) -> float:
+    """Largest error of the well-conditioned cases apart from slips that meet."""
+    fine = well(cases)
+    return float(fine.error_ulp.values[fine.line.values != PAINLEVE].max())
+
+
+def largest_share(cases: xr.Dataset) -> float:
+    """Largest error of any case in units of one plus its condition number."""
+    return float((cases.error_ulp / (1 + cases.condition)).max())
+
+
+def ill_from(cases: xr.Dataset) -> float:
+    """Condition number from which a case counts as ill-conditioned."""
+    return float(json.loads(cases.attrs["parameters"])["ill_conditioned_from"])
+
+
+def condition_of_ill(which: Callable[[Array], float]) -> Callable[[xr.Dataset], float]:
+    """Make the function that finds an extreme condition number of the ill-conditioned cases."""
+
+    def condition(cases: xr.Dataset) -> float:
+        """Extreme condition number of the ill-conditioned cases."""
+        return float(which(ill(cases).condition.values))
+
+    return condition
+
+
+def _single(counts: xr.Dataset) -> xr.Dataset:
+    return part(counts, "case", ["+" not in name for name in counts.effects.values.tolist()])
+
+
+def single_cases(counts: xr.Dataset) -> float:
+    """Number of computations with one effect."""
+    return float(_single(counts).sizes["case"])
+
+
+def absent_evaluations(counts: xr.Dataset) -> float:
+    """Evaluations of effects that a computation does not list."""
+    single = _single(counts)
+    absent = single.effect.values != single.effects.values[:, None]
+    return float(single.evaluations.values[absent].sum())
+
+
+def listed_evaluations(counts: xr.Dataset) -> float:
+    """Evaluations of the effect that a computation lists, over those with one effect."""
+    return float(_single(counts).evaluations.sum()) - absent_evaluations(counts)

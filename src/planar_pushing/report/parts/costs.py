@@ -1,0 +1,66 @@
+"""The numbers of the parts on accuracy, hard cases and effects; none is a time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from planar_pushing.report import costs
+from planar_pushing.report.quantities import Numbers, Quantity, computed, magnitude, picked
+
+WRENCH, CONE = "accuracy_errors/wrench", "accuracy_errors/cone"
+HARD, COUNTS = "hard_cases", "evaluations"
+#: Spin ratios that the prose speaks about: next to a translation, to the ring, on it, next to a spin.
+NEAR, SPIN = 1 - 1e-9, 1e8
+
+
+def _percent(name: str, digits: int = 0) -> Quantity:
+    compute = costs.worst_error_in(0.01, name)
+    return computed(WRENCH, compute, digits=digits, unit="percent")
+
+
+def _ulp(name: str) -> Quantity:
+    return computed(WRENCH, costs.worst_error_in(costs.EPS, name), digits=1, unit="epsilon")
+
+
+ACCURACY: Numbers = {
+    "spin-ratios": computed(WRENCH, costs.spin_ratios),
+    "closed-form-error": _ulp("closed form"),
+    "hypergeometric-error": _ulp("hyp2f1"),
+    "carlson-error": _ulp("Carlson"),
+    "trapezoid-evaluations": computed(WRENCH, costs.last_evaluations("trapezoid", 1.0)),
+    "trapezoid-error": magnitude(WRENCH, costs.last_error("trapezoid", 1.0)),
+    "quad-evaluations-near": computed(WRENCH, costs.last_evaluations("quad", NEAR)),
+    "quad-evaluations-on": computed(WRENCH, costs.last_evaluations("quad", 1.0)),
+    "quad-error-spin": magnitude(WRENCH, costs.last_error("quad", SPIN)),
+    "ellipsoid-error": _percent("ellipsoid"),
+    "quartic-error": _percent("convex quartic", 1),
+    "cone-error": magnitude(CONE, costs.cone_error("closed form"), unit="degree"),
+    "brentq-evaluations": computed(CONE, costs.cone_evaluations("brentq on quad")),
+    "root-evaluations": computed(CONE, costs.cone_evaluations("find_root")),
+    "ellipsoid-cone-error": computed(CONE, costs.cone_error("ellipsoid"), digits=1, unit="degree"),
+    "quartic-cone-error": computed(
+        CONE, costs.cone_error("convex quartic"), digits=2, unit="degree"
+    ),
+    "rim-ellipsoid": picked(CONE, "rim_error", {"model": "ellipsoid"}),
+    "rim-quartic": picked(CONE, "rim_error", {"model": "quartic"}),
+}
+
+HARD_CASES: Numbers = {
+    "hard-cases": computed(HARD, costs.hard_cases),
+    "hard-well": computed(HARD, costs.well_cases),
+    "hard-ill": computed(HARD, costs.ill_cases),
+    "hard-accurate": computed(HARD, costs.accurate_cases),
+    "hard-largest": computed(HARD, costs.largest_error, digits=1),
+    "hard-largest-condition": computed(HARD, costs.condition_there),
+    "hard-largest-elsewhere": computed(HARD, costs.largest_error_elsewhere, digits=1),
+    "hard-share": computed(HARD, costs.largest_share, digits=1),
+    "hard-limit": magnitude(HARD, costs.ill_from, digits=0),
+    "hard-least-condition": magnitude(HARD, costs.condition_of_ill(np.min)),
+    "hard-most-condition": magnitude(HARD, costs.condition_of_ill(np.max)),
+}
+
+EFFECTS: Numbers = {
+    "effects-single": computed(COUNTS, costs.single_cases),
+    "effects-listed": computed(COUNTS, costs.listed_evaluations),
+    "effects-absent": computed(COUNTS, costs.absent_evaluations),
+}
