@@ -8,12 +8,21 @@ ACCURACY = ["accuracy_wrench", "accuracy_cone", "accuracy_study"]
 
 
 #: Like the report, built with the study that the golden data certify.
-COUNTS = ["accuracy_errors", "evaluations"] if STUDY.golden else []
+COUNTS = (
+    [
+        *expand("results/data/{name}.nc", name=["accuracy_errors", "evaluations"]),
+        *expand(
+            "results/figures/accuracy_evaluations.{kind}", kind=["svg", "pdf", "png"]
+        ),
+    ]
+    if STUDY.golden
+    else []
+)
 
 
 rule counts:
     input:
-        expand("results/data/{name}.nc", name=COUNTS),
+        COUNTS,
 
 
 rule accuracy_errors:
@@ -46,6 +55,32 @@ rule evaluations:
         "Counting the evaluations of each effect"
     script:
         "../scripts/evaluations.py"
+
+
+rule evaluations_figure:
+    input:
+        data="results/data/accuracy_errors.nc",
+        modules=modules("figures.accuracy_evaluations", "figures.accuracy"),
+        style="src/planar_pushing/figures/paper.mplstyle",
+    output:
+        svg=report(
+            "results/figures/{figure}.svg",
+            category="What accuracy costs",
+            caption="../report/accuracy_evaluations.rst",
+            labels={"figure": "error against evaluations"},
+        ),
+        pdf="results/figures/{figure}.pdf",
+        png="results/figures/{figure}.png",
+    log:
+        "results/logs/figures/{figure}.log",
+    benchmark:
+        "results/benchmarks/figures/{figure}.tsv"
+    wildcard_constraints:
+        figure="accuracy_evaluations",
+    message:
+        "Drawing {wildcards.figure}"
+    script:
+        "../scripts/accuracy_figure.py"
 
 
 rule accuracy:

@@ -1,7 +1,7 @@
 # The study, validated before any job starts, and what the rules look up in it.
 from snakemake.exceptions import WorkflowError
 
-from planar_pushing.figures.catalog import CAPTIONS, FIGURES, PROMISES, SECTIONS
+from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
 from planar_pushing.mechanics.errors import PlanarPushingError
 from planar_pushing.study.study_file import load_study
 from planar_pushing.study.jobs import modules

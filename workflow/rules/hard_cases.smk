@@ -35,7 +35,7 @@ rule hard_cases_figure:
     output:
         svg=report(
             "results/figures/hard_cases.svg",
-            category="Figures",
+            category="Hard cases",
             caption="../report/hard_cases.rst",
             labels={"figure": "hard_cases"},
         ),

@@ -3,6 +3,13 @@
 WHOLE = COMPUTED == list(DATASETS) and DRAWN == list(FIGURES)
 PAPER = ["results/paper.pdf"] if STUDY.golden and WHOLE else []
 
+#: What the report and its supplement are set from, beside the results.
+SOURCES = sorted(
+    str(part)
+    for part in Path("paper").rglob("*")
+    if part.suffix in (".typ", ".md", ".bib", ".json")
+)
+
 
 rule paper:
     input:
@@ -13,12 +20,16 @@ rule report_tables:
     input:
         data=expand("results/data/{dataset}.nc", dataset=DATASETS),
         figures=expand("results/figures/data/{figure}.nc", figure=FIGURES),
-        pictures=expand("results/figures/{figure}.png", figure=FIGURES),
+        costs=expand(
+            "results/data/{name}.nc",
+            name=["accuracy_errors", "evaluations", "hard_cases"],
+        ),
+        pictures=expand("results/figures/{figure}.png", figure=[*FIGURES, *OURS]),
         verdict="results/tables/golden_verdict.txt",
         claims="results/tables/claims.json",
         study=STUDY_FILE,
         golden=rules.golden_verdict.input.golden,
-        modules=modules("report.tables"),
+        modules=modules("report.tables", "report.cost_tables"),
     output:
         numbers="results/tables/numbers.json",
         figures="results/tables/figures.json",
@@ -40,6 +51,36 @@ rule report_tables:
             labels={"table": "versions"},
             caption="../report/provenance.rst",
         ),
+        accuracy_wrench=report(
+            "results/tables/accuracy_wrench.csv",
+            category="What accuracy costs",
+            labels={"table": "methods for the wrench"},
+            caption="../report/accuracy_wrench.rst",
+        ),
+        accuracy_cone=report(
+            "results/tables/accuracy_cone.csv",
+            category="What accuracy costs",
+            labels={"table": "methods for motion cones"},
+            caption="../report/accuracy_cone.rst",
+        ),
+        hard_places=report(
+            "results/tables/hard_places.csv",
+            category="Hard cases",
+            labels={"table": "by place"},
+            caption="../report/hard_places.rst",
+        ),
+        hard_ill=report(
+            "results/tables/hard_ill.csv",
+            category="Hard cases",
+            labels={"table": "ill-conditioned"},
+            caption="../report/hard_ill.rst",
+        ),
+        evaluations=report(
+            "results/tables/evaluations.csv",
+            category="Effects",
+            labels={"table": "evaluations"},
+            caption="../report/evaluations.rst",
+        ),
     log:
         "results/logs/paper/report_tables.log",
     benchmark:
@@ -56,13 +97,9 @@ rule paper_pdf:
     input:
         rules.report_tables.output,
         claims="results/tables/claims.json",
-        figures=expand("results/figures/{figure}.svg", figure=FIGURES),
+        figures=expand("results/figures/{figure}.svg", figure=[*FIGURES, *OURS]),
         source="paper/report.typ",
-        parts=sorted(
-            str(part)
-            for part in Path("paper").rglob("*")
-            if part.suffix in (".typ", ".md", ".bib")
-        ),
+        parts=SOURCES,
         modules=modules("report.typeset"),
     output:
         report(

@@ -14,19 +14,19 @@ PLACES = {
     1: "centre on the ring",
     2: "translation and rotation",
     3: "lengths and proportions",
-    4: "friction none to infinite, cone edges",
+    4: "friction none to infinite",
     5: "slow and fast",
     6: "at rest",
-    7: "two slips or none (Painlev\u00e9)",
+    7: "slips that merge (Painlev\u00e9)",
 }
 #: What is computed, by scene and operation.
 COMPUTED = {
     ("one slider", "motion_cone"): "motion cone",
     ("one slider", "limit_curve"): "limit curve",
-    ("one slider", "solve"): "modes of one push",
-    ("grid", "limit_curves"): "grid: limit curves",
-    ("grid", "motion_cones"): "grid: motion cones",
-    ("grid", "contact_modes"): "grid: contact modes",
+    ("one slider", "solve"): "one push",
+    ("grid", "limit_curves"): "grid, curves",
+    ("grid", "motion_cones"): "grid, cones",
+    ("grid", "contact_modes"): "grid, pushes",
 }
 EFFECTS = ("support_friction", "inertia", "support_friction+inertia")
 
@@ -51,6 +51,10 @@ def _error(value: float) -> str:
     return f"{value:.1e}" if np.isfinite(value) else "no number"
 
 
+def _ulp(value: float) -> str:
+    return f"{value:.1f}" if value < 100 else f"{value:.0f}"
+
+
 def wrench_text(results: Results) -> str:
     """Table of the methods for the wrench at the setting whose worst error is least."""
     wrench = results.dataset("accuracy_errors/wrench")
@@ -63,10 +67,10 @@ def wrench_text(results: Results) -> str:
         rows.append(
             {
                 "method": name,
-                "points or tolerance": _setting(float(best.setting)),
-                "evaluations": str(evaluations) if evaluations else "\u2013",
+                "setting": _setting(float(best.setting)),
+                "calls": str(evaluations) if evaluations else "\u2013",
                 "worst error": _error(float(best.error[place])),
-                "at": spin_ratio_text(float(best.spin_ratio[place])),
+                "at k": spin_ratio_text(float(best.spin_ratio[place])),
             }
         )
     return csv_text(rows)
@@ -82,9 +86,9 @@ def cone_text(results: Results) -> str:
         rows.append(
             {
                 "method": name,
-                "entries or tolerance": _setting(float(best.setting)),
-                "evaluations": f"{evaluations:.0f}" if evaluations else "\u2013",
-                "largest error": _error(float(best.cone_error)),
+                "setting": _setting(float(best.setting)),
+                "calls": f"{evaluations:.0f}" if evaluations else "\u2013",
+                "error, degrees": _error(float(best.cone_error)),
             }
         )
     return csv_text(rows)
@@ -101,9 +105,9 @@ def places_text(results: Results) -> str:
             {
                 "place": name,
                 "cases": str(some.sizes["case"]),
-                "ill-conditioned": str(some.sizes["case"] - fine.sizes["case"]),
-                f"beyond {FEW_ULP} ulp": str(int((fine.error_ulp > FEW_ULP).sum())),
-                "largest error": f"{float(fine.error_ulp.max()):.1f}",
+                "ill": str(some.sizes["case"] - fine.sizes["case"]),
+                f"over {FEW_ULP} ulp": str(int((fine.error_ulp > FEW_ULP).sum())),
+                "largest": _ulp(float(fine.error_ulp.max())),
             }
         )
     return csv_text(rows)
@@ -123,9 +127,9 @@ def ill_text(results: Results) -> str:
         [
             {
                 "case": name,
-                "condition number": f"{condition:.1e}",
+                "condition": f"{condition:.1e}",
                 "digits": f"{max(0.0, -np.log10(bound)):.0f}",
-                "error": f"{error:.1e}",
+                "error, ulp": f"{error:.1e}",
             }
             for name, condition, bound, error in found
         ]

@@ -50,7 +50,7 @@ HARD_CASES: Numbers = {
     "hard-well": computed(HARD, costs.well_cases),
     "hard-ill": computed(HARD, costs.ill_cases),
     "hard-accurate": computed(HARD, costs.accurate_cases),
-    "hard-largest": computed(HARD, costs.largest_error, digits=1),
+    "hard-largest": computed(HARD, costs.largest_error),
     "hard-largest-condition": computed(HARD, costs.condition_there),
     "hard-largest-elsewhere": computed(HARD, costs.largest_error_elsewhere, digits=1),
     "hard-share": computed(HARD, costs.largest_share, digits=1),
