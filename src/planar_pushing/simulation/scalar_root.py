@@ -60,6 +60,11 @@ def bracketed(
     if f_high == 0.0:
         return high
     root: float = brentq(
-        lambda x: ends[x] if x in ends else function(x), low, high, xtol=1e-300, rtol=4 * EPS
+        lambda x: ends[x] if x in ends else function(x),
+        low,
+        high,
+        xtol=1e-300,
+        rtol=4 * EPS,
+        maxiter=2000,  # a root at zero is approached through all the exponents
     )
     return root
