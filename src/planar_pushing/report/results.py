@@ -13,7 +13,6 @@ import xarray as xr
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.store import open_dataset, read_dataset
 
-
 #: Datasets on how this work computes; a group is named behind a slash.
 MEASURED = ("accuracy", "accuracy_errors", "effects", "evaluations", "hard_cases")
 
