@@ -7,7 +7,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction, PerfectlyRough
+from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction, PerfectlyRough
 from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.effects.base import IsotropicEffect
 from planar_pushing.mechanics.planar import LONGEST, Array
@@ -76,7 +76,7 @@ def scene(rng: Generator, reach: float) -> Scene:
     """One scene whose lengths, forces and coefficients span 10^-reach to 10^reach."""
     length = float(rng.choice([0.0, 1.0, *powers(rng, min(reach, REACH), 3)]))
     radius = float(rng.choice([1.0, *powers(rng, min(reach, 200.0), 1)]))
-    laws = [
+    laws: list[ContactLaw] = [
         Coulomb(float(rng.choice([0.0, 1.0, *powers(rng, reach, 4)]))),
         InfiniteFriction(), InfiniteFriction("none"), PerfectlyRough(),
     ]  # fmt: skip

@@ -15,9 +15,11 @@ from planar_pushing.golden.setting import Effects
 from planar_pushing.golden.setting import Slider as ExactSlider
 from planar_pushing.hard_cases.adversarial import Generator, angles, powers, rod_angle, scene
 from planar_pushing.hard_cases.scenes import make_scene
+from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.candidates import Candidates, candidates, contact_motion
-from planar_pushing.mechanics.cones import motion_cone
+from planar_pushing.mechanics.cones import edge_motions, friction_cone, motion_cone
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.mechanics.response import is_homogeneous
@@ -39,7 +41,7 @@ def _breaks_its_conditions(scene: Scene, found: Candidates, pusher: Array) -> Wr
     gap = motion - pusher[..., None, :]
     wrong = ~np.isfinite(motion).all(axis=-1) | ~np.isfinite(size) | np.isnan(found.spin_ratio)
     if found.mode is ContactMode.SEPARATE:
-        return found.consistent & (wrong | (pusher[..., 1:] > 0))
+        return np.asarray(found.consistent & (wrong | (pusher[..., 1:] > 0)))
     if found.mode is ContactMode.STICK:
         wrong |= ~(np.abs(gap).max(axis=-1) <= CLOSE * scale)
     else:
@@ -47,8 +49,9 @@ def _breaks_its_conditions(scene: Scene, found: Candidates, pusher: Array) -> Wr
         reach = 1 + np.abs(found.twist).max(axis=-1) * (1 + scene.slider.length_ratio)
         wrong |= ~(np.abs(gap[..., 1]) <= CLOSE * reach) | ~(side * gap[..., 0] > 0)
         wrong |= ~(side * force[..., 0] <= CLOSE * size)
-    power = (force * motion).sum(axis=-1)
-    return found.consistent & (wrong | ~(power >= -CLOSE * size * scale))
+    along = np.divide(force, size[..., None], out=np.zeros_like(force), where=size[..., None] > 0)
+    power = (along * (motion / scale[..., None])).sum(axis=-1)
+    return np.asarray(found.consistent & (wrong | ~(power >= -CLOSE)))
 
 
 def _count(scene: Scene, found: tuple[Candidates, ...], pusher: Array) -> Wrong:
@@ -110,28 +113,43 @@ def _certified(
     return Counter({mode.name: len(motions) for mode, motions in found.items() if motions})
 
 
-def decided(rng: Generator) -> str:
-    """Compare one scene with the certified decisions: "same", "tie", "undecided" or "wrong".
-
-    A tie is a decision that a change of the inputs by 2^-44 turns into the one found.
-    """
+def _drawn(rng: Generator) -> tuple[Scene, Effects, float, float]:
+    """Scene with W = m = rho = R = 1 and lengths in reach of the certified route, its effects, a push."""
     length, mu, size = (float(10.0 ** rng.uniform(-reach, reach)) for reach in (3, 3, 4))
     psi = rod_angle(rng) if rng.random() < 0.5 else float(rng.uniform(0.05, np.pi - 0.05))
     names = list(Effects)[int(rng.integers(3))]
     share = {Effects.FRICTION: 0.0, Effects.INERTIA: 1.0, Effects.BOTH: 0.5}[names]
-    mu = float(rng.choice([mu, 0.0, 1.0, math.inf]))
-    here = make_scene(length, psi, share=share, mu=mu)
+    here = make_scene(length, psi, share=share, mu=float(rng.choice([mu, 0.0, 1.0, math.inf])))
     cone = motion_cone(here)
-    pusher = float(rng.choice(angles(rng, 200, 0.0, np.pi, cone.right, cone.left)))
+    return here, names, float(rng.choice(angles(rng, 200, 0.0, np.pi, cone.right, cone.left))), size
+
+
+def _on_an_edge(scene: Scene, pusher: float) -> bool:
+    """Whether the pusher's direction is one with an edge of a motion cone."""
+    edges = edge_motions(scene, friction_cone(scene)).ravel().tolist()
+    return min(abs(math.remainder(edge - pusher, math.tau)) for edge in edges) <= RESOLUTION
+
+
+def decided(rng: Generator) -> str:
+    """Compare one scene with the certified decisions: "same", "tie", "undecided" or "wrong".
+
+    A tie hangs on rounding: a change of the pusher's angle by 2^-44 turns the certified modes into those
+    found, or the pusher is within `RESOLUTION` of a cone's edge, where stick and slip are one.
+    """
+    here, names, pusher, size = _drawn(rng)
+    mu = friction_coefficient(here.contact)
     found = Counter(mode.name for mode in solve(here, pusher, size).modes)
     law = certified.coulomb(mu) if math.isfinite(mu) else certified.INFINITE_FREE
-    undecided = False
+    slider, undecided = here.slider, False
     for nudge in NEXT_TO:
         try:
-            exact = _certified(length, psi, law, names, size, _degrees(pusher, nudge))
+            turned = _degrees(pusher, nudge)
+            exact = _certified(slider.rod_length, slider.rod_angle, law, names, size, turned)
         except Undecided:
             undecided = True
             continue
         if exact == found:
             return "tie" if nudge else "same"
+    if _on_an_edge(here, pusher):
+        return "tie"
     return "undecided" if undecided else "wrong"

@@ -72,7 +72,7 @@ def ring_spin_ratios(rng: Generator, size: int) -> Wrong:
     held = (h > TINY) & (h < 1 / TINY)
     back = np.divide(torque, force, out=np.ones(size), where=held)
     wrong |= held & ~(np.abs(back - np.where(held, h, 1)) <= STEEPEST * ROUNDING * h)
-    return wrong | _falls(h, s)
+    return np.asarray(wrong | _falls(h, s))
 
 
 def _spin_ratios(effects: tuple[IsotropicEffect, ...], rng: Generator, arm: Array) -> Array:
@@ -122,7 +122,7 @@ def _leads_away(phi: Array, k: Array, length: Array, psi: Array) -> Wrong:
     margin = ROUNDING * (1 + np.abs(phi))
     wrong = ~(np.abs(turn) <= np.pi / 2 + margin)
     expected = -np.sign(k) * np.sign(np.cos(psi - phi))
-    return wrong | ((np.abs(turn) > margin) & (np.sign(turn) != expected))
+    return np.asarray(wrong | ((np.abs(turn) > margin) & (np.sign(turn) != expected)))
 
 
 def cone_edges(rng: Generator, size: int) -> Wrong:
@@ -135,7 +135,7 @@ def cone_edges(rng: Generator, size: int) -> Wrong:
     edges = contact_motion_angle(phi, ring_spin_ratio(arm), length, psi)
     span = edges[1] - edges[0]
     wrong = ~((span >= -ROUNDING) & (span <= np.pi + ROUNDING))
-    return wrong | (np.isinf(mu) & ~(np.abs(span - np.pi) <= ROUNDING))
+    return np.asarray(wrong | (np.isinf(mu) & ~(np.abs(span - np.pi) <= ROUNDING)))
 
 
 def limit_curves(rng: Generator, size: int) -> Wrong:
