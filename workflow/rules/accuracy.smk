@@ -92,6 +92,7 @@ rule accuracy:
             figure=[*ACCURACY, "effects"],
             kind=["svg", "pdf", "png"],
         ),
+        ["results/accuracy.pdf"] if STUDY.golden else [],
 
 
 rule accuracy_data:
@@ -131,7 +132,12 @@ rule effects_figure:
         modules=modules("figures.effects", "figures.render"),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
-        svg="results/figures/effects.svg",
+        svg=report(
+            "results/figures/effects.svg",
+            category="Effects",
+            caption="../report/effects.rst",
+            labels={"figure": "times"},
+        ),
         pdf="results/figures/effects.pdf",
         png="results/figures/effects.png",
     log:
@@ -150,7 +156,12 @@ rule accuracy_figure:
         ),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
-        svg="results/figures/{figure}.svg",
+        svg=report(
+            "results/figures/{figure}.svg",
+            category="What accuracy costs",
+            caption="../report/times.rst",
+            labels={"figure": "{figure}"},
+        ),
         pdf="results/figures/{figure}.pdf",
         png="results/figures/{figure}.png",
     log:
@@ -161,3 +172,49 @@ rule accuracy_figure:
         "Drawing {wildcards.figure}"
     script:
         "../scripts/accuracy_figure.py"
+
+
+rule supplement_tables:
+    input:
+        data=expand("results/data/{name}.nc", name=["accuracy", "effects"]),
+        modules=modules("report.supplement"),
+    output:
+        expand(
+            "results/tables/{name}",
+            name=[
+                "accuracy_numbers.json",
+                "times_effects.csv",
+                "times_scenes.csv",
+                "times_machine.csv",
+            ],
+        ),
+    log:
+        "results/logs/accuracy/supplement_tables.log",
+    params:
+        golden=STUDY.golden,
+    message:
+        "Reading the numbers of the supplement"
+    script:
+        "../scripts/supplement_tables.py"
+
+
+rule supplement_pdf:
+    input:
+        rules.supplement_tables.output,
+        figures=expand("results/figures/{figure}.svg", figure=[*ACCURACY, "effects"]),
+        source="paper/supplement.typ",
+        parts=SOURCES,
+        modules=modules("report.typeset"),
+    output:
+        report(
+            "results/accuracy.pdf",
+            category="Report",
+            labels={"document": "supplement on time"},
+            caption="../report/supplement.rst",
+        ),
+    log:
+        "results/logs/accuracy/supplement_pdf.log",
+    message:
+        "Setting the supplement"
+    script:
+        "../scripts/paper.py"

@@ -1,0 +1,120 @@
+"""The supplement on time: its numbers and its tables; both differ from machine to machine."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.report import times
+from planar_pushing.report.cost_tables import COMPUTED, EFFECTS
+from planar_pushing.report.quantities import Numbers, computed, magnitude
+from planar_pushing.report.results import Results
+from planar_pushing.report.writing import csv_text, json_text
+
+WRENCH, CONE, STUDY = (f"accuracy/{name}" for name in ("wrench", "cone", "study"))
+MILLI = 1e3
+#: What is asked of the scene of a figure.
+ASKED = {
+    "motion_cone": "motion cone",
+    "limit_curve": "limit curve",
+    "solve": "one push",
+}
+
+
+def _range(prefix: str, name: str, per: float = times.NANO, unit: str = "ns") -> Numbers:
+    """Least and largest time of a method over the spin ratios."""
+    ends = {"least": np.min, "most": np.max}
+    return {
+        f"{prefix}-{end}": computed(WRENCH, times.wrench_time(name, which, per), unit=unit)
+        for end, which in ends.items()
+    }
+
+
+NUMBERS: Numbers = {
+    **_range("closed-form", "closed form"),
+    **_range("hypergeometric", "hyp2f1"),
+    **_range("carlson", "Carlson"),
+    **_range("quad", "quad", times.MICRO, "us"),
+    "cone-time": computed(CONE, times.cone_time("closed form"), digits=2, unit="us"),
+    "brentq-ratio": computed(CONE, times.cone_ratio("brentq on quad")),
+    "root-ratio": computed(CONE, times.cone_ratio("find_root")),
+    "table-ratio": computed(CONE, times.cone_ratio("linear table"), digits=2),
+    "quartic-ratio": computed(CONE, times.cone_ratio("convex quartic"), digits=2),
+    "least-points": computed(STUDY, times.points(0)),
+    "most-points": computed(STUDY, times.points(-1)),
+    "small-grid-time": computed(STUDY, times.point_time(0), unit="ns"),
+    "large-grid-time": computed(STUDY, times.point_time(-1), unit="ns"),
+    "grid-memory": computed(STUDY, times.largest_memory, digits=1, unit="MB"),
+    "half-way-error": magnitude(STUDY, times.half_way_error, unit="degree"),
+    "both-solve-ratio": computed("effects", times.both_ratio("solve"), digits=1),
+    "both-cone-ratio": computed("effects", times.both_ratio("motion_cone"), digits=1),
+}
+
+
+def numbers_text(results: Results) -> str:
+    """Table of the numbers of the supplement's prose."""
+    return json_text({key: quantity.entry(results) for key, quantity in NUMBERS.items()})
+
+
+def _time(data: xr.Dataset, **where: str) -> str:
+    """Least time of the one case with these labels, milliseconds."""
+    holds = [data[label].values == value for label, value in where.items()]
+    (case,) = np.flatnonzero(np.all(holds, axis=0))
+    least = MILLI * float(data.time[case].min())
+    return f"{least:.{max(0, 2 - int(np.floor(np.log10(least))))}f}"
+
+
+def effects_text(results: Results) -> str:
+    """Table of times of one slider and of the grid by effects, milliseconds."""
+    data = results.dataset("effects")
+    return csv_text(
+        [
+            {"computed": name}
+            | {
+                effects: _time(data, scene=scene, operation=operation, effects=effects)
+                for effects in EFFECTS
+            }
+            for (scene, operation), name in COMPUTED.items()
+        ]
+    )
+
+
+def scenes_text(results: Results) -> str:
+    """Table of times of the scenes of the figures, milliseconds."""
+    data = results.dataset("effects")
+    found = dict(zip(data.scene.values.tolist(), data.effects.values.tolist(), strict=True))
+    return csv_text(
+        [
+            {"scene": scene.replace("_", " "), "effects": effects.replace("_", " ")}
+            | {asked: _time(data, scene=scene, operation=name) for name, asked in ASKED.items()}
+            for scene, effects in found.items()
+            if scene.startswith("figure_")
+        ]
+    )
+
+
+def machine_text(results: Results) -> str:
+    """Table of the machine.
+
+    Raises
+    ------
+    InvalidFile
+        Where the two measurements were taken on different machines or versions.
+    """
+    first, second = (times.machine(results.dataset(name)) for name in (WRENCH, "effects"))
+    if first != second:
+        raise InvalidFile(
+            f"{results.folder}/data: accuracy.nc and effects.nc come from different machines or versions; "
+            "measure anew with snakemake accuracy --forcerun accuracy_data effects_data"
+        )
+    return csv_text([{"what": what, "value": value} for what, value in first.items()])
+
+
+#: The supplement's files in results/tables, by name.
+TABLES = {
+    "accuracy_numbers.json": numbers_text,
+    "times_effects.csv": effects_text,
+    "times_scenes.csv": scenes_text,
+    "times_machine.csv": machine_text,
+}
