@@ -8,7 +8,13 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from planar_pushing.accuracy import tables
-from planar_pushing.figures import accuracy, accuracy_cone, accuracy_study, accuracy_wrench
+from planar_pushing.figures import (
+    accuracy,
+    accuracy_cone,
+    accuracy_evaluations,
+    accuracy_study,
+    accuracy_wrench,
+)
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.store import read_dataset, write_dataset
 
@@ -17,6 +23,7 @@ MODULES = {
     "accuracy_wrench": accuracy_wrench,
     "accuracy_cone": accuracy_cone,
     "accuracy_study": accuracy_study,
+    "accuracy_evaluations": accuracy_evaluations,
 }
 
 
@@ -72,6 +79,23 @@ def test_wrench_markers_are_least_times_and_errors_within_the_axis(pictures, dat
     assert np.array_equal(shown[np.lexsort(shown.T)], wanted[np.lexsort(wanted.T)])
 
 
+@pytest.mark.parametrize("panel", range(4))
+def test_markers_against_evaluations(pictures, data, panel):
+    one = read_dataset(data, "wrench").isel(spin_ratio=accuracy_evaluations.SHOWN[panel])
+    low, high = accuracy_evaluations.LIMITS
+    ax = pictures["accuracy_evaluations"].axes[panel]
+    evaluated = one.evaluations.values > 0
+    errors = np.clip(one.error.values, low, high)
+    wanted = np.column_stack([one.evaluations, errors])[evaluated]
+    shown = markers(ax)
+    strip = shown[:, 0] <= accuracy_evaluations.STRIP[1]
+    rules = shown[~strip]
+    assert np.array_equal(rules[np.lexsort(rules.T)], wanted[np.lexsort(wanted.T)])
+    assert sorted(shown[strip, 1]) == sorted(errors[~evaluated])
+    assert np.unique(shown[strip, 0]).size == np.count_nonzero(~evaluated) == 6
+    assert ax.get_title() == accuracy_wrench.TITLES[accuracy_evaluations.SHOWN[panel]].split(",")[0]
+
+
 def test_what_is_no_number_is_said_where_it_is(pictures):
     said = [
         any(text.get_text() == "no number" for text in ax.texts)
@@ -96,7 +120,7 @@ def test_cone_markers_and_bars(pictures, data):
     assert [bar.get_height() for bar in right.patches] == list(cone.rim_error.values)
 
 
-@pytest.mark.parametrize("name", ["accuracy_wrench", "accuracy_cone"])
+@pytest.mark.parametrize("name", ["accuracy_wrench", "accuracy_cone", "accuracy_evaluations"])
 def test_the_legend_names_every_method(pictures, data, name):
     (legend,) = pictures[name].legends
     given = set(read_dataset(data, MODULES[name].SOURCE).method.values)
@@ -110,8 +134,9 @@ def test_time_of_a_point_is_the_time_over_the_points(pictures, data):
     assert np.allclose(ax.lines[0].get_ydata(), wanted, rtol=1e-14)
 
 
-def test_pictures_have_the_same_bytes_twice(data, tmp_path):
+@pytest.mark.parametrize("name", ["accuracy_study", "accuracy_evaluations"])
+def test_pictures_have_the_same_bytes_twice(data, tmp_path, name):
     first, second = ([tmp_path / f"{run}.{kind}" for kind in ("svg", "pdf", "png")] for run in "ab")
     for paths in (first, second):
-        accuracy.draw_accuracy("accuracy_study", data, paths)
+        accuracy.draw_accuracy(name, data, paths)
     assert all(a.read_bytes() == b.read_bytes() for a, b in zip(first, second, strict=True))

@@ -7,10 +7,15 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
-from planar_pushing.figures.catalog import CAPTIONS, FIGURES, PROMISES, SECTIONS
+from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
+from planar_pushing.report.quantities import Numbers
+from planar_pushing.report.supplement import NUMBERS as TIMES
 
+Entries = dict[str, dict[str, str]]
+#: Tables of the numbers of the report and of its supplement.
+REPORT, SUPPLEMENT = "numbers.json", "accuracy_numbers.json"
 PAPER = Path(__file__).parents[2] / "paper"
 PICTURE = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="40pt" height="20pt" viewBox="0 0 40 20">'
@@ -29,6 +34,8 @@ NOTHING = {
     "method": None,
     "reason": None,
 }
+#: Pictures of the supplement.
+PICTURES = ("accuracy_wrench", "accuracy_cone", "accuracy_study", "effects")
 CONES = "rod length," + ",".join(f"{side} {i}" for i in range(4) for side in "rl") + "\n"
 
 
@@ -43,15 +50,27 @@ class Setting:
         return self.root / "paper" / "report.typ"
 
     @property
+    def supplement(self) -> Path:
+        return self.root / "paper" / "supplement.typ"
+
+    @property
     def tables(self) -> Path:
         return self.root / "results" / "tables"
 
-    def numbers(self) -> dict[str, dict[str, str]]:
-        found: dict[str, dict[str, str]] = json.loads((self.tables / "numbers.json").read_text())
+    def numbers(self, file: str = REPORT) -> Entries:
+        found: Entries = json.loads((self.tables / file).read_text())
         return found
 
-    def write_numbers(self, numbers: dict[str, dict[str, str]]) -> None:
-        (self.tables / "numbers.json").write_text(json.dumps(numbers), encoding="utf-8")
+    def write_numbers(self, numbers: Entries, file: str = REPORT) -> None:
+        (self.tables / file).write_text(json.dumps(numbers), encoding="utf-8")
+
+
+def zeros(numbers: Numbers) -> Entries:
+    """Entries of numbers that are all zero."""
+    return {
+        key: {"text": "0", "unit": each.unit, "source": each.source}
+        for key, each in numbers.items()
+    }
 
 
 def claim(name: str, **values: object) -> dict[str, object]:
@@ -79,7 +98,7 @@ def set_up(root: Path) -> Setting:
     pictures = root / "results" / "figures"
     pictures.mkdir(parents=True)
     setting.tables.mkdir()
-    for name in FIGURES:
+    for name in [*FIGURES, *OURS, *PICTURES]:
         (pictures / f"{name}.svg").write_text(PICTURE, encoding="utf-8")
     figures = {
         name: {
@@ -90,18 +109,24 @@ def set_up(root: Path) -> Setting:
         }
         for name in FIGURES
     }
-    setting.write_numbers(
-        {
-            key: {"text": "0", "unit": each.unit, "source": each.source}
-            for key, each in NUMBERS.items()
-        }
-    )
+    for number, (name, caption) in enumerate(OURS.items(), 14):
+        figures[name] = figures["figure_01"] | {"caption": caption, "number": str(number)}
+    setting.write_numbers(zeros(NUMBERS))
+    setting.write_numbers(zeros(TIMES), SUPPLEMENT)
     tables = {
         "figures.json": json.dumps(figures),
         "claims.json": json.dumps({"counts": {}, "claims": claims()}),
         "infinite_friction_cones.csv": CONES + "0.5" + ",-1.25,178.75" * 4 + "\n",
         "golden_summary.csv": "a,b,c,d,e\nmotion cones,7,65432,1.5e-15,2e-14\n",
         "provenance.csv": "what,version\nnumpy,9.8.7\n",
+        "accuracy_wrench.csv": "method,setting,calls,worst error,at k\nsome rule,64,4711,3.5e-09,0.25\n",
+        "accuracy_cone.csv": "method,setting,calls,error\nsome solver,1e-12,4712,3.6e-10\n",
+        "hard_places.csv": "place,cases,ill,over,largest\nsome place,41,2,3,4713\n",
+        "hard_ill.csv": "case,condition,digits,error\nsome case at phi = 4.5,3.7e+08,7,3.8e+06\n",
+        "evaluations.csv": "a,b,c,d,e,f,g\none push,4714,0,0,4715,4716,4717\n",
+        "times_effects.csv": "a,b,c,d\none push,4.718,4.719,4.721\n",
+        "times_scenes.csv": "scene,effects,cone,curve,push\nsome scene,inertia,4.722,4.723,4.724\n",
+        "times_machine.csv": "what,value\nprocessor,Some Processor\n",
     }
     for name, text in tables.items():
         (setting.tables / name).write_text(text, encoding="utf-8")

@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 from scipy import special
 
-from planar_pushing.figures.catalog import FIGURES
+from planar_pushing.figures.catalog import FIGURES, OURS
 from planar_pushing.figures.render import select
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.report.numbers import NUMBERS
@@ -23,13 +23,14 @@ from planar_pushing.report.tables import (
     numbers_text,
     provenance_text,
     verdict_text,
-    write_text,
 )
+from planar_pushing.report.writing import write_text
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
+from report.costs import write_costs
 from report.setting import claim, claims
 
 STUDY = load_study("workflow/config/paper.yaml")
@@ -67,9 +68,10 @@ def results(tmp_path_factory):
         )
         data = select(name, folder, STUDY.figures["figure_06"] if name == "figure_06" else settings)
         write_dataset(data, folder / f"figures/data/{name}.nc")
-    for name in FIGURES:
+    for name in [*FIGURES, *OURS]:
         picture = Image.new("RGB", (10, 20), "black")
         picture.save(folder / "figures" / f"{name}.png")
+    write_costs(folder)
     thresholds = [
         claim("inertia-threshold", value="1.5"),
         claim("inertia-threshold-figure-10", value="3.0000000000000000000"),
@@ -202,7 +204,8 @@ def test_provenance_names_versions_and_no_folder(results):
 
 def test_figures_table(results):
     found = json.loads(figures_text(results))
-    assert list(found) == list(FIGURES)
+    assert list(found) == [*FIGURES, *OURS]
+    assert [found[name]["number"] for name in OURS] == ["14", "15"]
     assert found["figure_06"]["section"].startswith("Sec. 3.1")
 
 

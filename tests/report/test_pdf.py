@@ -8,11 +8,11 @@ import sys
 import pytest
 from pypdf import PdfReader
 
-from planar_pushing.figures.catalog import FIGURES
+from planar_pushing.figures.catalog import FIGURES, OURS
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.typeset import compiled, typeset
-from report.setting import set_up
+from report.setting import REPORT, SUPPLEMENT, set_up
 
 #: Minus sign, quote and times sign as they are typed.
 PLAIN = str.maketrans("\u2212\u2019\u00d7", "-'x")
@@ -34,15 +34,56 @@ def text(pdf):
     return text_of(pdf)
 
 
-def test_each_number_of_the_prose_is_that_of_the_results(text, setting):
-    marks = {key: f"-{1000 + 7 * i}.{100 + i}" for i, key in enumerate(NUMBERS)}
-    numbers = setting.numbers()
+def marked(setting, file, source):
+    """Names of the numbers of a file whose marks the PDF does not show, once they are written."""
+    before = text_of(compiled(source, setting.root))
+    numbers = setting.numbers(file)
+    marks = {key: f"-{1000 + 7 * i}.{100 + i}" for i, key in enumerate(numbers)}
     for key, mark in marks.items():
-        assert mark not in text
+        assert mark not in before
         numbers[key]["text"] = mark
+    setting.write_numbers(numbers, file)
+    after = text_of(compiled(source, setting.root))
+    return [key for key, mark in marks.items() if mark not in after]
+
+
+def test_each_number_of_the_prose_is_that_of_the_results(setting):
+    assert set(setting.numbers()) == set(NUMBERS)
+    assert marked(setting, REPORT, setting.source) == []
+
+
+def test_each_number_of_the_supplement_is_that_of_its_results(setting):
+    assert marked(setting, SUPPLEMENT, setting.supplement) == []
+
+
+def test_the_supplement_shows_its_tables_and_pictures(setting):
+    text = text_of(compiled(setting.supplement, setting.root))
+    for part in ("4.718", "4.719", "4.721", "some scene", "4.724", "Some Processor", "Figure 4."):
+        assert part in text
+
+
+def test_the_tables_of_costs_are_in_the_text(text):
+    for part in ("some rule 64 4711 3.5x10-9 0.25", "some solver 10-12 4712 3.6x10-10"):
+        assert part in text
+    assert "some place 41 2 3 4713" in text
+    assert "one push 4714 0 0 4715 4716 4717" in text
+    assert "3.7x108 7 3.8x106" in text
+
+
+def test_a_published_number_is_that_of_its_file(setting):
+    path = setting.root / "paper" / "published.json"
+    path.write_text(path.read_text().replace('"0.27"', '"0.9753"'), encoding="utf-8")
+    assert "0.9753°" in text_of(compiled(setting.source, setting.root))
+
+
+def test_a_power_of_ten_is_set_as_one(setting):
+    numbers = setting.numbers()
+    numbers["trapezoid-error"]["text"] = "-7.3e-11"
+    numbers["hard-limit"]["text"] = "1e+09"
     setting.write_numbers(numbers)
-    after = text_of(compiled(setting.source, setting.root))
-    assert [key for key, mark in marks.items() if mark not in after] == []
+    text = text_of(compiled(setting.source, setting.root))
+    assert "-7.3x10-11" in text
+    assert "below 109" in text
 
 
 def test_units_and_thousands(setting):
@@ -59,6 +100,8 @@ def test_units_and_thousands(setting):
 
 def test_every_figure_has_our_caption_and_the_promise_of_the_paper(text):
     for number in range(1, len(FIGURES) + 1):
+        assert f"Figure {number}." in text
+    for number in range(len(FIGURES) + 1, len(FIGURES) + len(OURS) + 1):
         assert f"Figure {number}." in text
     assert text.count("The paper's caption promises:") == len(FIGURES) - 1
     assert "Not in the paper." in text

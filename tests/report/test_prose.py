@@ -1,22 +1,28 @@
 """No number of the prose is typed: a digit in a section is part of a reference or of an equation.
 
 Taken out before looking for digits: comments, numbers named by their key, references to equations, sections
-and figures of the paper, citations and labels, numbered equations, and exponents.
+and figures of the paper, citations and labels, numbered equations, and exponents. A number that
+another work published stands in paper/published.json with its source, and a section that names it cites that.
 """
 
+import json
 import re
 from pathlib import Path
 
 import pytest
 
-from planar_pushing.figures.catalog import CAPTIONS, FIGURES, PROMISES, SECTIONS
+from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
 from planar_pushing.report.numbers import NUMBERS
+from planar_pushing.report.supplement import NUMBERS as TIMES
 
 SECTION_FILES = sorted(Path("paper/sections").glob("*.typ"))
 NUMBER = re.compile(r"#n\(\"([\w-]+)\"\)|#equal\(\$\w+\$, \"([\w-]+)\"\)")
+PUBLISHED = re.compile(r"#published\(\"([\w-]+)\"\)")
+SUPPLEMENT = Path("paper/supplement.typ")
 ALLOWED = (
     re.compile(r"^//.*$", re.MULTILINE),
     NUMBER,
+    PUBLISHED,
     re.compile(r"#(?:eq|eqs|fig|figs)\(\d+(?:, \d+)?\)"),
     re.compile(r"#sec\((?:\d|\"\d\.\d\")\)"),
     re.compile(r"#paper-figure\(\d+(?:, wide: true)?\)"),
@@ -62,9 +68,38 @@ def test_the_prose_names_every_number_and_no_other():
     assert {first or second for first, second in found} == set(NUMBERS)
 
 
+def test_the_supplement_names_every_number_of_its_own_and_no_other():
+    text = SUPPLEMENT.read_text(encoding="utf-8")
+    assert {first or second for first, second in NUMBER.findall(text)} == set(TIMES)
+
+
+def test_no_digit_is_typed_in_the_prose_of_the_supplement():
+    """Its tables and its page are set by code, whose digits are sizes."""
+    code = re.compile(r"#(?:numbered|csv-table|let|import|show).*?(?=\n\n)", re.DOTALL)
+    labels = re.compile(r"#picture\(\"\w+\"\)")
+    text = SUPPLEMENT.read_text(encoding="utf-8")
+    abstract = text[text.index("abstract: [") : text.index("\n  ],")]
+    body = labels.sub("", code.sub("", text[text.index("= ") :]))
+    assert len(body) > 1500
+    assert [line for line in prose(abstract + body).splitlines() if re.search(r"\d", line)] == []
+
+
+def test_a_published_number_is_cited_where_it_is_named():
+    published = json.loads(Path("paper/published.json").read_text(encoding="utf-8"))
+    known = re.findall(r"^@\w+\{([\w-]+),", Path("paper/references.bib").read_text(), re.MULTILINE)
+    named = set()
+    for path in SECTION_FILES:
+        text = path.read_text(encoding="utf-8")
+        for key in PUBLISHED.findall(text):
+            assert published[key]["source"] in known
+            assert f"@{published[key]['source']}" in text
+            named.add(key)
+    assert named == set(published)
+
+
 def test_no_stop_after_a_number_is_lost():
     # Typst takes a semicolon after a call as the call's end and sets nothing.
-    for path in sources():
+    for path in [*sources(), SUPPLEMENT]:
         assert not re.search(r"#[\w-]+\([^)]*\);", path.read_text(encoding="utf-8")), path
 
 
@@ -78,8 +113,9 @@ def test_every_figure_is_in_the_report_and_described():
     text = " ".join(path.read_text(encoding="utf-8") for path in SECTION_FILES)
     numbers = sorted(int(number) for number in re.findall(r"#paper-figure\((\d+)", text))
     assert numbers == list(range(1, len(FIGURES) + 1))
+    assert re.findall(r"#our-figure\(\"(\w+)\"\)", text) == sorted(OURS)
     assert set(CAPTIONS) == set(PROMISES) == set(SECTIONS) == set(FIGURES)
 
 
 def test_our_captions_hold_no_numbers():
-    assert [name for name, caption in CAPTIONS.items() if re.search(r"\d", caption)] == []
+    assert [name for name, caption in (CAPTIONS | OURS).items() if re.search(r"\d", caption)] == []

@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.planar import Array
@@ -17,7 +18,7 @@ FEW_ULP = 4
 PAINLEVE = 7
 
 
-def part(data: xr.Dataset, axis: str, holds: Array) -> xr.Dataset:
+def part(data: xr.Dataset, axis: str, holds: npt.NDArray[np.bool_]) -> xr.Dataset:
     """Rows of an axis without coordinates for which something holds."""
     return data.isel({axis: np.flatnonzero(holds)})
 
@@ -160,7 +161,8 @@ def condition_of_ill(which: Callable[[Array], float]) -> Callable[[xr.Dataset], 
 
 
 def _single(counts: xr.Dataset) -> xr.Dataset:
-    return part(counts, "case", ["+" not in name for name in counts.effects.values.tolist()])
+    single = np.array(["+" not in name for name in counts.effects.values.tolist()])
+    return part(counts, "case", single)
 
 
 def single_cases(counts: xr.Dataset) -> float:

@@ -1,0 +1,95 @@
+"""Small datasets on accuracy, hard cases and effects, with values that tests can tell apart."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.study.store import read_dataset, write_dataset
+
+STORED = Path(__file__).parents[1] / "accuracy" / "golden_accuracy.nc"
+COMPUTED = {
+    "one slider": ("motion_cone", "limit_curve", "solve"),
+    "grid": ("limit_curves", "motion_cones", "contact_modes"),
+    "figure_02": ("motion_cone", "limit_curve", "solve"),
+}
+#: Evaluations of friction and inertia by listed effects.
+COUNTS = {"support_friction": (3, 0), "inertia": (0, 5), "support_friction+inertia": (70, 90)}
+
+
+def evaluations() -> xr.Dataset:
+    cases = [
+        (scene, operation, effects)
+        for scene, operations in COMPUTED.items()
+        for operation in operations
+        for effects in (COUNTS if scene != "figure_02" else ("support_friction",))
+    ]
+    scene, operation, effects = map(list, zip(*cases, strict=True))
+    counts = [COUNTS[each] for each in effects]
+    return xr.Dataset(
+        {"evaluations": (("case", "effect"), np.array(counts))},
+        coords={
+            "effect": ["support_friction", "inertia"],
+            "scene": ("case", scene),
+            "operation": ("case", operation),
+            "effects": ("case", effects),
+        },
+    )
+
+
+def hard_cases() -> xr.Dataset:
+    """Eight cases: one for each place, and one at the last place that is ill-conditioned."""
+    columns = {
+        "line": np.array([1, 2, 3, 4, 5, 6, 7, 7], np.int8),
+        "error_ulp": [0.5, 1.5, 3.0, 2.5, 0.0, 3.5, 9.0, 4e7],
+        "condition": [1.0, 2.0, 1.0, 4.0, 1.0, 1.5, 17.0, 3e8],
+        "error_bound": [1e-16, 2e-16, 1e-16, 4e-16, 1e-16, 2e-16, 2e-15, 6.7e-8],
+        "ill_conditioned": np.array([0] * 7 + [1], np.int8),
+    }
+    names = [f"case at phi = {i}" for i in range(8)]
+    return xr.Dataset(
+        {name: ("case", column) for name, column in columns.items()},
+        coords={"case": names},
+        attrs={"parameters": json.dumps({"ill_conditioned_from": 1e6})},
+    )
+
+
+def write_costs(folder: Path) -> None:
+    """Write what the report reads: the stored errors of the methods, and the datasets above."""
+    groups = {name: read_dataset(STORED, name) for name in ("wrench", "cone")}
+    write_dataset(groups, folder / "data/accuracy_errors.nc")
+    write_dataset(hard_cases(), folder / "data/hard_cases.nc")
+    write_dataset(evaluations(), folder / "data/evaluations.nc")
+
+
+def timed(data: xr.Dataset, name: str, machine: str) -> xr.Dataset:
+    """The dataset with times of three repeats, the least of which grows from row to row."""
+    axes = data.evaluations.dims if name == "wrench_seconds" else data.evaluations.dims[:1]
+    shape = tuple(data.sizes[axis] for axis in axes)
+    least = 1e-6 * (1 + np.arange(np.prod(shape)).reshape(shape))
+    times = np.stack([3 * least, least, 2 * least], axis=-1)
+    return data.assign({name: ((*axes, "repeat"), times)}).assign_attrs(machine=machine)
+
+
+def write_times(folder: Path, machine: str = '{"processor": "one"}') -> None:
+    """Write what the supplement reads, measured on one machine, the effects on `machine`."""
+    one = '{"processor": "one"}'
+    study = xr.Dataset(
+        {
+            "size_seconds": (("size", "repeat"), [[3.0, 2.0], [50.0, 40.0]]),
+            "size_memory": ("size", [10**6, 4 * 10**6]),
+            "interpolation_error": ("size", [1e-3, 2.5e-7]),
+        },
+        coords={"size": [10**3, 10**5]},
+        attrs={"machine": one},
+    )
+    groups = {
+        "wrench": timed(read_dataset(STORED, "wrench"), "wrench_seconds", one),
+        "cone": timed(read_dataset(STORED, "cone"), "cone_seconds", one),
+        "study": study,
+    }
+    write_dataset(groups, folder / "data/accuracy.nc")
+    write_dataset(timed(evaluations(), "time", machine), folder / "data/effects.nc")

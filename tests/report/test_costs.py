@@ -1,0 +1,147 @@
+"""Numbers and tables about accuracy, hard cases, effects and times, from small datasets."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.report import supplement
+from planar_pushing.report.cost_tables import COST_TABLES, spin_ratio_text
+from planar_pushing.report.costs import absent_evaluations, listed_evaluations
+from planar_pushing.report.parts.costs import ACCURACY, EFFECTS, HARD_CASES
+from planar_pushing.report.results import MEASURED, Results
+from planar_pushing.study.store import read_dataset
+from report.costs import STORED, evaluations, write_costs, write_times
+
+NUMBERS = ACCURACY | HARD_CASES | EFFECTS
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("costs")
+    write_costs(folder)
+    write_times(folder)
+    return Results(folder, folder)
+
+
+def rows(text):
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+@pytest.mark.parametrize(
+    ("key", "text"),
+    [
+        ("spin-ratios", "9"),
+        ("trapezoid-evaluations", "131072"),
+        ("trapezoid-error", "9.6e-11"),
+        ("quad-evaluations-near", "2478"),
+        ("quad-evaluations-on", "42"),
+        ("ellipsoid-error", "100"),
+        ("quartic-error", "3.0"),
+        ("brentq-evaluations", "3358"),
+        ("rim-ellipsoid", "7.86"),
+        ("hard-cases", "8"),
+        ("hard-well", "7"),
+        ("hard-ill", "1"),
+        ("hard-accurate", "6"),
+        ("hard-largest", "9"),
+        ("hard-largest-condition", "17"),
+        ("hard-largest-elsewhere", "3.5"),
+        ("hard-share", "1.5"),
+        ("hard-limit", "1e+06"),
+        ("hard-least-condition", "3.0e+08"),
+        ("effects-single", "15"),
+        ("effects-listed", str(9 * 3 + 6 * 5)),
+        ("effects-absent", "0"),
+    ],
+)
+def test_number(results, key, text):
+    assert NUMBERS[key].entry(results)["text"] == text
+
+
+def test_an_effect_that_is_evaluated_though_absent_is_counted():
+    data = evaluations()
+    data.evaluations[0, 1] = 13
+    assert absent_evaluations(data) == 13
+    assert listed_evaluations(data) == 9 * 3 + 6 * 5
+
+
+def test_each_method_is_shown_at_its_best_setting(results):
+    wrench = read_dataset(STORED, "wrench")
+    found = {row["method"]: row for row in rows(COST_TABLES["accuracy_wrench"](results))}
+    assert set(found) == set(wrench.method.values)
+    for name, row in found.items():
+        worst = wrench.error[wrench.method.values == name].max("spin_ratio").values
+        shown = np.inf if row["worst error"] == "no number" else float(row["worst error"])
+        assert shown == pytest.approx(worst.min(), rel=0.06)
+    assert found["closed form"]["calls"] == "\u2013"
+    assert found["textbook E and K"]["at k"] == "1"
+
+
+def test_cone_methods_stand_at_their_last_setting(results):
+    cone = read_dataset(STORED, "cone")
+    for row in rows(COST_TABLES["accuracy_cone"](results)):
+        last = cone.cone_error[cone.method.values == row["method"]][-1]
+        assert float(row["error, degrees"]) == pytest.approx(float(last), rel=0.06)
+
+
+def test_hard_places_leave_out_the_errors_of_ill_conditioned_cases(results):
+    found = rows(COST_TABLES["hard_places"](results))
+    assert [row["cases"] for row in found] == ["1"] * 6 + ["2"]
+    assert list(found[-1].values())[1:] == ["2", "1", "1", "9.0"]
+
+
+def test_ill_conditioned_cases_with_their_digits(results):
+    (row,) = rows(COST_TABLES["hard_ill"](results))
+    assert list(row.values()) == ["case at phi = 7", "3.0e+08", "7", "4.0e+07"]
+
+
+def test_evaluations_by_what_is_listed(results):
+    found = rows(COST_TABLES["evaluations"](results))
+    assert len(found) == 6
+    assert all(list(row.values())[1:] == ["3", "0", "0", "5", "70", "90"] for row in found)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(1e-8, "1e-08"), (0.1, "0.1"), (1 + 1e-9, "1.000000001"), (1.0, "1"), (1e8, "1e+08")],
+)
+def test_spin_ratios_as_text(value, text):
+    assert spin_ratio_text(value) == text
+
+
+def test_numbers_of_the_supplement_are_least_times(results):
+    found = json.loads(supplement.numbers_text(results))
+    assert list(found) == list(supplement.NUMBERS)
+    assert found["closed-form-least"]["text"] == "1000"
+    assert found["closed-form-most"]["text"] == "9000"
+    assert found["cone-time"]["text"] == "1.00"
+    assert found["large-grid-time"]["text"] == str(40 * 10**9 // 10**5)
+    assert found["grid-memory"]["text"] == "4.0"
+    assert found["half-way-error"]["text"] == "2.5e-07"
+    # Rows 6, 7 and 8: modes of one push with friction, inertia and both.
+    assert found["both-solve-ratio"]["text"] == f"{9 / (7 + 8):.1f}"
+
+
+def test_times_of_effects_in_milliseconds(results):
+    found = rows(supplement.effects_text(results))
+    assert list(found[0].values()) == ["motion cone", "0.00100", "0.00200", "0.00300"]
+    (scene,) = rows(supplement.scenes_text(results))
+    assert list(scene.values()) == ["figure 02", "support friction", "0.0190", "0.0200", "0.0210"]
+
+
+def test_two_machines_are_refused(results, tmp_path):
+    assert rows(supplement.machine_text(results)) == [{"what": "processor", "value": "one"}]
+    write_times(tmp_path, '{"processor": "another"}')
+    with pytest.raises(InvalidFile, match="different machines or versions; measure anew with"):
+        supplement.machine_text(Results(tmp_path, tmp_path))
+
+
+def test_a_missing_measurement_is_named(tmp_path):
+    for name in MEASURED:
+        with pytest.raises(InvalidFile, match=rf"{name}\.nc: no such dataset"):
+            Results(Path(tmp_path), tmp_path).dataset(name)
