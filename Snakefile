@@ -12,6 +12,7 @@ report: "workflow/report/workflow.rst"
 
 include: "workflow/rules/common.smk"
 include: "workflow/rules/data.smk"
+include: "workflow/rules/simulations.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/golden.smk"
 include: "workflow/rules/claims.smk"
@@ -25,6 +26,7 @@ localrules:
     all,
     data,
     figures,
+    simulations,
     golden,
     claims,
     paper,
@@ -36,6 +38,7 @@ rule all:
     default_target: True
     input:
         rules.data.input,
+        rules.simulations.input,
         rules.figures.input,
         rules.golden.input,
         rules.claims.input,

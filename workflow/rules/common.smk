@@ -8,6 +8,7 @@ from planar_pushing.study.jobs import modules
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.store import dataset_path
 
 STUDY_FILE = config.get("study", "workflow/config/paper.yaml")
 try:
@@ -31,8 +32,8 @@ def scene_files(wildcards):
 
 def dataset_files(wildcards):
     """Datasets that a figure is drawn from."""
-    names = {source.partition("/")[0] for source in FIGURES[wildcards.figure]}
-    return [f"results/data/{name}.nc" for name in sorted(names)]
+    files = {str(dataset_path(source)) for source in FIGURES[wildcards.figure]}
+    return sorted(files)
 
 
 def figure_settings(wildcards):

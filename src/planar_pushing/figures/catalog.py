@@ -17,6 +17,8 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "figure_11": ("scenes/figure_11",),
     "figure_12": ("acceleration_centers", "scenes/figure_12"),
     "figure_13": ("contact_modes", "motion_cones"),
+    "figure_14": ("simulations/figure_14a", "simulations/figure_14b"),
+    "figure_15": ("simulations/figure_15",),
 }
 
 #: Our captions.
@@ -94,6 +96,18 @@ CAPTIONS: dict[str, str] = {
         "contact. Dots are edges of the motion cones; with both effects the cone covers all"
         " magnitudes of the motion, the map is drawn for one."
     ),
+    "figure_14": (
+        "Pulling over time. The fence first pushes, then its direction turns away from the slider: "
+        "where the contact is kept the slider is pulled along and turns on, where it is lost the slider "
+        "stays behind. Slider and fence at some instants, the paths of the contact and of the motion "
+        "centre, and over time the rod angle, the gap at the contact and the contact mode."
+    ),
+    "figure_15": (
+        "Slip with infinite friction over time. The force stays along the fence, so that the ring's "
+        "centre keeps its height; the rod leans more and more and the contact slips to the right. "
+        "Slider and fence at some instants, the paths of the contact and of the motion centre, and over "
+        "time the rod angle, the accumulated slip and the contact mode."
+    ),
 }
 
 #: What the paper's caption promises, in our words; empty for a figure of ours.
@@ -116,6 +130,8 @@ PROMISES: dict[str, str] = {
     "figure_11": "an example of pulling with support friction and inertia, l = 5.",
     "figure_12": "slip with infinite friction under support friction and inertia, l = 5.",
     "figure_13": "",
+    "figure_14": "",
+    "figure_15": "",
 }
 
 #: Figures about how this work computes, in the order of the report, and their captions.
@@ -141,4 +157,5 @@ SECTIONS: dict[str, str] = {
     **dict.fromkeys(("figure_07", "figure_08"), "Sec. 3.2: slip with infinite friction"),
     **dict.fromkeys(("figure_09", "figure_10", "figure_11", "figure_12"), _DYNAMICS),
     "figure_13": "Ours: contact modes",
+    **dict.fromkeys(("figure_14", "figure_15"), "Ours: motion over time"),
 }

@@ -9,7 +9,7 @@ from typing import Any
 
 import xarray as xr
 
-from planar_pushing.golden import cells
+from planar_pushing.golden import cells, motions
 from planar_pushing.golden.balls import precise
 from planar_pushing.golden.certified import Values, certified
 from planar_pushing.golden.plotted import (
@@ -184,6 +184,8 @@ FIGURES: dict[str, Callable[[Study], Golden]] = {
     "figure_10": _figure_10,
     "figure_12": _figure_12,
     "figure_13": _figure_13,
+    "figure_14": motions.figure_14,
+    "figure_15": motions.figure_15,
     **{name: partial(_scene_figure, name) for name in ("figure_02", "figure_03", "figure_08")},
     "figure_11": partial(_scene_figure, "figure_11"),
 }

@@ -36,6 +36,8 @@ CONTACTS = (
 )
 CURVE_ANGLES = (45, 60, 90, 135, 180)
 CONE_SAMPLES = (0, 45, 90, 180)
+#: Motion over time starts from numbers of this route; its integrals over the spin ratio are of the first.
+FIRST = (0.0,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +70,7 @@ def thinned(study: Study) -> dict[str, Any]:
     }
     contacts = {label: law for label, law in study["contacts"].items() if label in CONTACTS}
     part = {"grid": grid, "scenes": scenes, "contacts": contacts, "curve_angles": CURVE_ANGLES}
+    part["instants"] = FIRST
     return {**study, **part}
 
 

@@ -18,6 +18,7 @@ import xarray as xr
 from planar_pushing.golden.compare import MARKS
 from planar_pushing.golden.enclosures import disjoint, golden_variables
 from planar_pushing.golden.jobs import STEP, Study, contacts, golden_jobs
+from planar_pushing.golden.motions import INSTANTS
 from planar_pushing.golden.scenes import CONE_SAMPLES
 from planar_pushing.golden.second import agreement, second_route
 from planar_pushing.mechanics.errors import InvalidResult
@@ -40,6 +41,10 @@ def plain(study: StudyFile) -> dict[str, Any]:
         name: (load_scene_file(push.file).model_dump(), push.model_dump() | samples)
         for name, push in study.scenes.items()
     }
+    values["simulations"] = {
+        name: load_scene_file(path).model_dump() for name, path in study.simulations.items()
+    }
+    values["instants"] = INSTANTS
     values["contacts"] = contacts(tuple(study.grid.contact_friction_coefficient))
     values["curve_angles"] = tuple(range(0, 361, STEP))
     return values

@@ -11,6 +11,9 @@ DATASETS = {
     "scenes": "the scenes of the figures, one group each",
 }
 
+#: Folder of the logs of motion over time.
+SIMULATIONS = "simulations"
+
 #: The grid axes that each reads.
 AXES: dict[str, tuple[str, ...]] = {
     "limit_curves": ("effects", "rod_length", "rod_angle", "force_angle"),

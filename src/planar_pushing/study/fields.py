@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Callable
 from typing import Annotated, Any
 
@@ -48,6 +49,16 @@ def _not_empty(given: object) -> object:
 
 #: Requires a list that is not empty.
 NotEmpty = BeforeValidator(_not_empty)
+
+
+def _name(given: object) -> object:
+    if not isinstance(given, str) or not re.fullmatch(r"[A-Za-z0-9_]+", given):
+        raise refuse("a name of letters, digits and underscores, which becomes a file's name")
+    return given
+
+
+#: A name that becomes a part of file names.
+Name = Annotated[str, BeforeValidator(_name)]
 
 
 def _number(given: object, allows: Callable[[float], bool], allowed: str) -> float:

@@ -52,8 +52,12 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     InvalidValue
         Where the scene has a law or an effect that scene files have no name for.
     """
-    content = scene_entry(scene, title)
-    SceneFile.model_validate(content)
+    save_scene_file(SceneFile.model_validate(scene_entry(scene, title)), path)
+
+
+def save_scene_file(file: SceneFile, path: PathLike) -> None:
+    """Write a scene file that `load_scene_file` reads back as the same, its simulation included."""
+    content = file.model_dump(mode="json", exclude_none=True)
     with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
         writer = YAML(typ="safe", pure=True)
         writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]

@@ -22,6 +22,7 @@ from planar_pushing.study.fields import (
     FrictionCoefficients,
     Lengths,
     Magnitudes,
+    Name,
     NonNegative,
     NotEmpty,
     Positive,
@@ -147,8 +148,18 @@ NEEDS: dict[str, EffectsName] = {
 }
 
 
+#: Simulations that a figure shows; a study without them does not draw it.
+SIMULATIONS: dict[str, tuple[str, ...]] = {
+    "figure_14": ("figure_14a", "figure_14b"),
+    "figure_15": ("figure_15",),
+}
+
+
 class StudyFile(FileModel):
-    """The grid of every dataset, the scenes, and the values that the paper leaves open."""
+    """The grid of every dataset, the scenes, and the values that the paper leaves open.
+
+    `simulations` names the scene files with a section `simulate` that are followed over time.
+    """
 
     title: str
     slider: RingEntry
@@ -156,6 +167,7 @@ class StudyFile(FileModel):
     inertia: InertiaParameters | None = None
     grid: Grid
     scenes: dict[str, PushEntry]
+    simulations: dict[Name, str] = Field(default_factory=dict)
     figures: dict[str, FigureEntry]
     golden: str | None = None
     tolerances: dict[str, Tolerance] = Field(default_factory=dict)
@@ -170,8 +182,9 @@ class StudyFile(FileModel):
         yield "inertia_share", grid.inertia_share, (0.0, 1.0)
 
     def computes(self, name: str) -> bool:
-        """Whether a dataset, scene or figure has the effects that it needs."""
-        return NEEDS.get(name, self.grid.effects[0]) in self.grid.effects
+        """Whether a dataset, scene or figure has the effects and simulations that it needs."""
+        simulated = set(SIMULATIONS.get(name, ())) <= set(self.simulations)
+        return simulated and NEEDS.get(name, self.grid.effects[0]) in self.grid.effects
 
     @property
     def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:

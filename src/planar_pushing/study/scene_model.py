@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, ValidationInfo, field_validator
 
 from planar_pushing.mechanics.contact import (
     ContactLaw,
@@ -23,7 +23,9 @@ from planar_pushing.study.fields import (
     NotEmpty,
     Positive,
     RodAngle,
+    refuse,
 )
+from planar_pushing.study.simulate_model import SimulateEntry
 
 
 class SliderEntry(FileModel):
@@ -96,12 +98,26 @@ EffectEntry = Annotated[RingFrictionEntry | InertiaEntry, Field(discriminator="t
 
 
 class SceneFile(FileModel):
-    """A scene: the slider, the law of its contact with the fence, and what resists its motion."""
+    """A scene: the slider, the law of its contact with the fence, and what resists its motion.
+
+    `simulate` says how the fence moves over time, where the scene is one to be simulated.
+    """
 
     title: str = ""
     slider: SliderEntry
     contact: ContactEntry
     effects: Annotated[tuple[EffectEntry, ...], NotEmpty]
+    simulate: SimulateEntry | None = None
+
+    @field_validator("simulate")
+    @classmethod
+    def _twist_has_inertia(
+        cls, given: SimulateEntry | None, info: ValidationInfo
+    ) -> SimulateEntry | None:
+        inert = any(effect.type == "inertia" for effect in info.data.get("effects", ()))
+        if given and given.initial_twist and not inert:
+            raise refuse("initial_twist with inertia among the effects only")
+        return given
 
     def build(self) -> Scene:
         return Scene(

@@ -9,7 +9,7 @@ import h5netcdf
 import xarray as xr
 
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
-from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.catalog import DATASETS, SIMULATIONS
 from planar_pushing.study.files import replacing
 
 PathLike = str | os.PathLike[str]
@@ -79,14 +79,20 @@ def group_names(path: PathLike) -> list[str]:
         raise InvalidFile(f"{path}: is not a netCDF4 file ({error}); build it anew") from None
 
 
+def dataset_path(name: str, results: PathLike = "results") -> Path:
+    """File that holds a dataset: scenes are groups of one file, simulations are a file each."""
+    stem = name if name.startswith(f"{SIMULATIONS}/") else name.partition("/")[0]
+    return Path(results) / "data" / f"{stem}.nc"
+
+
 def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
     """Open a dataset of the study by name.
 
     Parameters
     ----------
     name : str
-        limit_curves, motion_cones, contact_modes, acceleration_centers, or a scene as
-        "scenes/figure_08".
+        limit_curves, motion_cones, contact_modes, acceleration_centers, a scene as
+        "scenes/figure_08", or a simulation as "simulations/figure_15".
     results : path
         The folder that the pipeline filled.
 
@@ -103,9 +109,12 @@ def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
         Where the dataset has not been built.
     """
     stem, _, group = name.partition("/")
+    if stem == SIMULATIONS and group:
+        return read_dataset(dataset_path(name, results))
     if stem not in DATASETS:
-        raise InvalidValue("name", name, ", ".join(DATASETS), "name one of these datasets")
-    path = Path(results) / "data" / f"{stem}.nc"
+        allowed = ", ".join([*DATASETS, f"{SIMULATIONS}/NAME"])
+        raise InvalidValue("name", name, allowed, "name one of these datasets")
+    path = dataset_path(name, results)
     if stem == "scenes" and path.is_file():
         names = group_names(path)
         if group not in names:

@@ -35,6 +35,7 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
                 f"scenes.{name}.file: {push.file} lists {', '.join(sorted(kinds))}; allowed: the effects "
                 f"of the study, {', '.join(study.parts)}; name another scene"
             )
+    yield from _simulation_problems(study)
     for kind, given, known in (
         ("scenes", study.scenes, SCENES),
         ("figures", study.figures, tuple(FIGURE_KEYS)),
@@ -65,6 +66,21 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
         )
     if study.golden and not list(Path(study.golden).glob("*.nc")):
         yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
+
+
+def _simulation_problems(study: StudyFile) -> Iterator[str]:
+    """Scene files that cannot be simulated."""
+    for name, path in study.simulations.items():
+        try:
+            section = load_scene_file(path).simulate
+        except InvalidFile as error:
+            yield f"simulations.{name}: {error}"
+            continue
+        if section is None:
+            yield (
+                f"simulations.{name}: {path} given; allowed: scene files with the section simulate; "
+                "add it to the file"
+            )
 
 
 def _effects_problems(study: StudyFile) -> Iterator[str]:

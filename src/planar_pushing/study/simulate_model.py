@@ -1,0 +1,87 @@
+"""What the section `simulate` of a scene file holds: the fence's motion over time, and how to follow it."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import model_validator
+
+from planar_pushing.study.fields import (
+    Degrees,
+    FileModel,
+    NonNegative,
+    NotEmpty,
+    Positive,
+    number,
+    refuse,
+)
+
+Finite = number("a finite number", math.isfinite)
+Tolerance = number(
+    "a number in [1e-13, 1e-2]", lambda x: 1e-13 <= x <= 1e-2,
+    type="number", minimum=1e-13, maximum=1e-2,
+)  # fmt: skip
+Samples = number(
+    "a whole number >= 2", lambda n: 2 <= n < math.inf and n == int(n), type="integer", minimum=2
+)
+
+
+class PieceEntry(FileModel):
+    """The fence's velocity from a time on; the angle in degrees."""
+
+    time: NonNegative
+    angle: Degrees
+    speed: NonNegative = 1.0
+
+
+class TwistEntry(FileModel):
+    """Velocity of the ring centre, and rotation in degrees per time."""
+
+    v_x: Finite = 0.0
+    v_y: Finite = 0.0
+    omega: Finite = 0.0
+
+
+class SimulateEntry(FileModel):
+    """A motion of the fence, constant or in pieces, and how the slider is followed through it."""
+
+    pusher_angle: Degrees | None = None
+    pusher_speed: NonNegative | None = None
+    pusher: Annotated[tuple[PieceEntry, ...], NotEmpty] | None = None
+    duration: Positive
+    method: Literal["event-driven", "time-stepping"] = "event-driven"
+    on_ambiguity: Literal["keep-contact", "separate", "stay-in-mode"] = "keep-contact"
+    rtol: Tolerance = 1e-10
+    initial_twist: TwistEntry | None = None
+    initial_gap: NonNegative = 0.0
+    samples: Samples = 101
+    step: Positive | None = None
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        if (self.pusher_angle is None) == (self.pusher is None):
+            raise refuse("exactly one of pusher_angle and pusher")
+        if self.pusher is not None and self.pusher_speed is not None:
+            raise refuse("pusher_speed with pusher_angle only; the pieces of pusher hold a speed each")
+        times = [piece.time for piece in self.pieces]
+        if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
+            raise refuse("times of pusher that begin at 0 and increase")
+        if self.step is not None and self.method != "time-stepping":
+            raise refuse("step with the method time-stepping only")
+        return self
+
+    @property
+    def pieces(self) -> tuple[PieceEntry, ...]:
+        """The fence's motion as pieces, of which a constant one has one."""
+        if self.pusher is not None:
+            return self.pusher
+        speed = 1.0 if self.pusher_speed is None else self.pusher_speed
+        return (PieceEntry(time=0.0, angle=self.pusher_angle, speed=speed),)
+
+    def changed(self, **values: Any) -> dict[str, Any]:
+        """The section with other values, as a mapping to be validated; None leaves a value alone."""
+        kept = self.model_dump(exclude_none=True)
+        given = {key: value for key, value in values.items() if value is not None}
+        return kept | given
