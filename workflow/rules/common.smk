@@ -7,8 +7,7 @@ from planar_pushing.study.study_file import load_study
 from planar_pushing.study.jobs import modules
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.store import dataset_path
+from planar_pushing.study.catalog import DATASETS, dataset_file
 
 STUDY_FILE = config.get("study", "workflow/config/paper.yaml")
 try:
@@ -32,8 +31,8 @@ def scene_files(wildcards):
 
 def dataset_files(wildcards):
     """Datasets that a figure is drawn from."""
-    files = {str(dataset_path(source)) for source in FIGURES[wildcards.figure]}
-    return sorted(files)
+    sources = FIGURES[wildcards.figure]
+    return sorted({f"results/{dataset_file(source)}" for source in sources})
 
 
 def figure_settings(wildcards):

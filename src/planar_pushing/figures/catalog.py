@@ -100,7 +100,8 @@ CAPTIONS: dict[str, str] = {
         "Pulling over time. The fence first pushes, then its direction turns away from the slider: "
         "where the contact is kept the slider is pulled along and turns on, where it is lost the slider "
         "stays behind. Slider and fence at some instants, the paths of the contact and of the motion "
-        "centre, and over time the rod angle, the gap at the contact and the contact mode."
+        "centre, and over time the rod angle, the gap at the contact and the contact mode, hatched where "
+        "several are consistent. A tick marks the point of the fence that the contact touched first."
     ),
     "figure_15": (
         "Slip with infinite friction over time. The force stays along the fence, so that the ring's "

@@ -24,3 +24,9 @@ AXES: dict[str, tuple[str, ...]] = {
     ),
     "acceleration_centers": ("rod_length", "force_angle", "inertia_share"),
 }
+
+
+def dataset_file(name: str) -> str:
+    """File in the results that holds a dataset: scenes share one file, simulations have one each."""
+    stem = name if name.startswith(f"{SIMULATIONS}/") else name.partition("/")[0]
+    return f"data/{stem}.nc"

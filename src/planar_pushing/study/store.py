@@ -9,7 +9,7 @@ import h5netcdf
 import xarray as xr
 
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
-from planar_pushing.study.catalog import DATASETS, SIMULATIONS
+from planar_pushing.study.catalog import DATASETS, SIMULATIONS, dataset_file
 from planar_pushing.study.files import replacing
 
 PathLike = str | os.PathLike[str]
@@ -79,12 +79,6 @@ def group_names(path: PathLike) -> list[str]:
         raise InvalidFile(f"{path}: is not a netCDF4 file ({error}); build it anew") from None
 
 
-def dataset_path(name: str, results: PathLike = "results") -> Path:
-    """File that holds a dataset: scenes are groups of one file, simulations are a file each."""
-    stem = name if name.startswith(f"{SIMULATIONS}/") else name.partition("/")[0]
-    return Path(results) / "data" / f"{stem}.nc"
-
-
 def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
     """Open a dataset of the study by name.
 
@@ -110,11 +104,11 @@ def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
     """
     stem, _, group = name.partition("/")
     if stem == SIMULATIONS and group:
-        return read_dataset(dataset_path(name, results))
+        return read_dataset(Path(results) / dataset_file(name))
     if stem not in DATASETS:
         allowed = ", ".join([*DATASETS, f"{SIMULATIONS}/NAME"])
         raise InvalidValue("name", name, allowed, "name one of these datasets")
-    path = dataset_path(name, results)
+    path = Path(results) / dataset_file(name)
     if stem == "scenes" and path.is_file():
         names = group_names(path)
         if group not in names:
