@@ -1,4 +1,4 @@
-"""The command line: solve, cone, query and draw, in the words of the Python interface."""
+"""The command line, in the words of the Python interface."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from planar_pushing.commands import motion
 from planar_pushing.mechanics.cones import can_pull, friction_cone, motion_cone, slips_while_pushing
 from planar_pushing.mechanics.errors import (
     InvalidValue,
@@ -190,6 +191,7 @@ def _parser() -> argparse.ArgumentParser:
     push(drawing, required=False)
     drawing.add_argument("--force-angle", type=float, metavar="DEGREES")
     drawing.add_argument("-o", "--output", type=Path, required=True, metavar="FILE.svg|pdf|png")
+    motion.add_commands(command)
     return parser
 
 

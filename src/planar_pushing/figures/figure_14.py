@@ -29,7 +29,7 @@ def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Datas
     """Select the motion under both policies, at the instants that both logs have."""
     logs = [sources[name] for name in NAMES]
     policies = xr.Variable("policy", [str(log.attrs["on_ambiguity"]) for log in logs])
-    times = np.intersect1d(*(log["time"].values for log in logs))
+    times = np.intersect1d(logs[0]["time"].values, logs[1]["time"].values)
     motions = [plotted(log.sel(time=times)) for log in logs]
     sizes = motions[0][["radius", "rod_length"]]
     moving = [motion.drop_vars(list(sizes)) for motion in motions]
@@ -49,7 +49,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     grid = figure.add_gridspec(
         3, 1, left=0.735, right=0.98, bottom=0.16, top=0.97, hspace=0.3, height_ratios=[1, 1, 0.5]
     )
-    angle, gap, modes = (figure.add_subplot(each) for each in grid)
+    angle, gap, modes = (figure.add_subplot(grid[place]) for place in range(3))
     for one, style in zip(both, STYLES, strict=True):
         series(angle, one, "path_rod_angle", r"rod angle $\psi$ (deg)", linestyle=style)
         label = TITLES[str(one["policy"].values)]

@@ -27,7 +27,8 @@ FORCE_LENGTH, FENCE_HALF = 0.42, 0.45
 
 def faded(color: str, strength: float) -> str:
     """Colour mixed with white."""
-    return to_hex([1 - strength * (1 - part) for part in to_rgb(color)])
+    red, green, blue = (1 - strength * (1 - part) for part in to_rgb(color))
+    return to_hex((red, green, blue))
 
 
 def span(data: xr.Dataset) -> float:
@@ -37,9 +38,14 @@ def span(data: xr.Dataset) -> float:
 
 def box(data: xr.Dataset) -> Box:
     """xmin, xmax, ymin, ymax of slider and fence over all the motion, and of its last centre if near."""
-    ring, radius, half = data["path_position"].values, float(data["radius"]), FENCE_HALF * span(data)
+    ring, radius, half = (
+        data["path_position"].values,
+        float(data["radius"]),
+        FENCE_HALF * span(data),
+    )
     points = [*(ring - radius), *(ring + radius), *contact(data), *last_center(data)]
-    points += [each + (side, -0.1 * half) for each in data["path_fence"].values for side in (-half, half)]
+    ends = np.array([[-half, -0.1 * half], [half, 0.0]])
+    points += [each + end for each in data["path_fence"].values for end in ends]
     low, high = np.min(points, axis=0), np.max(points, axis=0)
     return float(low[0]), float(high[0]), float(low[1]), float(high[1])
 
@@ -71,9 +77,10 @@ def fence(ax: Axes, middle: Array, half: float, color: str, *, hatch: bool) -> N
     """Piece of the fence, with a tick at its point that the contact touched first."""
     x, y = middle
     strip = 0.09 * half
-    starts = np.arange(x - half + strip, x + half, 0.9 * strip) if hatch else []
-    strokes = [[(each, y), (each - strip, y - strip)] for each in starts]
-    ax.add_collection(LineCollection(strokes, colors=[color], linewidths=0.4, zorder=1))
+    if hatch:
+        starts = np.arange(x - half + strip, x + half, 0.9 * strip)
+        strokes = [[(each, y), (each - strip, y - strip)] for each in starts]
+        ax.add_collection(LineCollection(strokes, colors=[color], linewidths=0.4, zorder=1))
     ax.plot([x - half, x + half], [y, y], color=color, linewidth=1.0, zorder=2)
     ax.plot([x, x], [y - strip, y], color=color, linewidth=2.0, zorder=2)
 

@@ -9,7 +9,7 @@ from flint import arb, fmpq
 
 from planar_pushing.golden.balls import in_degrees, rational
 from planar_pushing.golden.certified import Values
-from planar_pushing.golden.trajectories import Instant, Vector, pulled, rod_length, slipping
+from planar_pushing.golden.trajectories import File, Instant, Vector, pulled, rod_length, slipping
 
 Study = Mapping[str, Any]
 Golden = tuple[Values, dict[str, Any]]
@@ -51,7 +51,7 @@ def figure_15(study: Study) -> Golden:
     return values, {"time": list(map(_double, times)), "xy": ["x", "y"]}
 
 
-def _times(study: Study, file: Mapping[str, Any]) -> list[fmpq]:
+def _times(study: Study, file: File) -> list[fmpq]:
     duration = rational(file["simulate"]["duration"])
     return [duration * rational(part) for part in study["instants"]]
 
@@ -69,10 +69,12 @@ def _raised(position: Vector, height: arb) -> list[arb]:
     return [position[0], position[1] + height]
 
 
-def _columns(file: Mapping[str, Any], instants: Sequence[Instant]) -> Values:
+def _columns(file: File, instants: Sequence[Instant]) -> Values:
     """Values of the variables that both figures plot, over time."""
     length = rod_length(file)
-    values: Values = {name: (("time",), [of(one) for one in instants]) for name, of in NUMBERS.items()}
+    values: Values = {
+        name: (("time",), [of(one) for one in instants]) for name, of in NUMBERS.items()
+    }
     vectors = {
         "path_position": [_position(length, each) for each in instants],
         "path_fence": [each.fence for each in instants],

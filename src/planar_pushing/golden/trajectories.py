@@ -80,7 +80,12 @@ def pulled(file: File, times: Sequence[fmpq]) -> list[Instant]:
     length, pieces = rod_length(file), _pieces(file)
     mu = rational(file["contact"]["friction_coefficient"])
     leaves = file["simulate"]["on_ambiguity"] == "separate"
-    angle, fence, last, found = arb.pi() * rational(file["slider"]["rod_angle"]) / 180, ZERO, None, []
+    angle, fence, last, found = (
+        arb.pi() * rational(file["slider"]["rod_angle"]) / 180,
+        ZERO,
+        None,
+        [],
+    )
     ends = [start for start, _ in pieces[1:]] + [None]
     for number, ((start, degrees), end) in enumerate(zip(pieces, ends, strict=True)):
         inside = [time for time in times if time >= start and (end is None or time < end)]
@@ -100,8 +105,8 @@ def pulled(file: File, times: Sequence[fmpq]) -> list[Instant]:
 def _left(last: Instant, degrees: fmpq, path: fmpq) -> Instant:
     """The slider at rest, the fence moving away."""
     fence = _ahead(last.fence, degrees, path)
-    rest = {"mode": SEPARATE, "spin": arb(0), "force": ZERO}
-    return replace(last, fence=fence, gap=last.fence[1] - fence[1], **rest)
+    gap = last.fence[1] - fence[1]
+    return replace(last, fence=fence, gap=gap, mode=SEPARATE, spin=arb(0), force=ZERO)
 
 
 class _Stick:

@@ -143,6 +143,14 @@ RodAngle = number(
     type="number", exclusiveMinimum=0, exclusiveMaximum=180,
 )  # fmt: skip
 Degrees = number("a finite number of degrees", math.isfinite)
+FiniteNumber = number("a finite number", math.isfinite)
+RelativeTolerance = number(
+    "a number in [1e-13, 1e-2]", lambda x: 1e-13 <= x <= 1e-2,
+    type="number", minimum=1e-13, maximum=1e-2,
+)  # fmt: skip
+SampleCount = number(
+    "a whole number >= 2", lambda n: 2 <= n < math.inf and n == int(n), type="integer", minimum=2
+)
 Number = number("a number, or inf", lambda x: not math.isnan(x))
 Share = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
 FrictionCoefficient = number(

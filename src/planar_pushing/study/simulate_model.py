@@ -3,28 +3,20 @@
 from __future__ import annotations
 
 import itertools
-import math
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import model_validator
 
 from planar_pushing.study.fields import (
     Degrees,
     FileModel,
+    FiniteNumber,
     NonNegative,
     NotEmpty,
     Positive,
-    number,
+    RelativeTolerance,
+    SampleCount,
     refuse,
-)
-
-Finite = number("a finite number", math.isfinite)
-Tolerance = number(
-    "a number in [1e-13, 1e-2]", lambda x: 1e-13 <= x <= 1e-2,
-    type="number", minimum=1e-13, maximum=1e-2,
-)  # fmt: skip
-Samples = number(
-    "a whole number >= 2", lambda n: 2 <= n < math.inf and n == int(n), type="integer", minimum=2
 )
 
 
@@ -39,9 +31,9 @@ class PieceEntry(FileModel):
 class TwistEntry(FileModel):
     """Velocity of the ring centre, and rotation in degrees per time."""
 
-    v_x: Finite = 0.0
-    v_y: Finite = 0.0
-    omega: Finite = 0.0
+    v_x: FiniteNumber = 0.0
+    v_y: FiniteNumber = 0.0
+    omega: FiniteNumber = 0.0
 
 
 class SimulateEntry(FileModel):
@@ -53,10 +45,10 @@ class SimulateEntry(FileModel):
     duration: Positive
     method: Literal["event-driven", "time-stepping"] = "event-driven"
     on_ambiguity: Literal["keep-contact", "separate", "stay-in-mode"] = "keep-contact"
-    rtol: Tolerance = 1e-10
+    rtol: RelativeTolerance = 1e-10
     initial_twist: TwistEntry | None = None
     initial_gap: NonNegative = 0.0
-    samples: Samples = 101
+    samples: SampleCount = 101
     step: Positive | None = None
 
     @model_validator(mode="after")
@@ -64,7 +56,9 @@ class SimulateEntry(FileModel):
         if (self.pusher_angle is None) == (self.pusher is None):
             raise refuse("exactly one of pusher_angle and pusher")
         if self.pusher is not None and self.pusher_speed is not None:
-            raise refuse("pusher_speed with pusher_angle only; the pieces of pusher hold a speed each")
+            raise refuse(
+                "pusher_speed with pusher_angle only; the pieces of pusher hold a speed each"
+            )
         times = [piece.time for piece in self.pieces]
         if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
             raise refuse("times of pusher that begin at 0 and increase")
@@ -79,9 +73,3 @@ class SimulateEntry(FileModel):
             return self.pusher
         speed = 1.0 if self.pusher_speed is None else self.pusher_speed
         return (PieceEntry(time=0.0, angle=self.pusher_angle, speed=speed),)
-
-    def changed(self, **values: Any) -> dict[str, Any]:
-        """The section with other values, as a mapping to be validated; None leaves a value alone."""
-        kept = self.model_dump(exclude_none=True)
-        given = {key: value for key, value in values.items() if value is not None}
-        return kept | given
