@@ -53,7 +53,7 @@ def message(load, tmp_path, text):
          "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius; "
          "did you mean rod_length?"),
         ("title", "colour",
-         "colour: 'A scene' given; allowed: the keys title, slider, contact, effects; remove the key"),
+         "colour: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate; remove the key"),
         ("rod_length: 5, ", "",
          "slider.rod_length: missing; allowed: a value for this key; add it"),
         ("law: coulomb", "law: glue",
@@ -92,7 +92,7 @@ def test_empty_effects(tmp_path):
 
 @pytest.mark.parametrize("text", ["", "[]", "3"])
 def test_no_keys(tmp_path, text):
-    said = "holds no keys; allowed: title, slider, contact, effects"
+    said = "holds no keys; allowed: title, slider, contact, effects, simulate"
     assert message(load_scene, tmp_path, text) == said
 
 

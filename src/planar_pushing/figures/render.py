@@ -110,7 +110,7 @@ def render(
     Parameters
     ----------
     name : str
-        "figure_01" to "figure_13".
+        "figure_01" to "figure_15".
     results : path
         The folder that holds data/*.nc.
     settings : FigureEntry
