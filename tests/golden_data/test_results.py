@@ -10,7 +10,9 @@ from planar_pushing.figures.render import picture, save, select
 from planar_pushing.figures.style import paper_style
 from planar_pushing.golden.check import check_results, golden_names
 from planar_pushing.golden.compare import verdict
+from planar_pushing.simulation.scene_file import simulate_file
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
@@ -26,6 +28,9 @@ def results(tmp_path_factory):
     folder = tmp_path_factory.mktemp("results")
     for name in DATASETS:
         write_dataset(build_dataset(name, study_slice(STUDY, name)), folder / f"data/{name}.nc")
+    for name, scene in STUDY.simulations.items():
+        log = simulate_file(load_scene_file(scene))
+        write_dataset(log, folder / f"data/simulations/{name}.nc")
     for name in FIGURES:
         settings = STUDY.figures.get(name, FigureEntry())
         write_dataset(select(name, folder, settings), folder / f"figures/data/{name}.nc")

@@ -53,7 +53,8 @@ def message(load, tmp_path, text):
          "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius; "
          "did you mean rod_length?"),
         ("title", "colour",
-         "colour: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate; remove the key"),
+         "colour: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate; "
+         "remove the key"),
         ("rod_length: 5, ", "",
          "slider.rod_length: missing; allowed: a value for this key; add it"),
         ("law: coulomb", "law: glue",
