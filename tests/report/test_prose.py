@@ -1,8 +1,8 @@
 """No number of the prose is typed: a digit in a section is part of a reference or of an equation.
 
 Taken out before looking for digits: comments, numbers named by their key, references to equations, sections
-and figures of the paper, citations and labels, numbered equations, and exponents. A number that
-another work published stands in paper/published.json with its source, and a section that names it cites that.
+and figures of the paper, citations and labels, numbered equations, and exponents. A number that another
+work published stands in paper/published.json with its source, and a section that names it cites that.
 """
 
 import json
