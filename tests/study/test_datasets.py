@@ -8,9 +8,11 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
+from planar_pushing.simulation.scene_file import simulate_file
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.describe import VARIABLES
 from planar_pushing.study.dictionary import dictionary_text
+from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import group_names, write_dataset
 from planar_pushing.study.study_file import load_study
@@ -44,6 +46,8 @@ def results(tmp_path_factory):
     study = load_study("workflow/config/smoke.yaml")
     for name in DATASETS:
         write_dataset(build_dataset(name, study_slice(study, name)), folder / f"data/{name}.nc")
+    log = simulate_file(load_scene_file(study.simulations["figure_15"]))
+    write_dataset(log, folder / "data/simulations/figure_15.nc")
     return folder
 
 

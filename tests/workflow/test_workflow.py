@@ -60,7 +60,12 @@ def test_report(built):
         ("figures/figure_06.py", {"figure": 1}),
         ("study/datasets/contact_modes.py", {"dataset": 1, "figure": 1}),
         ("mechanics/limit_curve.py", {"dataset": 2, "figure": 6}),
-        ("mechanics/slipping.py", {"dataset": 2, "figure": 8}),
+        (
+            "mechanics/slipping.py",
+            {"dataset": 2, "figure": 10, "hard_cases_data": 1, "hard_cases_figure": 1}
+            | {"simulation": 3, "simulation_figure": 3},
+        ),
+        ("figures/motion.py", {"figure": 2, "simulation_figure": 3}),
         ("cli.py", {}),
     ],
 )

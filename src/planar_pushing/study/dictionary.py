@@ -9,7 +9,7 @@ from pathlib import Path
 
 import xarray as xr
 
-from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.catalog import DATASETS, SIMULATIONS
 from planar_pushing.study.describe import NOTES
 from planar_pushing.study.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
@@ -30,7 +30,19 @@ def dictionary_text(results: str = "results") -> str:
     """Text of the page for the datasets in a results folder."""
     units = "\n".join(f"- *{unit}*: {note}." for unit, note in NOTES.items())
     sections = [_section(name, results) for name in DATASETS]
+    sections += _simulations(results)
     return "\n".join([HEAD, "Units other than degrees:\n", units, "", *sections])
+
+
+def _simulations(results: str) -> list[str]:
+    """Section of the logs of motion over time, which share their variables; none without logs."""
+    names = sorted(path.stem for path in (Path(results) / "data" / SIMULATIONS).glob("*.nc"))
+    if not names:
+        return []
+    dataset = open_dataset(f"{SIMULATIONS}/{names[0]}", results)
+    lines = [f"## data/{SIMULATIONS}/NAME.nc", "", "Motion over time, a log of each simulation.", ""]
+    lines += [f"Source: {dataset.attrs['source']}.", ""]
+    return ["\n".join([*lines, *_table(dataset)]) + "\n"]
 
 
 def _section(name: str, results: str) -> str:
