@@ -12,6 +12,7 @@ def jobs(said):
     table = re.search(r"Job stats:\njob +count\n[- ]+\n(.*?)\ntotal", said, re.DOTALL)
     return dict(re.findall(r"(\w+) +(\d+)", table[1]))
 
+
 def test_the_target_measures_once_and_draws_its_figures(built):
     said = built.snakemake("--dry-run", "accuracy")
     assert jobs(said) == {

@@ -40,7 +40,12 @@ def _simulations(results: str) -> list[str]:
     if not names:
         return []
     dataset = open_dataset(f"{SIMULATIONS}/{names[0]}", results)
-    lines = [f"## data/{SIMULATIONS}/NAME.nc", "", "Motion over time, a log of each simulation.", ""]
+    lines = [
+        f"## data/{SIMULATIONS}/NAME.nc",
+        "",
+        "Motion over time, a log of each simulation.",
+        "",
+    ]
     lines += [f"Source: {dataset.attrs['source']}.", ""]
     return ["\n".join([*lines, *_table(dataset)]) + "\n"]
 
