@@ -12,6 +12,7 @@ from planar_pushing.figures import (
     accuracy,
     accuracy_cone,
     accuracy_evaluations,
+    accuracy_motion,
     accuracy_study,
     accuracy_wrench,
 )
@@ -24,6 +25,7 @@ MODULES = {
     "accuracy_cone": accuracy_cone,
     "accuracy_study": accuracy_study,
     "accuracy_evaluations": accuracy_evaluations,
+    "accuracy_motion": accuracy_motion,
 }
 
 
@@ -49,7 +51,10 @@ def data(tmp_path_factory):
         coords={"size": [10**3, 10**4, 10**5], "block": [2**8, 2**16]},
     )
     path = tmp_path_factory.mktemp("data") / "accuracy.nc"
-    groups = {"wrench": wrench, "cone": cone, "study": study}
+    runs = read_dataset(GOLDEN, "motion")
+    points = runs.sizes["point"], runs.sizes["scene"]
+    runs["motion_seconds"] = ("point", "scene", "repeat"), 1e3 * made_up_times(*points, 3)
+    groups = {"wrench": wrench, "cone": cone, "study": study, "motion": runs}
     write_dataset({name: tables.described(each) for name, each in groups.items()}, path)
     return path
 

@@ -74,6 +74,22 @@ def timed(data: xr.Dataset, name: str, machine: str) -> xr.Dataset:
     return data.assign({name: ((*axes, "repeat"), times)}).assign_attrs(machine=machine)
 
 
+def motion(machine: str) -> xr.Dataset:
+    """Runs of both integrators, with times and errors that can be told apart."""
+    return xr.Dataset(
+        {
+            "motion_error": (("point", "scene"), [[3e-12, 1.0], [4e-3, 1.0], [5e-3, 1.0]]),
+            "motion_seconds": (("point", "scene", "repeat"), np.full((3, 2, 1), 0.0125)),
+        },
+        coords={
+            "method": ("point", ["event-driven", "time-stepping", "time-stepping"]),
+            "setting": ("point", [1e-10, 1000.0, 3000.0]),
+            "scene": ["slipping", "pulling"],
+        },
+        attrs={"machine": machine},
+    )
+
+
 def write_times(folder: Path, machine: str = '{"processor": "one"}') -> None:
     """Write what the supplement reads, measured on one machine, the effects on `machine`."""
     one = '{"processor": "one"}'
@@ -90,6 +106,7 @@ def write_times(folder: Path, machine: str = '{"processor": "one"}') -> None:
         "wrench": timed(read_dataset(STORED, "wrench"), "wrench_seconds", one),
         "cone": timed(read_dataset(STORED, "cone"), "cone_seconds", one),
         "study": study,
+        "motion": motion(one),
     }
     write_dataset(groups, folder / "data/accuracy.nc")
     write_dataset(timed(evaluations(), "time", machine), folder / "data/effects.nc")

@@ -123,6 +123,9 @@ def test_numbers_of_the_supplement_are_least_times(results):
     assert found["large-grid-time"]["text"] == str(40 * 10**9 // 10**5)
     assert found["grid-memory"]["text"] == "4.0"
     assert found["half-way-error"]["text"] == "2.5e-07"
+    assert found["event-driven-time"]["text"] == "12.5"
+    assert found["event-driven-error"]["text"] == "3.0e-12"
+    assert found["time-stepping-error"]["text"] == "4.0e-03"
     # Rows 6, 7 and 8: modes of one push with friction, inertia and both.
     assert found["both-solve-ratio"]["text"] == f"{9 / (7 + 8):.1f}"
 

@@ -4,7 +4,12 @@ BUILDERS = [
     f"study.datasets.{name}"
     for name in ("limit_curves", "motion_cones", "contact_modes")
 ]
-ACCURACY = ["accuracy_wrench", "accuracy_cone", "accuracy_study"]
+ACCURACY = [
+    "accuracy_wrench",
+    "accuracy_cone",
+    "accuracy_study",
+    "accuracy_motion",
+]
 
 
 #: Like the report, built with the study that the golden data certify.
@@ -97,6 +102,7 @@ rule accuracy:
 
 rule accuracy_data:
     input:
+        scenes=["workflow/scenes/figure_15.yaml", "workflow/scenes/figure_14a.yaml"],
         modules=modules("accuracy.tables", "study.store"),
     output:
         "results/data/accuracy.nc",

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.accuracy import grids, reference
+from planar_pushing.accuracy import grids, motion, reference
 from planar_pushing.accuracy.cones import ROD_ANGLE, edges, inverses, motion_angles
 from planar_pushing.accuracy.methods import wrench_methods
 from planar_pushing.accuracy.models import rim_errors
@@ -23,7 +23,7 @@ SPIN_RATIOS = np.array([1e-8, 0.1, 0.9, 1 - 1e-3, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e8]
 #: Name: (unit, long name), "1" for ratios, counts and labels.
 VARIABLES = {
     "method": ("1", "method"),
-    "setting": ("1", "number of points or table entries, or tolerance; 0 for none"),
+    "setting": ("1", "number of points, table entries or steps, or tolerance; 0 for none"),
     "spin_ratio": ("1", "spin ratio R omega / v"),
     "error": ("1", "largest relative error of force and torque; inf where a part is no number"),
     "evaluations": ("1", "evaluations of an integrand, or of the wrench, for one result"),
@@ -42,6 +42,9 @@ VARIABLES = {
     "size_memory": ("byte", "largest memory held while a grid is computed and stored"),
     "block_seconds": ("s", "time for a grid of 10^6 points, each repeat"),
     "block_memory": ("byte", "largest memory held while it is computed and stored"),
+    "scene": ("1", "scene that moves over time"),
+    "motion_error": ("degree", "error of the rod angle at the end of a run"),
+    "motion_seconds": ("s", "time for a run, each repeat"),
     "repeat": ("1", "number of the repeat"),
 }
 Variables = dict[str, Any]
@@ -158,9 +161,26 @@ def grid_table(sizes: tuple[int, ...] = grids.SIZES) -> xr.Dataset:
     return labelled(variables, coords, "Grid of limit curves")
 
 
+def motion_errors() -> xr.Dataset:
+    """Errors and evaluations of both integrators at every setting, over the scenes."""
+    error, count = motion.errors()
+    variables = {
+        "motion_error": (("point", "scene"), error),
+        "evaluations": (("point", "scene"), count),
+    }
+    names = {"scene": list(motion.SCENES)}
+    coords = {
+        "method": ("point", [name for name, _ in motion.ROWS]),
+        "setting": ("point", [float(setting) for _, setting in motion.ROWS]),
+    }
+    return labelled(variables, coords | names, "Motion over time")
+
+
 def measured() -> dict[str, xr.Dataset]:
     """All measurements, one group each, with the machine that they were taken on."""
     groups = {"wrench": wrench_errors(), "cone": cone_errors(), "study": grid_table()}
+    motion_times = {"motion_seconds": (("point", "scene", "repeat"), motion.times())}
+    groups["motion"] = described(motion_errors().assign(motion_times))
     for name, times in (("wrench", wrench_times()), ("cone", cone_times())):
         groups[name] = described(groups[name].assign(times))
     for each in groups.values():

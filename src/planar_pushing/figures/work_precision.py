@@ -26,6 +26,8 @@ LOOKS: dict[str, dict[str, Any]] = {
     "find_root": {"marker": "s", "color": "#0072B2"},
     "linear table": {"marker": "o", "color": "#E69F00"},
     "cubic table": {"marker": "D", "color": "#009E73"},
+    "event-driven": {"marker": "*", "color": "#D55E00", "markersize": 8, "zorder": 6},
+    "time-stepping": {"marker": "o", "color": "#0072B2"},
     "ellipsoid": {"marker": "o", "color": GREY, "markersize": 6, "markerfacecolor": "white"},
     "convex quartic": {"marker": "d", "color": DARK, "markersize": 6, "markerfacecolor": "white"},
 }

@@ -12,8 +12,10 @@ from planar_pushing.report.quantities import Numbers, computed, magnitude
 from planar_pushing.report.results import Results
 from planar_pushing.report.writing import csv_text, json_text
 
-WRENCH, CONE, STUDY = (f"accuracy/{name}" for name in ("wrench", "cone", "study"))
-MILLI = 1e3
+WRENCH, CONE, STUDY, MOTION = (f"accuracy/{each}" for each in ("wrench", "cone", "study", "motion"))
+MILLI = times.MILLI
+#: Settings that the prose names: a tolerance, and a number of steps.
+RUNS = {"event-driven": 1e-10, "time-stepping": 1000.0}
 #: What is asked of the scene of a figure.
 ASKED = {
     "motion_cone": "motion cone",
@@ -47,6 +49,14 @@ NUMBERS: Numbers = {
     "large-grid-time": computed(STUDY, times.point_time(-1), unit="ns"),
     "grid-memory": computed(STUDY, times.largest_memory, digits=1, unit="MB"),
     "half-way-error": magnitude(STUDY, times.half_way_error, unit="degree"),
+    **{
+        f"{method}-time": computed(MOTION, times.run_time(method, setting), digits=1, unit="ms")
+        for method, setting in RUNS.items()
+    },
+    **{
+        f"{method}-error": magnitude(MOTION, times.run_error(method, setting), unit="degree")
+        for method, setting in RUNS.items()
+    },
     "both-solve-ratio": computed("effects", times.both_ratio("solve"), digits=1),
     "both-cone-ratio": computed("effects", times.both_ratio("motion_cone"), digits=1),
 }

@@ -10,7 +10,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.planar import Array
 
-NANO, MICRO, MEGA = 1e9, 1e6, 1e6
+NANO, MICRO, MILLI, MEGA = 1e9, 1e6, 1e3, 1e6
 
 
 def machine(data: xr.Dataset) -> dict[str, str]:
@@ -88,6 +88,32 @@ def largest_memory(study: xr.Dataset) -> float:
 def half_way_error(study: xr.Dataset) -> float:
     """Largest error half way between the points of the largest grid, degrees."""
     return float(study.interpolation_error[-1])
+
+
+def _run(motion: xr.Dataset, method: str, setting: float) -> xr.Dataset:
+    """Row of a method at a setting, the slipping scene."""
+    here = (motion.method.values == method) & np.isclose(motion.setting.values, setting, atol=0.0)
+    return motion.isel(point=int(np.flatnonzero(here)[0])).sel(scene="slipping")
+
+
+def run_time(method: str, setting: float) -> Callable[[xr.Dataset], float]:
+    """Make the function that finds the time of an integrator."""
+
+    def time(motion: xr.Dataset) -> float:
+        """Least time for a run of the slipping scene, milliseconds."""
+        return MILLI * float(_run(motion, method, setting).motion_seconds.min())
+
+    return time
+
+
+def run_error(method: str, setting: float) -> Callable[[xr.Dataset], float]:
+    """Make the function that finds the error of an integrator."""
+
+    def error(motion: xr.Dataset) -> float:
+        """Error of the last rod angle of the slipping scene, degrees."""
+        return float(_run(motion, method, setting).motion_error)
+
+    return error
 
 
 def both_ratio(operation: str) -> Callable[[xr.Dataset], float]:
