@@ -109,7 +109,7 @@ def set_up(root: Path) -> Setting:
         }
         for name in FIGURES
     }
-    for number, (name, caption) in enumerate(OURS.items(), 14):
+    for number, (name, caption) in enumerate(OURS.items(), len(FIGURES) + 1):
         figures[name] = figures["figure_01"] | {"caption": caption, "number": str(number)}
     setting.write_numbers(zeros(NUMBERS))
     setting.write_numbers(zeros(TIMES), SUPPLEMENT)

@@ -18,7 +18,7 @@ def test_the_target_measures_once_and_draws_its_figures(built):
     assert jobs(said) == {
         "accuracy": "1",
         "accuracy_data": "1",
-        "accuracy_figure": "3",
+        "accuracy_figure": "4",
         "effects_data": "1",
         "effects_figure": "1",
     }

@@ -17,7 +17,8 @@ TITLES = {
     "slipping": "slipping with infinite friction, one mode",
     "pulling": "pulling, the fence turns on its way",
 }
-NAMED = {"event-driven": "tolerance {:g}", "time-stepping": "{:g} steps"}
+#: What a setting is, and on which side of the markers it stands.
+NAMED = {"event-driven": ("tolerance {:g}", -1), "time-stepping": ("{:g} steps", 1)}
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:
@@ -27,7 +28,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     for ax, scene in zip(axes, data.scene.values, strict=True):
         one = data.sel(scene=scene)
         work_precision(ax, one.method.values, one.motion_seconds, one.motion_error.values, LIMITS)
-        ax.set(xlim=(1e-3, 3e0), yticks=10.0 ** np.arange(-14, 2, 4), title=TITLES[str(scene)])
+        ax.set(xlim=(3e-4, 3e0), yticks=10.0 ** np.arange(-14, 2, 4), title=TITLES[str(scene)])
         ax.set_xlabel("time for a run, seconds")
         _settings(ax, one)
     axes[0].set_ylabel("error of the last rod angle, degrees")
@@ -36,12 +37,14 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
 
 def _settings(ax: Axes, data: xr.Dataset) -> None:
     """Name the ends of each line by their settings."""
-    for name, text in NAMED.items():
+    for name, (text, side) in NAMED.items():
         rows = np.flatnonzero(data.method.values == name)
         for row in rows[[0, -1]]:
-            at = float(data.motion_seconds[row].median()), float(data.motion_error[row])
+            times = data.motion_seconds[row]
+            beside = times.median() if side > 0 else times.min()
+            at = float(beside), float(data.motion_error[row])
             words = text.format(float(data.setting[row]))
             ax.annotate(
-                words, at, (8, 0), textcoords="offset points", va="center",
-                color=GREY, fontsize=NOTE_SIZE - 1,
+                words, at, (8 * side, 0), textcoords="offset points", va="center",
+                ha="left" if side > 0 else "right", color=GREY, fontsize=NOTE_SIZE - 1,
             )  # fmt: skip
