@@ -205,7 +205,7 @@ def test_provenance_names_versions_and_no_folder(results):
 def test_figures_table(results):
     found = json.loads(figures_text(results))
     assert list(found) == [*FIGURES, *OURS]
-    assert [found[name]["number"] for name in OURS] == ["14", "15"]
+    assert [found[name]["number"] for name in OURS] == ["16", "17"]
     assert found["figure_06"]["section"].startswith("Sec. 3.1")
 
 
