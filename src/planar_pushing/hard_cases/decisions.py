@@ -15,8 +15,7 @@ from planar_pushing.golden.setting import Effects
 from planar_pushing.golden.setting import Slider as ExactSlider
 from planar_pushing.hard_cases.adversarial import Generator, angles, powers, rod_angle, scene
 from planar_pushing.hard_cases.scenes import make_scene
-from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.candidates import Candidates, candidates, contact_motion
+from planar_pushing.mechanics.candidates import COINCIDENCE, Candidates, candidates, contact_motion
 from planar_pushing.mechanics.cones import edge_motions, friction_cone, motion_cone
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.contact.laws import friction_coefficient
@@ -33,6 +32,12 @@ CLOSE = 1e-9
 NEXT_TO = (0.0, -(2.0**-44), 2.0**-44)
 
 
+def _largest_part(scene: Scene, twist: Array) -> Array:
+    """Largest of what adds up to the contact's motion: the centre's motion, the rotation about it."""
+    parts = [twist[..., 0], twist[..., 1], twist[..., 2] * scene.slider.length_ratio]
+    return np.asarray(np.abs(parts).max(axis=0))
+
+
 def _breaks_its_conditions(scene: Scene, found: Candidates, pusher: Array) -> Wrong:
     """Consistent motions, in units of the pusher's, that do not do what their mode says."""
     motion, force = contact_motion(scene, found.twist), found.force
@@ -46,7 +51,7 @@ def _breaks_its_conditions(scene: Scene, found: Candidates, pusher: Array) -> Wr
         wrong |= ~(np.abs(gap).max(axis=-1) <= CLOSE * scale)
     else:
         side = 1 if found.mode is ContactMode.SLIP_RIGHT else -1
-        reach = 1 + np.abs(found.twist).max(axis=-1) * (1 + scene.slider.length_ratio)
+        reach = 1 + _largest_part(scene, found.twist)
         wrong |= ~(np.abs(gap[..., 1]) <= CLOSE * reach) | ~(side * gap[..., 0] > 0)
         wrong |= ~(side * force[..., 0] <= CLOSE * size)
     along = np.divide(force, size[..., None], out=np.zeros_like(force), where=size[..., None] > 0)
@@ -66,12 +71,15 @@ def _count(scene: Scene, found: tuple[Candidates, ...], pusher: Array) -> Wrong:
     return np.asarray(wrong)
 
 
-def vectorised(rng: Generator, pushers: int) -> Wrong:
-    """A scene over its whole reach, and many pushers at once."""
+def vectorised(rng: Generator, pushers: int) -> Wrong | None:
+    """A scene over its whole reach, and many pushers at once; None where it is refused."""
     here = scene(rng, 290)
     cone = motion_cone(here)
     pusher = direction(angles(rng, pushers, 0.0, cone.right, cone.left))
-    found = candidates(here, pusher, powers(rng, 10, pushers))
+    try:
+        found = candidates(here, pusher, powers(rng, 10, pushers))
+    except InvalidValue:
+        return None
     wrong = [_breaks_its_conditions(here, each, pusher).any(axis=-1) for each in found]
     return np.asarray(np.any(wrong, axis=0) | _count(here, found, pusher))
 
@@ -125,16 +133,17 @@ def _drawn(rng: Generator) -> tuple[Scene, Effects, float, float]:
 
 
 def _on_an_edge(scene: Scene, pusher: float) -> bool:
-    """Whether the pusher's direction is one with an edge of a motion cone."""
+    """Whether slip and stick differ by no more than what counts as one motion."""
     edges = edge_motions(scene, friction_cone(scene)).ravel().tolist()
-    return min(abs(math.remainder(edge - pusher, math.tau)) for edge in edges) <= RESOLUTION
+    nearest = min(abs(math.remainder(edge - pusher, math.tau)) for edge in edges)
+    return nearest <= 2 * COINCIDENCE
 
 
 def decided(rng: Generator) -> str:
     """Compare one scene with the certified decisions: "same", "tie", "undecided" or "wrong".
 
     A tie hangs on rounding: a change of the pusher's angle by 2^-44 turns the certified modes into those
-    found, or the pusher is within `RESOLUTION` of a cone's edge, where stick and slip are one.
+    found, or the pusher is so close to a cone's edge that the slip is below `COINCIDENCE`: a stick.
     """
     here, names, pusher, size = _drawn(rng)
     mu = friction_coefficient(here.contact)

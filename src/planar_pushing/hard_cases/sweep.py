@@ -66,11 +66,11 @@ def _kernel(name: str, budget: Budget, seed: int) -> dict[str, int]:
 
 
 def _vectorised(budget: Budget, seed: int) -> dict[str, int]:
-    failures = sum(
-        int(decisions.vectorised(np.random.default_rng([seed, i]), budget.pushers).sum())
-        for i in range(budget.scenes)
-    )
-    return {"inputs": budget.scenes * budget.pushers, "failures": failures}
+    rngs = (np.random.default_rng([seed, i]) for i in range(budget.scenes))
+    found = [decisions.vectorised(rng, budget.pushers) for rng in rngs]
+    failures = sum(int(wrong.sum()) for wrong in found if wrong is not None)
+    refused = budget.pushers * sum(wrong is None for wrong in found)
+    return {"inputs": budget.scenes * budget.pushers, "failures": failures, "refused": refused}
 
 
 def _scalar(budget: Budget, seed: int) -> dict[str, int]:

@@ -9,6 +9,8 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.contact.laws import friction_coefficient
+from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.mechanics.response import (
     Resistance,
@@ -145,8 +147,15 @@ def _slip(scene: Scene, given: Push, mode: ContactMode) -> tuple[Candidates, Fou
         resisting, slider.length_ratio, slider.rod_angle, edge, pusher[..., 1]
     )
     heading = np.broadcast_to(direction(edge), (*ratio.shape, 2))
-    twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
-    slip = side * (contact_motion(scene, twist)[..., 0] - pusher[..., :1])
+    with np.errstate(over="ignore", invalid="ignore"):
+        twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
+        motion = contact_motion(scene, twist)
+    if not np.isfinite(motion).all():
+        raise InvalidValue(
+            "friction_coefficient", friction_coefficient(scene.contact),
+            "one under which the slips are doubles", "use the law of infinite friction",
+        )  # fmt: skip
+    slip = side * (motion[..., 0] - pusher[..., :1])
     found = Candidates(
         mode=mode,
         consistent=exists & (slip > COINCIDENCE),
@@ -174,7 +183,7 @@ def candidates(
     Raises
     ------
     InvalidValue
-        Where the doubles do not hold the force that the motion meets.
+        Where the doubles do not hold the force that the motion meets, or the motion of a slip.
     """
     return modes_of(scene, push(scene, pusher_direction, pusher_magnitude))
 
@@ -195,6 +204,9 @@ def modes_of(scene: Scene, given: Push) -> tuple[Candidates, ...]:
     left, right_edge = _slip(scene, given, ContactMode.SLIP_LEFT)
     inside = replace(scene.contact.force_angles, closed=False).contains(stick.force_angle)
     slips = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
+    # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
+    left_edge &= ~left.consistent.any(axis=-1)
+    right_edge &= ~right.consistent.any(axis=-1)
     at_edge = np.asarray(left_edge | right_edge)[..., None]
     sticks = inside | (stick.consistent & ~np.asarray(slips)[..., None]) | at_edge
     stick = replace(stick, consistent=sticks & given.moves)

@@ -122,13 +122,18 @@ def root(
 ) -> Array:
     """Root of an increasing elementwise function in [low, high]; an end where none lies inside."""
     low, high, *spread = np.broadcast_arrays(low, high, *args)
-    # Its test of an interpolation takes the root of a rounded number; one below 0 means bisection.
-    with np.errstate(invalid="ignore"):
+
+    def inside(x: Array, low: Array, high: Array, *spread: Array) -> Array:
+        # Next to an end that is small beside the other, steps round to the outside.
+        return function(np.clip(x, low, high), *spread)
+
+    # Its interpolation divides, and takes roots of, what may be rounding: then it bisects instead.
+    with np.errstate(invalid="ignore", over="ignore"):
         found = elementwise.find_root(
-            function, (low, high), args=tuple(spread), tolerances=TOLERANCES
+            inside, (low, high), args=(low, high, *spread), tolerances=TOLERANCES
         )
     end = np.where(function(low, *spread) > 0, low, high)
-    return np.asarray(np.where(found.success, found.x, end))
+    return np.asarray(np.where(found.success, np.clip(found.x, low, high), end))
 
 
 def _homogeneous_spin_ratio(effects: Effects, arm: Array) -> Array:

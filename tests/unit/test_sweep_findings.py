@@ -1,0 +1,46 @@
+"""Scenes that the sweep of random and adversarial inputs found, each with its right answer."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from unit.builders import INFINITE, make_scene, numbers
+
+
+def scene(length, psi, law, *effects):
+    return make_scene(length, law, effects, psi)
+
+
+def test_root_next_to_a_small_end_stays_in_its_bracket():
+    """The spin ratios of friction and of inertia are 1e50 apart."""
+    length, psi = 1985701788925619.8, 1e-12
+    effects = (
+        pp.RingFriction(weight=1.6660623540760646e289),
+        pp.Inertia(mass=6.1295178456373226e-238, gyration_radius=9.002922477794457e-26),
+    )
+    (slip,) = pp.solve(scene(length, psi, INFINITE, *effects), -3.1415926535897936, 380266857.8)
+    assert slip.mode is pp.ContactMode.SLIP_RIGHT
+    friction = pp.spin_ratio(scene(length, psi, INFINITE, pp.RingFriction()), np.pi)
+    assert slip.spin_ratio == pytest.approx(friction, rel=1e-12)
+
+
+def test_both_edges_of_a_cone_narrower_than_rounding_count_once():
+    slider = pp.Slider(
+        rod_length=1.4017676298267888e213, rod_angle=1e-12, radius=4.9217645737401445e155
+    )
+    inertia = pp.Inertia(mass=6.124034278360438e199, gyration_radius=8.842013952537603e183)
+    rod = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(inertia,))
+    assert len(pp.solve(rod, np.pi / 2, 0.5)) == 1
+
+
+def test_a_slip_beyond_the_doubles_is_refused_with_a_remedy():
+    inertia = pp.Inertia(gyration_radius=5e-45)
+    with pytest.raises(pp.InvalidValue) as caught:
+        pp.solve(scene(1.0, np.pi / 2, 5e241, inertia), 1.0)
+    assert caught.value.name == "friction_coefficient"
+    assert caught.value.remedy == "use the law of infinite friction"
+    (found,) = pp.solve(scene(1.0, np.pi / 2, INFINITE, inertia), 1.0)
+    assert found.mode is pp.ContactMode.STICK
+    assert np.all(np.isfinite(numbers([found])))
