@@ -123,7 +123,7 @@ class EventDriven:
                 self.system, mode, self.time, self.state, segment.end, rtol
             ):
                 event = watcher.first_event(dense)
-                yield from self._samples(time if event is None else event[0], dense)
+                yield from self._samples(time if event is None else event[0], dense, segment)
                 if event is not None:
                     self._happened(mode, *event, dense)
                     return
@@ -149,7 +149,7 @@ class EventDriven:
     def _choose(self, segment: Segment, excluded: frozenset[ContactMode]) -> None:
         """Take a consistent mode by the policy, or stop where there is none."""
         modes = [m for m in self.system.modes(self.time, self.state) if m.kind not in excluded]
-        held = [mode for mode in modes if self._holds(mode, segment)]
+        held = [m for m in modes if self._holds(m, segment, self.time, self.state)]
         previous = None if self.mode is None else self.mode.kind
         order = preference(self.problem.on_ambiguity, previous)
         self.solutions = len(held)
@@ -159,29 +159,30 @@ class EventDriven:
         if self.mode is None:
             self._stop("no contact mode is consistent")
 
-    def _holds(self, mode: Mode, segment: Segment) -> bool:
+    def _holds(self, mode: Mode, segment: Segment, time: float, state: State) -> bool:
         """Whether the margins are positive, or zero and not about to fall."""
-        margins = [guard.value for guard in mode.guards(self.time, self.state) if not guard.watch]
+        margins = [guard.value for guard in mode.guards(time, state) if not guard.watch]
         if min(margins, default=1.0) > NEAR:
             return True
         if min(margins) < -NEAR:
             return False
-        ahead = AHEAD * min(segment.end - segment.start, self.system.pace(self.time))
-        rates = mode.rates(self.time, self.state)
-        state = [y + ahead * rate for y, rate in zip(self.state, rates, strict=True)]
-        later = [guard.value for guard in mode.guards(self.time + ahead, state) if not guard.watch]
+        ahead = AHEAD * min(segment.end - segment.start, self.system.pace(time))
+        rates = mode.rates(time, state)
+        there = [y + ahead * rate for y, rate in zip(state, rates, strict=True)]
+        later = [guard.value for guard in mode.guards(time + ahead, there) if not guard.watch]
         return all(
             now > NEAR or then >= now - TREND for now, then in zip(margins, later, strict=True)
         )
 
-    def _samples(self, end: float, dense: DenseOutput) -> Iterator[None]:
+    def _samples(self, end: float, dense: DenseOutput, segment: Segment) -> Iterator[None]:
         """Log the uniform samples up to a time, a batch at a time."""
         stop = bisect_left(self.times, end, lo=self.next)
         while self.next < stop:
             times = self.times[self.next : min(stop, self.next + BATCH)]
             self.next += len(times)
             for time, state in zip(times, dense(times).T.tolist(), strict=True):
-                held = 1 + sum(_clear(mode, time, state) for mode in self.others)
+                others = (self._holds(mode, segment, time, state) for mode in self.others)
+                held = 1 + sum(others)
                 self.records.append(self.system.record(time, state, self.mode, held))
             yield
 
@@ -191,8 +192,3 @@ class EventDriven:
             self.records.append(self.system.record(time, state, self.mode, self.solutions))
         while self.next < len(self.times) and self.times[self.next] <= time:
             self.next += 1
-
-
-def _clear(mode: Mode, time: float, state: State) -> bool:
-    """Whether all margins are clear of zero."""
-    return all(guard.watch or guard.value > NEAR for guard in mode.guards(time, state))
