@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from unit.builders import INFINITE, make_scene, numbers
+from unit.builders import INFINITE, make_scene, names, numbers
 
 
 def scene(length, psi, law, *effects):
@@ -44,3 +44,10 @@ def test_a_slip_beyond_the_doubles_is_refused_with_a_remedy():
     (found,) = pp.solve(scene(1.0, np.pi / 2, INFINITE, inertia), 1.0)
     assert found.mode is pp.ContactMode.STICK
     assert np.all(np.isfinite(numbers([found])))
+
+
+def test_edge_of_infinite_friction_is_a_half_turn_to_a_long_rod():
+    """Taken for the double next to pi, it would move the motion cone by 7e-11 and make this push slip."""
+    rod = scene(755.0248268669369, 1e-300, INFINITE, pp.Inertia())
+    assert pp.motion_cone(rod).left == np.pi
+    assert names(pp.solve(rod, 3.1415926535897927)) == ["STICK"]

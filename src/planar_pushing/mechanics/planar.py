@@ -66,7 +66,12 @@ def moment_arm(
     back = lean - psi
     # What the subtraction rounded off: a long rod along the fence multiplies it by its length.
     rounding = (psi - (lean - back)) - (phi + back)
-    return np.asarray(np.multiply(rod_length, np.sin(lean) + rounding * np.cos(lean)))
+    rod, force = direction(psi), direction(phi)
+    across = rod[..., 1] * force[..., 0] - rod[..., 0] * force[..., 1]
+    # Along an axis the double is taken for the quarter turn, as in `direction`; nothing cancels.
+    on_axis = (force == 0).any(axis=-1) | (rod == 0).any(axis=-1)
+    sine = np.where(on_axis, across, np.sin(lean) + rounding * np.cos(lean))
+    return np.asarray(np.multiply(rod_length, sine))
 
 
 def contact_motion_angle(
