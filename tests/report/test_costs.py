@@ -42,7 +42,7 @@ def rows(text):
         ("quad-evaluations-on", "42"),
         ("ellipsoid-error", "100"),
         ("quartic-error", "3.0"),
-        ("brentq-evaluations", "3358"),
+        ("brentq-evaluations", "3360"),
         ("rim-ellipsoid", "7.86"),
         ("hard-cases", "8"),
         ("hard-well", "7"),

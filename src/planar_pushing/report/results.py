@@ -11,7 +11,7 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.store import open_dataset, read_dataset
+from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
 
 #: Datasets on how this work computes; a group is named behind a slash.
 MEASURED = ("accuracy", "accuracy_errors", "effects", "evaluations", "hard_cases")
@@ -53,7 +53,7 @@ class Results:
         paths = sorted(self.golden.glob("*.nc"))
         if not paths:
             raise InvalidFile(f"{self.golden}: holds no golden data; name the folder that does")
-        return [dict(read_dataset(path).attrs) for path in paths]
+        return [read_attributes(path) for path in paths]
 
     @property
     def verdict(self) -> str:

@@ -46,6 +46,12 @@ def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> 
             )
 
 
+def read_attributes(path: PathLike) -> dict[str, object]:
+    """Read the root attributes of a file that is there, and nothing else of it."""
+    with h5netcdf.File(path, "r") as file:
+        return dict(file.attrs)
+
+
 def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
     """Read a dataset into memory, and close its file.
 
