@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from mpmath import mp, mpf
 
 import reference as straight
+from planar_pushing.figures import hard_cases
 from planar_pushing.hard_cases import contact, lengths, painleve, rest, ring, shares
 from planar_pushing.hard_cases.case import DIGITS, measure
 from planar_pushing.hard_cases.dataset import build
@@ -80,14 +82,11 @@ def test_dataset_is_described():
     assert data.line.values.tolist() == sorted(data.line.values)
 
 
-def test_figure_shows_every_case(tmp_path):
-    figures = pytest.importorskip("planar_pushing.figures.hard_cases")
-    from matplotlib.figure import Figure
-
-    data, figure = build(), Figure(figsize=figures.SIZE)
-    figures.draw(figure, data)
+def test_figure_shows_every_case():
+    data, figure = build(), Figure(figsize=hard_cases.SIZE)
+    hard_cases.draw(figure, data)
     (ax,) = figure.axes
     strokes, fine, ill = (line.get_xdata().size for line in ax.lines[:3])
     assert strokes == fine + ill == data.sizes["case"]
     assert ill == int(data.ill_conditioned.sum())
-    assert [tick.get_text() for tick in ax.get_xticklabels()] == list(figures.PLACES)
+    assert [tick.get_text() for tick in ax.get_xticklabels()] == list(hard_cases.PLACES)

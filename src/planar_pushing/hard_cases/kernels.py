@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 import numpy.typing as npt
 
@@ -89,13 +91,18 @@ def motion_angles(rng: Generator, size: int) -> Wrong:
     return _leads_away(phi, k, length, psi)
 
 
-def motion_angles_of_inertia(rng: Generator, size: int) -> Wrong:
-    """The same for inertia with one radius of gyration for every part of the inputs."""
-    parts = []
+def _with_inertia(rng: Generator, size: int) -> Iterator[tuple[Inertia, Array, Array, Array]]:
+    """Parts of the inputs with one inertia each: it, rod lengths, force angles and rod angles."""
     for part in np.array_split(np.arange(size), max(1, size // 1000)):
         length, phi = powers(rng, REACH, part.size), angles(rng, part.size)
         inertia = Inertia(gyration_radius=float(powers(rng, REACH, 1)[0]))
-        psi = rng.uniform(1e-300, np.pi, part.size)
+        yield inertia, length, phi, rng.uniform(1e-300, np.pi, part.size)
+
+
+def motion_angles_of_inertia(rng: Generator, size: int) -> Wrong:
+    """The same for inertia with one radius of gyration for every part of the inputs."""
+    parts = []
+    for inertia, length, phi, psi in _with_inertia(rng, size):
         k = _spin_ratios((inertia,), rng, moment_arm(length, psi, phi))
         parts.append(_leads_away(phi, k, length, psi))
     return np.concatenate(parts)
@@ -104,10 +111,7 @@ def motion_angles_of_inertia(rng: Generator, size: int) -> Wrong:
 def motion_angles_of_both(rng: Generator, size: int) -> Wrong:
     """The same for friction and inertia, and the spin ratio between those of the two alone."""
     parts = []
-    for part in np.array_split(np.arange(size), max(1, size // 1000)):
-        length, phi = powers(rng, REACH, part.size), angles(rng, part.size)
-        inertia = Inertia(gyration_radius=float(powers(rng, REACH, 1)[0]))
-        psi = rng.uniform(1e-300, np.pi, part.size)
+    for inertia, length, phi, psi in _with_inertia(rng, size):
         arm = moment_arm(length, psi, phi)
         k = _spin_ratios((RingFriction(), inertia), rng, arm)
         ends = np.abs([_spin_ratios((each,), rng, arm) for each in (RingFriction(), inertia)])
