@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from planar_pushing.study.files import load_scene_file, replacing
+from planar_pushing.study.files import load_scene_file
+from planar_pushing.study.replacing import replacing
 from planar_pushing.study.schemas import SCHEMAS, schema_text
 from planar_pushing.study.study_file import load_study
 

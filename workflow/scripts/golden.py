@@ -5,9 +5,9 @@ from pathlib import Path
 from planar_pushing.golden.check import check_results
 from planar_pushing.golden.compare import verdict
 from planar_pushing.mechanics.errors import InvalidResult
-from planar_pushing.study.files import replacing
 from planar_pushing.study.jobs import job_log
 from planar_pushing.study.models import Tolerance
+from planar_pushing.study.replacing import replacing
 
 with job_log(snakemake.log[0]) as log:
     given = snakemake.params.tolerances.items()

@@ -19,7 +19,7 @@ from planar_pushing.figures.motion import box, paths, scene
 from planar_pushing.figures.style import GUIDE, NOTE_SIZE, paper_style
 from planar_pushing.figures.timeline import MODES, plotted
 from planar_pushing.mechanics.errors import InvalidValue, require_number
-from planar_pushing.study.files import replacing
+from planar_pushing.study.replacing import replacing
 
 PathLike = str | os.PathLike[str]
 #: Size of a picture, inches, and its pixels per inch.

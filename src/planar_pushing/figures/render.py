@@ -14,8 +14,8 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.catalog import FIGURES
 from planar_pushing.figures.style import COLUMN_WIDTH, paper_style
 from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.study.files import replacing
 from planar_pushing.study.models import FigureEntry, PushEntry
+from planar_pushing.study.replacing import replacing
 from planar_pushing.study.scene_model import SceneFile
 from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
 

@@ -134,7 +134,8 @@ def _drawn(rng: Generator) -> tuple[Scene, Effects, float, float]:
 
 def _on_an_edge(scene: Scene, pusher: float) -> bool:
     """Whether slip and stick differ by no more than what counts as one motion."""
-    edges = edge_motions(scene, friction_cone(scene)).ravel().tolist()
+    forces = friction_cone(scene)
+    edges = edge_motions(scene, [forces.right, forces.left]).ravel().tolist()
     nearest = min(abs(math.remainder(edge - pusher, math.tau)) for edge in edges)
     return nearest <= 2 * COINCIDENCE
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from planar_pushing.hard_cases import decisions, kernels
 from planar_pushing.hard_cases.adversarial import Generator
-from planar_pushing.study.files import replacing
+from planar_pushing.study.replacing import replacing
 
 #: Checks of the kernels, and by how much fewer inputs each gets: roots of both effects cost more.
 KERNELS: dict[str, tuple[Callable[[Generator, int], kernels.Wrong], int]] = {

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval
+from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.planar import Array, contact_motion_angle, moment_arm
 from planar_pushing.mechanics.scene import Scene
 
@@ -55,13 +58,25 @@ def motion_angle(
     return contact_motion_angle(force_angle, k, scene.slider.length_ratio, scene.slider.rod_angle)
 
 
-def edge_motions(scene: Scene, cone: AngleInterval) -> Array:
-    """Motion angles of a cone's edges under each kind of effect alone, shape (kinds, 2)."""
+def edge_motions(scene: Scene, edges: npt.ArrayLike) -> Array:
+    """Motion angles of force angles of shape S under each kind of effect alone, shape (kinds,) + S."""
     rod = scene.slider.length_ratio, scene.slider.rod_angle
-    edges = np.array([cone.right, cone.left])
     kinds = [response.of_degree(scene.scaled_effects, degree) for degree in (1, 2)]
-    ratios = [response.spin_ratio(kind, moment_arm(*rod, edges), None) for kind in kinds if kind]
+    arm = moment_arm(*rod, edges)
+    ratios = [response.spin_ratio(kind, arm, None) for kind in kinds if kind]
     return np.stack([contact_motion_angle(edges, ratio, *rod) for ratio in ratios])
+
+
+def motion_cones(scene: Scene, laws: Sequence[ContactLaw]) -> list[AngleInterval]:
+    """Motion cones of the scene's slider and effects under other contact laws, as `motion_cone`."""
+    force_angles = [law.force_angles for law in laws]
+    angles = edge_motions(scene, [[cone.right, cone.left] for cone in force_angles])
+    reached = np.ptp(angles, axis=0).max(axis=-1) <= RESOLUTION
+    left = angles[..., 1].max(axis=0)
+    # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
+    right = np.minimum(angles[..., 0].min(axis=0), left)
+    cones = zip(right.tolist(), left.tolist(), reached.tolist(), force_angles, strict=True)
+    return [AngleInterval(a, b, force.closed and met) for a, b, met, force in cones]
 
 
 def motion_cone(scene: Scene) -> AngleInterval:
@@ -72,22 +87,24 @@ def motion_cone(scene: Scene) -> AngleInterval:
     angle increases, so the edges are those of the friction cone. With both effects an edge at
     which they differ is approached and never reached: the cone is open.
     """
-    force_angles = friction_cone(scene)
-    angles = edge_motions(scene, force_angles)
-    reached = bool(np.ptp(angles, axis=0).max() <= RESOLUTION)
-    right, left = float(angles[:, 0].min()), float(angles[:, 1].max())
-    # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
-    return AngleInterval(min(right, left), left, closed=force_angles.closed and reached)
+    return motion_cones(scene, [scene.contact])[0]
+
+
+def leaves_the_fence(cone: AngleInterval) -> bool:
+    """Whether a motion cone holds motions away from the slider (Sec. 3.1)."""
+    return cone.right < -RESOLUTION or cone.left > np.pi + RESOLUTION
 
 
 def can_pull(scene: Scene) -> bool:
     """Whether the contact can stick while the pusher moves away from the slider (Sec. 3.1)."""
-    cone = motion_cone(scene)
-    return cone.right < -RESOLUTION or cone.left > np.pi + RESOLUTION
+    return leaves_the_fence(motion_cone(scene))
+
+
+def omits_pushes(cone: AngleInterval) -> bool:
+    """Whether a motion cone leaves out motions into the slider (Sec. 3.2)."""
+    return cone.right > RESOLUTION or cone.left < np.pi - RESOLUTION
 
 
 def slips_while_pushing(scene: Scene) -> bool:
     """Whether some pusher motion into the slider makes the contact slip (Sec. 3.2)."""
-    cone = motion_cone(scene)
-    inside = cone.right > RESOLUTION or cone.left < np.pi - RESOLUTION
-    return inside and scene.contact.slips
+    return scene.contact.slips and omits_pushes(motion_cone(scene))

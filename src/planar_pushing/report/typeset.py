@@ -9,7 +9,7 @@ from pathlib import Path
 import typst
 
 from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.files import replacing
+from planar_pushing.study.replacing import replacing
 
 PathLike = str | os.PathLike[str]
 

@@ -8,7 +8,7 @@ import json
 import os
 from collections.abc import Sequence
 
-from planar_pushing.study.files import replacing
+from planar_pushing.study.replacing import replacing
 
 PathLike = str | os.PathLike[str]
 Rows = Sequence[dict[str, str]]

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import difflib
 import os
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -20,6 +18,7 @@ from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.fields import FileModel
+from planar_pushing.study.replacing import replacing
 from planar_pushing.study.scene_model import SceneFile
 
 Model = TypeVar("Model", bound=FileModel)
@@ -108,26 +107,6 @@ def _effect_entry(effect: object) -> dict[str, Any]:
     raise InvalidValue(
         "effects", effect, "RingFriction and Inertia", "save a scene of these effects"
     )
-
-
-@contextmanager
-def replacing(path: PathLike) -> Iterator[Path]:
-    """Path to write to that takes the place of `path` only once it is complete.
-
-    Its name is always the same, so that what a killed run leaves behind the next one replaces.
-    """
-    target = Path(path)
-    temporary = target.with_name(f".{target.name}.part")
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_bytes(b"")
-    except OSError as error:
-        raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
-    try:
-        yield temporary
-        temporary.replace(target)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def load_model(path: PathLike, model: type[Model]) -> Model:

@@ -1,4 +1,4 @@
-"""What the workflow's jobs share: their log, and the modules whose change makes them stale."""
+"""What the workflow's jobs and the Makefile's commands share: a log, and errors without a traceback."""
 
 from __future__ import annotations
 
@@ -9,11 +9,7 @@ import time
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
-from importlib.util import find_spec
-from pathlib import Path
 
-import grimp
 import numpy as np
 
 from planar_pushing.mechanics.errors import PlanarPushingError
@@ -52,23 +48,3 @@ def run_command(main: Callable[[], int]) -> int:
     except PlanarPushingError as error:
         print(error, file=sys.stderr)
         return 2
-
-
-@cache
-def _imports() -> grimp.ImportGraph:
-    return grimp.build_graph(PACKAGE, cache_dir=None)
-
-
-def modules(*names: str) -> list[str]:
-    """Source files of these modules of the package and of all that they import, sorted."""
-    graph = _imports()
-    reached = {f"{PACKAGE}.{name}" for name in names}
-    for name in tuple(reached):
-        reached |= graph.find_upstream_modules(name)
-    return sorted(_source(name) for name in reached)
-
-
-def _source(module: str) -> str:
-    spec = find_spec(module)
-    path, here = Path(str(spec.origin if spec else module)), Path.cwd()
-    return str(path.relative_to(here) if path.is_relative_to(here) else path)

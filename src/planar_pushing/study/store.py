@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-import h5netcdf
+import h5py
 import xarray as xr
 
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
+from planar_pushing.study import hdf5
 from planar_pushing.study.catalog import DATASETS, SIMULATIONS, dataset_file
-from planar_pushing.study.files import replacing
+from planar_pushing.study.replacing import replacing
 
 PathLike = str | os.PathLike[str]
 #: Values along a chunk's longest axis, small enough that a chunk fits a cache.
@@ -48,8 +49,8 @@ def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> 
 
 def read_attributes(path: PathLike) -> dict[str, object]:
     """Read the root attributes of a file that is there, and nothing else of it."""
-    with h5netcdf.File(path, "r") as file:
-        return dict(file.attrs)
+    with h5py.File(path, "r") as file:
+        return hdf5.attributes(file)
 
 
 def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
@@ -61,8 +62,8 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
         Where the file is missing, is not netCDF4 or has no such group.
     """
     try:
-        with xr.open_dataset(path, engine="h5netcdf", group=group) as dataset:
-            return dataset.load()
+        with h5py.File(path, "r") as file:
+            return hdf5.read_variables(file[group] if group else file)
     except FileNotFoundError:
         raise _missing(path) from None
     except (OSError, KeyError) as error:
@@ -77,8 +78,8 @@ def _missing(path: PathLike) -> InvalidFile:
 def group_names(path: PathLike) -> list[str]:
     """Names of a file's groups, in order; errors as in `read_dataset`."""
     try:
-        with h5netcdf.File(path, "r") as file:
-            return sorted(file.groups)
+        with h5py.File(path, "r") as file:
+            return sorted(name for name, each in file.items() if isinstance(each, h5py.Group))
     except FileNotFoundError:
         raise _missing(path) from None
     except OSError as error:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
-from scipy.special import ellipe
+import scipy
 
 from planar_pushing.mechanics.effects.base import isotropic_wrench
 from planar_pushing.mechanics.effects.ring_inverse import ring_spin_ratio
@@ -55,7 +55,9 @@ class RingFriction:
         speed, spin = np.hypot(twist[..., 0], twist[..., 1]), np.abs(twist[..., 2])
         total = speed + spin
         share = np.divide(speed, total, out=np.ones_like(total), where=total > 0)
-        return np.asarray(2 / np.pi * self.weight * total * ellipe(4 * share * (1 - share)))
+        return np.asarray(
+            2 / np.pi * self.weight * total * scipy.special.ellipe(4 * share * (1 - share))
+        )
 
     def wrench(self, twist: Array) -> Array:
         return isotropic_wrench(self, twist)

@@ -17,8 +17,8 @@ from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
+import scipy
 from numpy.polynomial import Chebyshev, Polynomial
-from scipy.special import ellipe, ellipkm1
 
 from planar_pushing.mechanics.planar import Array
 
@@ -104,7 +104,7 @@ def _by_integrals(size: Array) -> tuple[Array, Array, Array]:
     m, x = k * k, np.abs(1 - size)
     x *= 1 + size
     x *= k / size
-    second, first = ellipe(m), ellipkm1(np.maximum(x, TINY))
+    second, first = scipy.special.ellipe(m), scipy.special.ellipkm1(np.maximum(x, TINY))
     slope = first - second
     slope *= 2 / np.pi
     slope /= m

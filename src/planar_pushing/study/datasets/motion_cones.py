@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.cones import can_pull, friction_cone, motion_cone, slips_while_pushing
+from planar_pushing.mechanics.cones import leaves_the_fence, motion_cones, omits_pushes
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.catalog import AXES
@@ -21,28 +21,29 @@ DIMS = AXES["motion_cones"]
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
     coords = axes(study, DIMS)
+    laws = [contact_law(mu) for mu in coords["friction_coefficient"]]
+    forces = np.array([[law.force_angles.right, law.force_angles.left] for law in laws])
 
-    def cell(effects: Any, length: float, angle: float, mu: float) -> Cell:
+    def cell(effects: Any, length: float, angle: float) -> Cell:
         scene = Scene(
-            slider=study.ring(length, angle),
-            contact=contact_law(mu),
-            effects=study.effects(effects),
+            slider=study.ring(length, angle), contact=laws[0], effects=study.effects(effects)
         )
-        forces, motions = friction_cone(scene), motion_cone(scene)
-        magnitude = limit_curve(scene, [forces.right, forces.left]).magnitude
+        cones = motion_cones(scene, laws)
+        magnitude = limit_curve(scene, forces).magnitude
+        slips = [law.slips and omits_pushes(cone) for law, cone in zip(laws, cones, strict=True)]
         return {
-            "friction_cone_right": np.rad2deg(forces.right),
-            "friction_cone_left": np.rad2deg(forces.left),
-            "motion_cone_right": np.rad2deg(motions.right),
-            "motion_cone_left": np.rad2deg(motions.left),
-            "limit_force_right": magnitude[0],
-            "limit_force_left": magnitude[1],
-            "pulls": np.int8(can_pull(scene)),
-            "slips_while_pushing": np.int8(slips_while_pushing(scene)),
+            "friction_cone_right": np.rad2deg(forces[:, 0]),
+            "friction_cone_left": np.rad2deg(forces[:, 1]),
+            "motion_cone_right": np.rad2deg([cone.right for cone in cones]),
+            "motion_cone_left": np.rad2deg([cone.left for cone in cones]),
+            "limit_force_right": magnitude[:, 0],
+            "limit_force_left": magnitude[:, 1],
+            "pulls": np.array([leaves_the_fence(cone) for cone in cones], np.int8),
+            "slips_while_pushing": np.array(slips, np.int8),
         }
 
     return describe(
-        assemble(coords, DIMS, cell),
+        assemble(coords, DIMS[:3], cell),
         title="Friction cones and the motion cones they map to",
         source="Secs. 3.1, 3.2 and 4, Figs. 6, 7 and 9",
         parameters=parameters(study),

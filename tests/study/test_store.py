@@ -1,0 +1,70 @@
+"""Datasets come back as they were written, and as xarray itself reads them."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from planar_pushing.study.store import group_names, read_attributes, read_dataset, write_dataset
+
+GOLDEN = Path(__file__).parents[1] / "golden"
+DATASET = xr.Dataset(
+    {
+        "angle": (("length", "side"), [[1.0, np.nan], [-0.0, np.inf]], {"units": "degrees"}),
+        "count": (
+            "length",
+            np.array([3, -1], np.int8),
+            {"flag_values": np.array([-1, 3], np.int8)},
+        ),
+        "mark": ("bare", ["a", "longer"]),
+        "held": ("length", [True, False]),
+        "alone": ((), 2.5),
+    },
+    coords={
+        "length": [0.5, 2.0],
+        "side": ["right", "left"],
+        "law": ("length", ["rough", "smooth"]),
+    },
+    attrs={"title": "of all kinds", "shares": [0.25, 0.5], "one": [4.0]},
+)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "data.nc"
+
+
+@pytest.mark.parametrize("group", [None, "part"])
+def test_reading_gives_what_xarray_gives(path, group):
+    write_dataset({group: DATASET} if group else DATASET, path)
+    with xr.open_dataset(path, engine="h5netcdf", group=group) as opened:
+        expected = opened.load()
+    found = read_dataset(path, group)
+    xr.testing.assert_identical(found, expected)
+    assert {name: each.dtype for name, each in found.variables.items()} == {
+        name: each.dtype for name, each in expected.variables.items()
+    }
+    assert list(found.data_vars) == list(DATASET.data_vars)
+
+
+@pytest.mark.parametrize("name", ["contact_modes", "scenes.figure_12", "figure_13"])
+def test_stored_files_read_as_through_xarray(name):
+    stored = GOLDEN / f"{name}.nc"
+    with xr.open_dataset(stored, engine="h5netcdf") as opened:
+        xr.testing.assert_identical(read_dataset(stored), opened.load())
+
+
+def test_groups_and_attributes_are_listed(path):
+    write_dataset({"second": DATASET, "first": DATASET}, path)
+    assert group_names(path) == ["first", "second"]
+    write_dataset(DATASET, path)
+    assert read_attributes(path)["title"] == "of all kinds"
+    assert set(read_attributes(path)) == set(DATASET.attrs)
+
+
+def test_a_file_read_and_written_again_has_the_same_bytes(path, tmp_path):
+    write_dataset(DATASET, path)
+    again = tmp_path / "again.nc"
+    write_dataset(read_dataset(path), again)
+    assert again.read_bytes() == path.read_bytes()
