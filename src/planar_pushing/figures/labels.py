@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,6 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import FancyArrowPatch, Patch
 from matplotlib.path import Path
 from matplotlib.text import Annotation
-from matplotlib.transforms import Bbox
 
 from planar_pushing.figures.style import DARK, SYMBOL_SIZE
 
@@ -60,49 +58,52 @@ def declutter(ax: Axes) -> None:
     labels = [each for each in ax.texts if isinstance(each, Annotation) and each.get_text()]
     fixed = [each for each in labels if np.allclose(each.xyann, 0)]
     taken = [_box(each) for each in fixed]
-    frame = ax.get_window_extent()
+    frame = ax.get_window_extent().get_points()
     for each in labels:
         if each not in fixed:
-            taken.append(_settle(each, lines, taken, frame))
+            taken.append(_settle(each, lines, np.reshape(taken, (-1, 2, 2)), frame))
 
 
-def _settle(text: Annotation, lines: Array, taken: list[Bbox], frame: Bbox) -> Bbox:
+def _settle(text: Annotation, lines: Array, taken: Array, frame: Array) -> Array:
     """Move a label to its cheapest place and return the box that it takes there."""
     wanted = np.asarray(text.xyann, dtype=float)
     box, pixels = _box(text), pixels_per_point(text)
-    beside = max(0.0, box.width - box.height) / (2 * pixels)
-    best, best_box, best_cost = wanted, box, np.inf
-    for place, detour in _places(wanted, beside):
-        moved = box.translated(*(pixels * (place - wanted)))
-        cost = _cost(moved, lines, taken, frame) + detour
-        if cost < best_cost - 1e-9:
-            best, best_box, best_cost = place, moved, cost
-    text.xyann = (float(best[0]), float(best[1]))
-    return best_box
+    width, height = box[1] - box[0]
+    places, detours = _places(wanted, max(0.0, width - height) / (2 * pixels))
+    boxes = box + pixels * (places - wanted)[:, None]
+    costs = _costs(boxes, lines, taken, frame) + detours
+    best = int(np.argmax(costs <= costs.min() + 1e-9))
+    text.xyann = (float(places[best, 0]), float(places[best, 1]))
+    return np.asarray(boxes[best])
 
 
-def _places(wanted: Array, beside: float) -> Iterator[tuple[Array, float]]:
-    """Offsets to try, and how far from the wanted one they are.
+def _places(wanted: Array, beside: float) -> tuple[Array, Array]:
+    """Offsets to try, shape (n, 2), and how far from the wanted one each is, shape (n,).
 
     A wide label beside its point may keep its end, not its middle, at the wanted distance.
     """
-    for stretch, turn, shift in itertools.product(STRETCHES, TURNS, (0.0, beside)):
-        cos, sin = np.cos(turn), np.sin(turn)
-        place = stretch * np.array([[cos, -sin], [sin, cos]]) @ wanted
-        place[0] += shift * place[0] / np.hypot(*place)
-        yield place, 0.4 * abs(turn) + 1.5 * (stretch - 1) + 0.3 * (shift > 0)
+    tries = itertools.product(STRETCHES, TURNS, (0.0, beside))
+    stretch, turn, shift = np.array(list(tries)).T
+    cos, sin = np.cos(turn), np.sin(turn)
+    places = stretch * np.array(
+        [cos * wanted[0] - sin * wanted[1], sin * wanted[0] + cos * wanted[1]]
+    )
+    places[0] += shift * places[0] / np.hypot(*places)
+    return places.T, 0.4 * np.abs(turn) + 1.5 * (stretch - 1) + 0.3 * (shift > 0)
 
 
-def _cost(box: Bbox, lines: Array, taken: list[Bbox], frame: Bbox) -> float:
-    inside = np.all((lines > box.min) & (lines < box.max), axis=1)
-    outside = not (frame.containsx(box.x0) and frame.containsx(box.x1))
-    outside |= not (frame.containsy(box.y0) and frame.containsy(box.y1))
-    covered = sum(Bbox.intersection(box, other) is not None for other in taken)
-    return 0.5 * float(np.count_nonzero(inside)) + 20.0 * covered + 50.0 * outside
+def _costs(boxes: Array, lines: Array, taken: Array, frame: Array) -> Array:
+    """What boxes of shape (n, corner, xy) would cover, shape (n,)."""
+    low, high = boxes[:, None, 0], boxes[:, None, 1]
+    inside = ((lines > low) & (lines < high)).all(axis=-1)
+    covered = ((low <= taken[:, 1]) & (taken[:, 0] <= high)).all(axis=-1)
+    outside = ((boxes < frame[0]) | (boxes > frame[1])).any(axis=(1, 2))
+    return np.asarray(0.5 * inside.sum(axis=1) + 20.0 * covered.sum(axis=1) + 50.0 * outside)
 
 
-def _box(text: Annotation) -> Bbox:
-    return text.get_window_extent().padded(GAP * pixels_per_point(text))
+def _box(text: Annotation) -> Array:
+    """Corners of the place that a label takes, display coordinates."""
+    return text.get_window_extent().padded(GAP * pixels_per_point(text)).get_points()
 
 
 def pixels_per_point(text: Annotation) -> float:
