@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.contact import ContactLaw, ContactMode, Outcome
 from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.planar import Array, direction
@@ -19,7 +20,7 @@ from planar_pushing.mechanics.response import (
     sustained_twist,
 )
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.slipping import slip_motions
+from planar_pushing.mechanics.slipping import SlipMotions, slip_motions
 
 #: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
 COINCIDENCE = 1e-12
@@ -82,6 +83,17 @@ class Push:
     spin_ratio: Array
 
 
+#: Candidates of separation, of sticking and, where the contact slips, of slips right and left.
+Modes = tuple[Candidates, ...]
+SLIPS = (ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
+
+
+def slip_edge(law: ContactLaw, mode: ContactMode) -> float:
+    """Angle of the force under which the contact slips, radians."""
+    angles = law.force_angles
+    return angles.left if mode is ContactMode.SLIP_RIGHT else angles.right
+
+
 def contact_motion(scene: Scene, twist: Array) -> Array:
     """Contact motions, shape S + (2,), of twists (v_x, v_y, R omega) of shape S + (3,)."""
     arm = scene.slider.length_ratio * direction(scene.slider.rod_angle)
@@ -137,15 +149,14 @@ def _stick(scene: Scene, given: Push) -> Candidates:
     )
 
 
-def _slip(scene: Scene, given: Push, mode: ContactMode) -> tuple[Candidates, Found]:
+def _slip(
+    scene: Scene, given: Push, mode: ContactMode, motions: SlipMotions
+) -> tuple[Candidates, Found]:
     """Motions under a force on an edge, and where one of them is the pusher's own: a stick."""
     resisting, pusher = given.resisting, given.pusher
     side = 1 if mode is ContactMode.SLIP_RIGHT else -1
-    angles, slider = scene.contact.force_angles, scene.slider
-    edge = angles.left if mode is ContactMode.SLIP_RIGHT else angles.right
-    speed, ratio, exists = slip_motions(
-        resisting, slider.length_ratio, slider.rod_angle, edge, pusher[..., 1]
-    )
+    edge = slip_edge(scene.contact, mode)
+    speed, ratio, exists = motions
     heading = np.broadcast_to(direction(edge), (*ratio.shape, 2))
     with np.errstate(over="ignore", invalid="ignore"):
         twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
@@ -169,7 +180,7 @@ def _slip(scene: Scene, given: Push, mode: ContactMode) -> tuple[Candidates, Fou
 
 def candidates(
     scene: Scene, pusher_direction: npt.ArrayLike, pusher_magnitude: npt.ArrayLike = 1.0
-) -> tuple[Candidates, ...]:
+) -> Modes:
     """Enumerate the contact modes, elementwise over the pusher's motions.
 
     Parameters
@@ -185,11 +196,32 @@ def candidates(
     InvalidValue
         Where the doubles do not hold the force that the motion meets, or the motion of a slip.
     """
-    return modes_of(scene, push(scene, pusher_direction, pusher_magnitude))
+    given = push(scene, pusher_direction, pusher_magnitude)
+    return modes_under(scene, [scene.contact], given)[0]
 
 
-def modes_of(scene: Scene, given: Push) -> tuple[Candidates, ...]:
-    """Enumerate the contact modes of a law under a push of the same slider and effects.
+def modes_under(scene: Scene, laws: Sequence[ContactLaw], given: Push) -> list[Modes]:
+    """Enumerate the contact modes of several laws under a push of the scene's slider and effects."""
+    slips = _slip_motions(scene, [law for law in laws if law.slips], given)
+    return [
+        _modes(replace(scene, contact=law), given, next(slips) if law.slips else ()) for law in laws
+    ]
+
+
+def _slip_motions(
+    scene: Scene, laws: Sequence[ContactLaw], given: Push
+) -> Iterator[tuple[SlipMotions, ...]]:
+    """Motions under a force on each edge of each law, in the order of `SLIPS`, solved for together."""
+    if not laws:
+        return
+    edges = [[slip_edge(law, mode) for mode in SLIPS] for law in laws]
+    rod, normal = (scene.slider.length_ratio, scene.slider.rod_angle), given.pusher[..., 1]
+    for of_law in zip(*slip_motions(given.resisting, *rod, edges, normal), strict=True):
+        yield tuple(zip(*of_law, strict=True))
+
+
+def _modes(scene: Scene, given: Push, slips: tuple[SlipMotions, ...]) -> Modes:
+    """Enumerate the contact modes; `slips` holds the motions under a force on each edge.
 
     Notes
     -----
@@ -200,20 +232,21 @@ def modes_of(scene: Scene, given: Push) -> tuple[Candidates, ...]:
     stick = _stick(scene, given)
     if not scene.contact.slips:
         return _separate(given), replace(stick, consistent=stick.consistent & given.moves)
-    right, left_edge = _slip(scene, given, ContactMode.SLIP_RIGHT)
-    left, right_edge = _slip(scene, given, ContactMode.SLIP_LEFT)
+    (right, left_edge), (left, right_edge) = (
+        _slip(scene, given, mode, motions) for mode, motions in zip(SLIPS, slips, strict=True)
+    )
     inside = replace(scene.contact.force_angles, closed=False).contains(stick.force_angle)
-    slips = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
+    slides = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
     # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
     left_edge &= ~left.consistent.any(axis=-1)
     right_edge &= ~right.consistent.any(axis=-1)
     at_edge = np.asarray(left_edge | right_edge)[..., None]
-    sticks = inside | (stick.consistent & ~np.asarray(slips)[..., None]) | at_edge
+    sticks = inside | (stick.consistent & ~np.asarray(slides)[..., None]) | at_edge
     stick = replace(stick, consistent=sticks & given.moves)
     return _separate(given), stick, right, left
 
 
-def outcomes(found: tuple[Candidates, ...]) -> npt.NDArray[np.int8]:
+def outcomes(found: Modes) -> npt.NDArray[np.int8]:
     """Outcome (values of `Outcome`) for each pusher motion, shape S."""
     count = np.sum([each.consistent.sum(axis=-1) for each in found], axis=0)
     return np.asarray(np.minimum(count, Outcome.AMBIGUOUS), dtype=np.int8)

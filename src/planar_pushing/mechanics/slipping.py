@@ -8,6 +8,7 @@ The curve is therefore cut at its extrema, and each monotone piece searched for 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,18 +31,18 @@ SlipMotions = tuple[Array, Array, npt.NDArray[np.bool_]]
 
 
 @dataclass(frozen=True, slots=True)
-class _Edge:
-    """The line of force along an edge, for a moment arm >= 0; `lever` is k's part in ``n . u / v``."""
+class _Edges:
+    """Lines of force along edges, for moment arms >= 0; `lever` is k's part in ``n . u / v``."""
 
     kinds: tuple[response.Effects, ...]
     arm: Array
-    normal: float
-    lever: float
+    normal: Array
+    lever: Array
 
     def advance(self, k: Array) -> Array:
         """``n . u / v``, zero where nothing but rounding is left of it."""
         advance = self.normal - self.lever * k
-        noise = RESOLUTION * (abs(self.normal) + np.abs(self.lever * k))
+        noise = RESOLUTION * (np.abs(self.normal) + np.abs(self.lever * k))
         return np.where(np.abs(advance) <= noise, 0.0, advance)
 
     def imbalance(self, k: Array) -> tuple[Array, Array]:
@@ -60,7 +61,7 @@ class _Edge:
         return self.speed(k) * self.advance(k)
 
     def pieces(self) -> tuple[Array, Array]:
-        """Spin ratios and normal motions at the ends of the monotone pieces, friction end first."""
+        """Spin ratios and normal motions at the ends of an edge's monotone pieces, friction end first."""
         slow, fast = (float(response.spin_ratio(kind, self.arm, None)) for kind in self.kinds)
         end = np.copysign(np.inf, self.advance(np.array(fast)))
         if abs(fast - slow) <= 1e-6 * slow or slow < VANISHING:
@@ -89,41 +90,49 @@ class _Edge:
         return float(found.x)
 
     def roots(self, resisting: response.Resistance, normal_motion: Array) -> SlipMotions:
-        """Every motion with these normal parts, in units of `resisting`."""
-        ends, values = self.pieces()
-        pieces = zip(ends[:-1], ends[1:], values[:-1], values[1:], strict=True)
-        found = [self._root(resisting, normal_motion, *piece) for piece in pieces]
-        k, reached = (np.stack(part, axis=-1) for part in zip(*found, strict=True))
-        speed, moves = _speed(
-            normal_motion[..., None],
-            self.advance(k),
-            self.speed(k) / resisting.inertia_ratio[..., None],
-        )
-        return speed, k, reached & moves
+        """Every motion with these normal parts, in units of `resisting`, of edges of shape (n, 1, ...)."""
+        cuts = [edge.pieces() for edge in self]
+        pieces = [(i, j) for i, (ends, _) in enumerate(cuts) for j in range(len(ends) - 1)]
+        edge, branch = np.array(pieces).T
+        ends = np.array([[*cuts[i][0][j : j + 2], *cuts[i][1][j : j + 2]] for i, j in pieces]).T
+        lines = _Edges(self.kinds, self.arm[edge], self.normal[edge], self.lever[edge])
+        k, reached = lines._root(resisting, normal_motion, *ends.reshape(4, *lines.arm.shape))
+        otherwise = lines.speed(k) / resisting.inertia_ratio
+        speed, moves = _speed(normal_motion, lines.advance(k), otherwise)
+        shape = len(cuts), *normal_motion.shape, branch.max() + 1
+        speeds, ratios, exists = np.zeros(shape), np.zeros(shape), np.zeros(shape, bool)
+        speeds[edge, ..., branch], ratios[edge, ..., branch] = speed, k
+        exists[edge, ..., branch] = reached & moves
+        return speeds, ratios, exists
+
+    def __iter__(self) -> Iterator[_Edges]:
+        for each in zip(self.arm.ravel(), self.normal.ravel(), self.lever.ravel(), strict=True):
+            yield _Edges(self.kinds, *map(np.asarray, each))
 
     def _root(
         self,
         resisting: response.Resistance,
         normal_motion: Array,
-        k1: float,
-        k2: float,
-        g1: float,
-        g2: float,
+        k1: Array,
+        k2: Array,
+        g1: Array,
+        g2: Array,
     ) -> tuple[Array, npt.NDArray[np.bool_]]:
-        """Spin ratio on the monotone piece from (k1, g1) to (k2, g2), and whether it is reached."""
+        """Spin ratios on monotone pieces from (k1, g1) to (k2, g2), and whether they are reached."""
 
-        def excess(k: Array, target: Array, slow: Array, fast: Array) -> Array:
-            x, y = self.imbalance(k)
-            return np.asarray(np.sign(g2 - g1) * (slow * self.advance(k) * x + fast * target * y))
+        def excess(k: Array, target: Array, slow: Array, fast: Array, *edge: Array) -> Array:
+            line = _Edges(self.kinds, *edge[:3])
+            x, y = line.imbalance(k)
+            return np.asarray(edge[3] * (slow * line.advance(k) * x + fast * target * y))
 
         # Not rounded to 0: its sign decides.
         size = np.maximum(np.abs(normal_motion) * resisting.inertia_ratio, SMALLEST)
         level = np.where(normal_motion == 0, 0.0, np.copysign(size, normal_motion))
         between = np.sign(g1 - level) * np.sign(g2 - level) < 0
-        reached = between | (level == g2)
-        low, high = np.array(min(k1, k2)), np.array(max(k1, k2))
-        args = (normal_motion, *resisting.weights)
-        return response.root(excess, low, high, args), reached
+        edge = self.arm, self.normal, self.lever, np.sign(g2 - g1)
+        args = (normal_motion, *resisting.weights, *edge)
+        found = response.root(excess, np.minimum(k1, k2), np.maximum(k1, k2), args)
+        return found, between | (level == g2)
 
 
 def _speed(
@@ -142,37 +151,39 @@ def slip_motions(
     resisting: response.Resistance,
     rod_length: float,
     rod_angle: float,
-    force_angle: float,
+    force_angle: npt.ArrayLike,
     normal_motion: npt.ArrayLike,
 ) -> SlipMotions:
-    """Motions of the slider under a force at `force_angle` whose contact has this normal motion.
+    """Motions of the slider under forces at `force_angle` whose contact has this normal motion.
 
     Parameters
     ----------
     resisting : Resistance
         Weights of shape S, lengths scaled by the radius.
-    rod_length, rod_angle, force_angle : float
-        Units of R, radians, radians.
+    rod_length, rod_angle : float
+        Units of R, radians.
+    force_angle : array_like, shape E
+        Radians.
     normal_motion : array_like, shape S
         ``n . u`` of the contact, in units of `resisting`.
 
     Returns
     -------
-    speed, spin_ratio, exists : ndarray, shape S + (branches,)
+    speed, spin_ratio, exists : ndarray, shape E + S + (branches,)
         A motion that does not exist has speed 0.
     """
     target = np.asarray(normal_motion, dtype=float)
-    arm = moment_arm(rod_length, rod_angle, force_angle)
-    normal, lever = (
-        direction(force_angle)[1],
-        np.copysign(rod_length, arm) * direction(rod_angle)[0],
-    )
-    edge = _Edge(resisting.kinds, np.abs(arm), float(normal), float(lever))
+    angle = np.reshape(force_angle, (-1, *(1 for _ in target.shape)))
+    arm = moment_arm(rod_length, rod_angle, angle)
+    lever = np.copysign(rod_length, arm) * direction(rod_angle)[0]
+    edges = _Edges(resisting.kinds, np.abs(arm), direction(angle)[..., 1], lever)
     if len(resisting.kinds) == 1:
-        size = np.broadcast_to(
-            response.spin_ratio(resisting.kinds[0], edge.arm, None), (*target.shape, 1)
-        )
-        speed, exists = _speed(target[..., None], edge.advance(size), np.zeros(size.shape))
+        ratio = response.spin_ratio(resisting.kinds[0], edges.arm, None)
+        found = _speed(target, edges.advance(ratio), np.zeros(ratio.shape))
+        speed, exists = (each[..., None] for each in found)
+        size = np.broadcast_to(ratio[..., None], speed.shape)
     else:
-        speed, size, exists = edge.roots(resisting, target)
-    return speed, np.copysign(size, arm), exists
+        speed, size, exists = edges.roots(resisting, target)
+    shape = *np.shape(force_angle), *speed.shape[1:]
+    ratio = np.copysign(size, arm[..., None])
+    return speed.reshape(shape), ratio.reshape(shape), exists.reshape(shape)

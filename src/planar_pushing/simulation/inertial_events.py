@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from planar_pushing.mechanics.candidates import slip_edge
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.response import resistance
 from planar_pushing.mechanics.scene import Scene
@@ -78,8 +79,7 @@ def _slipping_starts(scene: Scene, normal: float, slip: float) -> list[Start]:
     if not scene.contact.slips:
         return found
     kind = ContactMode.SLIP_RIGHT if slip > 0 else ContactMode.SLIP_LEFT
-    angles, slider = scene.contact.force_angles, scene.slider
-    edge = angles.left if slip > 0 else angles.right
+    edge, slider = slip_edge(scene.contact, kind), scene.slider
     rod = slider.length_ratio, slider.rod_angle
     speed, ratio, exists = slip_motions(resistance(scene.scaled_effects), *rod, edge, normal)
     for v, k in zip(speed[exists].tolist(), ratio[exists].tolist(), strict=True):

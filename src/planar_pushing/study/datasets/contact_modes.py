@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import product
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.candidates import Candidates, modes_of, outcomes, push
+from planar_pushing.mechanics.candidates import Candidates, modes_under, outcomes, push
 from planar_pushing.mechanics.contact import (
     ContactLaw,
     ContactMode,
@@ -77,8 +76,7 @@ def build(study: StudyFile) -> xr.Dataset:
             slider=study.ring(length), contact=InfiniteFriction(), effects=study.effects(effects)
         )
         given = push(scene, heading, magnitude)  # the same for every law
-        for j, (_, law) in enumerate(laws.values()):
-            found = modes_of(replace(scene, contact=law), given)
+        for j, found in enumerate(modes_under(scene, [law for _, law in laws.values()], given)):
             outcome[i, j, m] = outcomes(found)
             for each in found:
                 consistent[i, j, m, ..., each.mode] = each.consistent.sum(axis=-1)
