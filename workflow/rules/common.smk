@@ -3,17 +3,20 @@ from snakemake.exceptions import WorkflowError
 
 from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
 from planar_pushing.mechanics.errors import PlanarPushingError
-from planar_pushing.study.study_file import load_study
+from planar_pushing.study.catalog import DATASETS, dataset_file
 from planar_pushing.study.dependencies import modules
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.catalog import DATASETS, dataset_file
+from planar_pushing.study.study_file import load_study
 
 STUDY_FILE = config.get("study", "workflow/config/paper.yaml")
 try:
     STUDY = load_study(STUDY_FILE)
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
+
+#: Priority of what the golden check and the report wait for; the other jobs fill in beside these two.
+FIRST = 1
 
 #: What the study's effects allow: nothing else has a job.
 COMPUTED = [name for name in DATASETS if STUDY.computes(name)]

@@ -20,6 +20,7 @@ rule dataset:
         dataset="|".join(COMPUTED),
     params:
         study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
+    priority: FIRST
     message:
         "Computing {wildcards.dataset}"
     script:

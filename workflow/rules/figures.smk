@@ -35,6 +35,7 @@ rule figure:
         settings=figure_settings,
         caption=lambda wildcards: CAPTIONS[wildcards.figure],
         promise=lambda wildcards: PROMISES[wildcards.figure],
+    priority: FIRST
     message:
         "Drawing {wildcards.figure}"
     script:

@@ -30,6 +30,7 @@ rule golden_verdict:
     params:
         golden=STUDY.golden,
         tolerances={name: each.model_dump() for name, each in STUDY.tolerances.items()},
+    priority: FIRST
     message:
         "Comparing the results with the golden data"
     script:

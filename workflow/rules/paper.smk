@@ -87,6 +87,7 @@ rule report_tables:
         "results/benchmarks/paper/report_tables.tsv"
     params:
         golden=STUDY.golden,
+    priority: FIRST
     message:
         "Reading the numbers of the report"
     script:
@@ -112,6 +113,7 @@ rule paper_pdf:
         "results/logs/paper/paper_pdf.log",
     benchmark:
         "results/benchmarks/paper/paper_pdf.tsv"
+    priority: FIRST
     message:
         "Setting the report"
     script:

@@ -19,6 +19,7 @@ rule simulation:
         "results/logs/data/simulation_{simulation}.log",
     benchmark:
         "results/benchmarks/data/simulation_{simulation}.tsv"
+    priority: FIRST
     message:
         "Simulating {wildcards.simulation}"
     script:
