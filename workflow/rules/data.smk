@@ -18,9 +18,9 @@ rule dataset:
         "results/benchmarks/data/{dataset}.tsv"
     wildcard_constraints:
         dataset="|".join(COMPUTED),
+    priority: FIRST
     params:
         study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
-    priority: FIRST
     message:
         "Computing {wildcards.dataset}"
     script:

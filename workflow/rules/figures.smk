@@ -31,11 +31,11 @@ rule figure:
         "results/benchmarks/figures/{figure}.tsv"
     wildcard_constraints:
         figure="|".join(DRAWN),
+    priority: FIRST
     params:
         settings=figure_settings,
         caption=lambda wildcards: CAPTIONS[wildcards.figure],
         promise=lambda wildcards: PROMISES[wildcards.figure],
-    priority: FIRST
     message:
         "Drawing {wildcards.figure}"
     script:

@@ -27,10 +27,10 @@ rule golden_verdict:
         "results/logs/golden/golden_verdict.log",
     benchmark:
         "results/benchmarks/golden/golden_verdict.tsv"
+    priority: FIRST
     params:
         golden=STUDY.golden,
         tolerances={name: each.model_dump() for name, each in STUDY.tolerances.items()},
-    priority: FIRST
     message:
         "Comparing the results with the golden data"
     script:

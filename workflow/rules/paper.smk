@@ -85,9 +85,9 @@ rule report_tables:
         "results/logs/paper/report_tables.log",
     benchmark:
         "results/benchmarks/paper/report_tables.tsv"
+    priority: FIRST
     params:
         golden=STUDY.golden,
-    priority: FIRST
     message:
         "Reading the numbers of the report"
     script:
