@@ -31,14 +31,14 @@ rule counts:
 
 
 rule accuracy_errors:
-    input:
-        modules=modules("accuracy.tables", "study.store"),
     output:
         "results/data/accuracy_errors.nc",
     log:
         "results/logs/accuracy/accuracy_errors.log",
     benchmark:
         "results/benchmarks/accuracy/accuracy_errors.tsv"
+    params:
+        code=code_of("accuracy.tables", "study.store"),
     message:
         "Computing the errors of every method"
     script:
@@ -49,13 +49,14 @@ rule evaluations:
     input:
         study=STUDY_FILE,
         scenes=[push.file for push in STUDY.scenes.values()],
-        modules=modules("effort.measure", "study.store", *BUILDERS),
     output:
         "results/data/evaluations.nc",
     log:
         "results/logs/accuracy/evaluations.log",
     benchmark:
         "results/benchmarks/accuracy/evaluations.tsv"
+    params:
+        code=code_of("effort.measure", "study.store", *BUILDERS),
     message:
         "Counting the evaluations of each effect"
     script:
@@ -65,7 +66,6 @@ rule evaluations:
 rule evaluations_figure:
     input:
         data="results/data/accuracy_errors.nc",
-        modules=modules("figures.accuracy_evaluations", "figures.accuracy"),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
@@ -82,6 +82,8 @@ rule evaluations_figure:
         "results/benchmarks/figures/{figure}.tsv"
     wildcard_constraints:
         figure="accuracy_evaluations",
+    params:
+        code=code_of("figures.accuracy_evaluations", "figures.accuracy"),
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -103,13 +105,14 @@ rule accuracy:
 rule accuracy_data:
     input:
         scenes=["workflow/scenes/figure_15.yaml", "workflow/scenes/figure_14a.yaml"],
-        modules=modules("accuracy.tables", "study.store"),
     output:
         "results/data/accuracy.nc",
     log:
         "results/logs/accuracy/accuracy.log",
     # Nothing else may run beside a measurement.
     threads: workflow.cores
+    params:
+        code=code_of("accuracy.tables", "study.store"),
     message:
         "Measuring what accuracy costs"
     script:
@@ -120,12 +123,13 @@ rule effects_data:
     input:
         study=STUDY_FILE,
         scenes=[push.file for push in STUDY.scenes.values()],
-        modules=modules("effort.measure", "study.store", *BUILDERS),
     output:
         "results/data/effects.nc",
     log:
         "results/logs/accuracy/effects.log",
     threads: workflow.cores
+    params:
+        code=code_of("effort.measure", "study.store", *BUILDERS),
     message:
         "Measuring what each effect costs"
     script:
@@ -135,7 +139,6 @@ rule effects_data:
 rule effects_figure:
     input:
         data="results/data/effects.nc",
-        modules=modules("figures.effects", "figures.render"),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
@@ -148,6 +151,8 @@ rule effects_figure:
         png="results/figures/effects.png",
     log:
         "results/logs/figures/effects.log",
+    params:
+        code=code_of("figures.effects", "figures.render"),
     message:
         "Drawing effects"
     script:
@@ -157,9 +162,6 @@ rule effects_figure:
 rule accuracy_figure:
     input:
         data="results/data/accuracy.nc",
-        modules=lambda wildcards: modules(
-            f"figures.{wildcards.figure}", "figures.accuracy"
-        ),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
@@ -174,6 +176,10 @@ rule accuracy_figure:
         "results/logs/figures/{figure}.log",
     wildcard_constraints:
         figure="|".join(ACCURACY),
+    params:
+        code=lambda wildcards: code_of(
+            f"figures.{wildcards.figure}", "figures.accuracy"
+        ),
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -183,7 +189,6 @@ rule accuracy_figure:
 rule supplement_tables:
     input:
         data=expand("results/data/{name}.nc", name=["accuracy", "effects"]),
-        modules=modules("report.supplement"),
     output:
         expand(
             "results/tables/{name}",
@@ -197,6 +202,7 @@ rule supplement_tables:
     log:
         "results/logs/accuracy/supplement_tables.log",
     params:
+        code=code_of("report.supplement"),
         golden=STUDY.golden,
     message:
         "Reading the numbers of the supplement"
@@ -210,7 +216,6 @@ rule supplement_pdf:
         figures=expand("results/figures/{figure}.svg", figure=[*ACCURACY, "effects"]),
         source="paper/supplement.typ",
         parts=SOURCES,
-        modules=modules("report.typeset"),
     output:
         report(
             "results/accuracy.pdf",
@@ -220,6 +225,8 @@ rule supplement_pdf:
         ),
     log:
         "results/logs/accuracy/supplement_pdf.log",
+    params:
+        code=code_of("report.typeset"),
     message:
         "Setting the supplement"
     script:

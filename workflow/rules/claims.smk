@@ -7,7 +7,6 @@ rule claims:
 rule claims_table:
     input:
         ledger="paper/claims.yaml",
-        modules=modules("claims.table"),
     output:
         json="results/tables/claims.json",
         csv=report(
@@ -19,6 +18,8 @@ rule claims_table:
         "results/logs/claims/claims_table.log",
     benchmark:
         "results/benchmarks/claims/claims_table.tsv"
+    params:
+        code=code_of("claims.table"),
     message:
         "Checking the claims of the paper"
     script:

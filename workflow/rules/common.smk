@@ -4,7 +4,7 @@ from snakemake.exceptions import WorkflowError
 from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
 from planar_pushing.mechanics.errors import PlanarPushingError
 from planar_pushing.study.catalog import DATASETS, dataset_file
-from planar_pushing.study.dependencies import modules
+from planar_pushing.study.dependencies import code_of
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.study_file import load_study

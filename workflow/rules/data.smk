@@ -7,9 +7,6 @@ rule data:
 rule dataset:
     input:
         scenes=scene_files,
-        modules=lambda wildcards: modules(
-            f"study.datasets.{wildcards.dataset}", "study.slices", "study.store"
-        ),
     output:
         "results/data/{dataset}.nc",
     log:
@@ -20,6 +17,9 @@ rule dataset:
         dataset="|".join(COMPUTED),
     priority: FIRST
     params:
+        code=lambda wildcards: code_of(
+            f"study.datasets.{wildcards.dataset}", "study.slices", "study.store"
+        ),
         study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
     message:
         "Computing {wildcards.dataset}"

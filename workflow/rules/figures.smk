@@ -11,9 +11,6 @@ rule figures:
 rule figure:
     input:
         data=dataset_files,
-        modules=lambda wildcards: modules(
-            f"figures.{wildcards.figure}", "figures.render"
-        ),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         data="results/figures/data/{figure}.nc",
@@ -33,6 +30,7 @@ rule figure:
         figure="|".join(DRAWN),
     priority: FIRST
     params:
+        code=lambda wildcards: code_of(f"figures.{wildcards.figure}", "figures.render"),
         settings=figure_settings,
         caption=lambda wildcards: CAPTIONS[wildcards.figure],
         promise=lambda wildcards: PROMISES[wildcards.figure],

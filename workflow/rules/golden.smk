@@ -16,7 +16,6 @@ rule golden_verdict:
             expand("results/figures/data/{figure}.nc", figure=DRAWN),
         ],
         golden=sorted(map(str, Path(STUDY.golden or ".").glob("*.nc"))),
-        modules=modules("golden.check", "golden.compare"),
     output:
         report(
             "results/tables/golden_verdict.txt",
@@ -29,6 +28,7 @@ rule golden_verdict:
         "results/benchmarks/golden/golden_verdict.tsv"
     priority: FIRST
     params:
+        code=code_of("golden.check", "golden.compare"),
         golden=STUDY.golden,
         tolerances={name: each.model_dump() for name, each in STUDY.tolerances.items()},
     message:

@@ -13,14 +13,14 @@ rule hard_cases:
 
 
 rule hard_cases_data:
-    input:
-        modules=modules("hard_cases.dataset", "study.store"),
     output:
         "results/data/hard_cases.nc",
     log:
         "results/logs/data/hard_cases.log",
     benchmark:
         "results/benchmarks/data/hard_cases.tsv"
+    params:
+        code=code_of("hard_cases.dataset", "study.store"),
     message:
         "Measuring the hard cases"
     script:
@@ -30,7 +30,6 @@ rule hard_cases_data:
 rule hard_cases_figure:
     input:
         data="results/data/hard_cases.nc",
-        modules=modules("figures.hard_cases", "figures.render"),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
@@ -45,6 +44,8 @@ rule hard_cases_figure:
         "results/logs/figures/hard_cases.log",
     benchmark:
         "results/benchmarks/figures/hard_cases.tsv"
+    params:
+        code=code_of("figures.hard_cases", "figures.render"),
     message:
         "Drawing the hard cases"
     script:
@@ -52,14 +53,14 @@ rule hard_cases_figure:
 
 
 rule sweep:
-    input:
-        modules=modules("hard_cases.sweep"),
     output:
         "results/tables/sweep.json",
     log:
         "results/logs/tables/sweep.log",
     benchmark:
         "results/benchmarks/tables/sweep.tsv"
+    params:
+        code=code_of("hard_cases.sweep"),
     message:
         "Sweeping a million random and adversarial inputs"
     script:

@@ -29,7 +29,6 @@ rule report_tables:
         claims="results/tables/claims.json",
         study=STUDY_FILE,
         golden=rules.golden_verdict.input.golden,
-        modules=modules("report.tables", "report.cost_tables"),
     output:
         numbers="results/tables/numbers.json",
         figures="results/tables/figures.json",
@@ -87,6 +86,7 @@ rule report_tables:
         "results/benchmarks/paper/report_tables.tsv"
     priority: FIRST
     params:
+        code=code_of("report.tables", "report.cost_tables"),
         golden=STUDY.golden,
     message:
         "Reading the numbers of the report"
@@ -101,7 +101,6 @@ rule paper_pdf:
         figures=expand("results/figures/{figure}.svg", figure=[*FIGURES, *OURS]),
         source="paper/report.typ",
         parts=SOURCES,
-        modules=modules("report.typeset"),
     output:
         report(
             "results/paper.pdf",
@@ -114,6 +113,8 @@ rule paper_pdf:
     benchmark:
         "results/benchmarks/paper/paper_pdf.tsv"
     priority: FIRST
+    params:
+        code=code_of("report.typeset"),
     message:
         "Setting the report"
     script:

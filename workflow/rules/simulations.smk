@@ -12,7 +12,6 @@ rule simulations:
 rule simulation:
     input:
         scene=lambda wildcards: STUDY.simulations[wildcards.simulation],
-        modules=modules("simulation.scene_file", "study.store"),
     output:
         "results/data/simulations/{simulation}.nc",
     log:
@@ -20,6 +19,8 @@ rule simulation:
     benchmark:
         "results/benchmarks/data/simulation_{simulation}.tsv"
     priority: FIRST
+    params:
+        code=code_of("simulation.scene_file", "study.store"),
     message:
         "Simulating {wildcards.simulation}"
     script:
@@ -29,7 +30,6 @@ rule simulation:
 rule simulation_figure:
     input:
         data="results/data/simulations/{simulation}.nc",
-        modules=modules("figures.simulation", "figures.render"),
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
@@ -44,6 +44,8 @@ rule simulation_figure:
         "results/logs/figures/simulation_{simulation}.log",
     benchmark:
         "results/benchmarks/figures/simulation_{simulation}.tsv"
+    params:
+        code=code_of("figures.simulation", "figures.render"),
     message:
         "Drawing the simulation {wildcards.simulation}"
     script:

@@ -1,7 +1,12 @@
-"""The modules whose change makes a job of the workflow stale."""
+"""The code that a job of the workflow runs: its change makes the job's results stale.
+
+Snakemake follows a script, not what it imports. A job has the digest of its modules among its parameters;
+the files themselves, a hundred inputs a job, would be looked at again each time that a job is chosen.
+"""
 
 from __future__ import annotations
 
+import hashlib
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -17,15 +22,26 @@ def _imports() -> grimp.ImportGraph:
 
 
 def modules(*names: str) -> list[str]:
-    """Source files of these modules of the package and of all that they import, sorted."""
+    """These modules of the package and all that they import, sorted."""
     graph = _imports()
     reached = {f"{PACKAGE}.{name}" for name in names}
     for name in tuple(reached):
         reached |= graph.find_upstream_modules(name)
-    return sorted(_source(name) for name in reached)
+    return sorted(reached)
 
 
-def _source(module: str) -> str:
+@cache
+def _digest(module: str) -> bytes:
     spec = find_spec(module)
-    path, here = Path(str(spec.origin if spec else module)), Path.cwd()
-    return str(path.relative_to(here) if path.is_relative_to(here) else path)
+    if spec is None or spec.origin is None:
+        raise ModuleNotFoundError(module)
+    return hashlib.sha256(Path(spec.origin).read_bytes()).digest()
+
+
+@cache
+def code_of(*names: str) -> str:
+    """Digest of the names and the source of `modules`."""
+    whole = hashlib.sha256()
+    for module in modules(*names):
+        whole.update(module.encode() + _digest(module))
+    return whole.hexdigest()
