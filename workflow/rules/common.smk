@@ -15,8 +15,8 @@ try:
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
 
-#: Priority of what the golden check and the report wait for; the other jobs fill in beside these two.
-FIRST = 1
+#: Priorities: first what the golden check waits for, and last what nothing waits for, to run beside the report.
+FIRST, LAST = 1, -1
 
 #: What the study's effects allow: nothing else has a job.
 COMPUTED = [name for name in DATASETS if STUDY.computes(name)]

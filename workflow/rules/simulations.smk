@@ -44,6 +44,7 @@ rule simulation_figure:
         "results/logs/figures/simulation_{simulation}.log",
     benchmark:
         "results/benchmarks/figures/simulation_{simulation}.tsv"
+    priority: LAST
     params:
         code=code_of("figures.simulation", "figures.render"),
     message:
