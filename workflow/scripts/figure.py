@@ -1,10 +1,11 @@
 """Draw one figure from the datasets."""
 
+from types import SimpleNamespace
+
 from planar_pushing.figures.render import render
 from planar_pushing.study.jobs import job_log
-from planar_pushing.study.models import FigureEntry
 
 with job_log(snakemake.log[0]) as log:
     log.info("drawing %s", snakemake.wildcards.figure)
-    settings = FigureEntry.model_validate(snakemake.params.settings)
+    settings = SimpleNamespace(**snakemake.params.settings)
     render(snakemake.wildcards.figure, "results", settings, **dict(snakemake.output.items()))

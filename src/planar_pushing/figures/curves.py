@@ -24,15 +24,15 @@ from planar_pushing.figures.drawing import (
     slider,
     unit,
 )
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, GUIDE, KIND_COLORS, NOTE_SIZE
 from planar_pushing.mechanics.planar import Array, direction
-from planar_pushing.study.models import FigureEntry
 
 #: Ends of curves that close on themselves.
 BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}
 
 
-def rod_lengths(settings: FigureEntry, default: tuple[float, ...]) -> tuple[float, ...]:
+def rod_lengths(settings: Settings, default: tuple[float, ...]) -> tuple[float, ...]:
     """Rod lengths of a figure: the study's, or the module's own."""
     given = settings.rod_length
     if given is None:

@@ -15,8 +15,8 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
 from planar_pushing.figures.curves import number, radius, rod_angle
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import COLUMN_WIDTH, DARK, FORCE, GUIDE, MOTION, NOTE_SIZE, PUSHER
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (COLUMN_WIDTH, 2.45)
 ROD_LENGTH = 3.0
@@ -29,7 +29,7 @@ LONG_NAMES = {
 }
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select one slipping contact: its force angle and the two velocity angles."""
     length, mu = settings.rod_length, settings.friction_coefficient
     cones = sources["motion_cones"]

@@ -9,14 +9,14 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.sketch import shown
 from planar_pushing.figures.style import CENTER, COLUMN_WIDTH, DARK, FORCE
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (COLUMN_WIDTH, 3.0)
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the force and the velocity centre of quasi-static pushing."""
     scene = shown(sources["scenes/figure_02"]).isel(solution=0)
     names = ["rod_length", "rod_angle", "radius", "ring_center", "force", "center"]

@@ -19,16 +19,16 @@ from planar_pushing.figures.curves import (
     titled,
 )
 from planar_pushing.figures.drawing import declutter, guide, motion_arrow, unit
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK
 from planar_pushing.mechanics.planar import Array, direction
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (3.4, 3.4)
 #: Force angles from the rod at which force and velocity are parallel, degrees.
 PARALLEL = (0.0, 90.0, 180.0, 270.0)
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the curves, the limit of an infinite rod, and the velocities at the special angles."""
     grid = sources["limit_curves"]
     psi = rod_angle(grid)

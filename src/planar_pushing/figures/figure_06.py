@@ -18,15 +18,15 @@ from planar_pushing.figures.curves import (
     titled,
 )
 from planar_pushing.figures.drawing import declutter
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 2.5)
 #: Force angles drawn between the edges of the cone, degrees.
 INSIDE = (45.0, 90.0)
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the limit curve and the forces and velocities of the mapping."""
     length = rod_lengths(settings, (2.0,))[0]
     data = curves(sources["limit_curves"], "support_friction", (length,)).squeeze("rod_length")

@@ -12,15 +12,15 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.curves import degrees, number, radius, rod_angle, rod_lengths, titled
 from planar_pushing.figures.drawing import cone, declutter, fence, label, schematic, slider, unit
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, MOTION, NOTE_SIZE, SLIP
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 1.7)
 #: Sectors are named where the cone leaves this much room, degrees.
 WIDE = 155.0
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the cones' edges and the rings of their sliders."""
     grid = sources["motion_cones"]
     cut = grid.sel(

@@ -10,15 +10,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import CENTER, PAGE_WIDTH
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (PAGE_WIDTH, 3.2)
 PANELS = ("a", "b")
 BOX = (-2.0, 4.1, -1.0, 4.3)
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select geometry, cones, and the centres dual to the edges of the friction cone."""
     panels = [_panel(sources[name]) for name in sorted(sources)]
     data = xr.concat(panels, xr.DataArray(list(PANELS), dims="panel", name="panel"), join="exact")

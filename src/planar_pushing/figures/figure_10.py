@@ -18,7 +18,7 @@ from planar_pushing.figures.curves import (
     titled,
 )
 from planar_pushing.figures.drawing import declutter
-from planar_pushing.study.models import FigureEntry
+from planar_pushing.figures.settings import Settings
 
 SIZE = (7.0, 2.5)
 #: Force angles drawn between the edges of the cone, degrees.
@@ -27,7 +27,7 @@ INSIDE = (45.0, 90.0)
 LABEL_ANGLE = 330.0
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the ellipses, and the forces and accelerations of the mapping."""
     data = curves(sources["limit_curves"], "inertia", rod_lengths(settings, (0.5, 1.0, 2.0, 5.0)))
     mapped = 1.0 if settings.mapped_rod_length is None else settings.mapped_rod_length

@@ -23,9 +23,9 @@ from planar_pushing.figures.drawing import (
     slider,
     unit,
 )
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
 from planar_pushing.mechanics.planar import moment_arm
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 3.2)
 SCENE = (
@@ -80,7 +80,7 @@ def exact_centers(grid: xr.Dataset, ring_center: xr.DataArray) -> xr.Dataset:
     return xr.Dataset({"exact_center_x": x, "exact_center_y": y})
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the scene, both sets of centres and both cones."""
     scene = sources["scenes/figure_12"]
     length = rod_lengths(settings, (float(scene.rod_length),))[0]

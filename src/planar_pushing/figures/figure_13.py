@@ -13,9 +13,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
 from planar_pushing.figures.curves import named, number, rod_angle, rod_lengths, titled
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, LIGHT, NOTE_SIZE
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (7.0, 3.6)
 #: Each set of consistent modes: its name, colour and hatch; hatched where the solutions are several.
@@ -76,7 +76,7 @@ def mode_sets(consistent: xr.DataArray) -> xr.DataArray:
     return code
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the sets of consistent modes and the edges of the motion cones."""
     length = rod_lengths(settings, (2.0,))[0]
     magnitude = settings.pusher_magnitude or 1.0

@@ -10,9 +10,9 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.curves import titled
 from planar_pushing.figures.motion import Box, box, ribbon, series, snapshots
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import PAGE_WIDTH
 from planar_pushing.figures.timeline import plotted
-from planar_pushing.study.models import FigureEntry
 
 SIZE = (PAGE_WIDTH, 2.6)
 COUNT = 4
@@ -25,7 +25,7 @@ TITLES = {
 STYLES = ("-", "--")
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the motion under both policies, at the instants that both logs have."""
     logs = [sources[name] for name in NAMES]
     policies = xr.Variable("policy", [str(log.attrs["on_ambiguity"]) for log in logs])

@@ -8,14 +8,14 @@ import xarray as xr
 
 from planar_pushing.figures import simulation
 from planar_pushing.figures.curves import titled
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.timeline import plotted
-from planar_pushing.study.models import FigureEntry
 
 SIZE = simulation.SIZE
 draw = simulation.draw
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the motion over time."""
     data = plotted(sources["simulations/figure_15"])
     return titled(data, "Slip with infinite friction over time", sources)

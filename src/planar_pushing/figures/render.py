@@ -6,18 +6,21 @@ import importlib
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import xarray as xr
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.catalog import FIGURES
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import COLUMN_WIDTH, paper_style
 from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.study.models import FigureEntry, PushEntry
 from planar_pushing.study.replacing import replacing
-from planar_pushing.study.scene_model import SceneFile
 from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
+
+if TYPE_CHECKING:  # a job that draws a figure validates no file
+    from planar_pushing.study.models import PushEntry
+    from planar_pushing.study.scene_model import SceneFile
 
 PathLike = str | os.PathLike[str]
 SCENE_SIZE = (COLUMN_WIDTH, COLUMN_WIDTH)
@@ -35,7 +38,7 @@ class FigureModule(Protocol):
 
     SIZE: tuple[float, float]
 
-    def select(self, sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset: ...
+    def select(self, sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset: ...
 
     def draw(self, figure: Figure, data: xr.Dataset) -> None: ...
 
@@ -53,7 +56,7 @@ def figure_module(name: str) -> FigureModule:
     return cast(FigureModule, importlib.import_module(f"planar_pushing.figures.{name}"))
 
 
-def select(name: str, results: PathLike, settings: FigureEntry) -> xr.Dataset:
+def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
     """Numbers that a figure plots, read from the datasets in a results folder."""
     module = figure_module(name)
     sources = {source: open_dataset(source, results) for source in FIGURES[name]}
@@ -98,7 +101,7 @@ def save(figure: Figure, path: PathLike) -> None:
 def render(
     name: str,
     results: PathLike,
-    settings: FigureEntry,
+    settings: Settings,
     *,
     data: PathLike,
     svg: PathLike,
@@ -113,7 +116,7 @@ def render(
         "figure_01" to "figure_15".
     results : path
         The folder that holds data/*.nc.
-    settings : FigureEntry
+    settings : Settings
         The study's values for this figure.
     data, svg, pdf, png : path
         Files to write. The picture is drawn from what `data` holds once it is written.

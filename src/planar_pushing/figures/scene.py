@@ -10,12 +10,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures import drawing
+from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.sketch import CONE, SUPPORT_LENGTH, Sketch, shown
 from planar_pushing.figures.style import ABOVE, CENTER, FORCE, GUIDE, NOTE_SIZE, PUSHER, SLIP
-from planar_pushing.study.models import FigureEntry
 
 Layer = Callable[[Axes, Sketch], None]
-Select = Callable[[Mapping[str, xr.Dataset], FigureEntry], xr.Dataset]
+Select = Callable[[Mapping[str, xr.Dataset], Settings], xr.Dataset]
 Draw = Callable[[Figure, xr.Dataset], None]
 
 
@@ -137,7 +137,7 @@ LAYERS: tuple[Layer, ...] = (
 def scene_figure(name: str, layers: tuple[Layer, ...]) -> tuple[Select, Draw]:
     """Select and draw of a figure that shows one solution of a scene."""
 
-    def select(sources: Mapping[str, xr.Dataset], settings: FigureEntry) -> xr.Dataset:
+    def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
         return shown(sources[f"scenes/{name}"])
 
     def draw(figure: Figure, data: xr.Dataset) -> None:

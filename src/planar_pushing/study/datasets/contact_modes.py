@@ -45,7 +45,7 @@ def _extremes(found: Candidates) -> dict[str, Array]:
     speed = np.linalg.norm(found.twist, axis=-1)
     slow = np.where(found.consistent, speed, np.inf).argmin(axis=-1, keepdims=True)
     fast = np.where(found.consistent, speed, -np.inf).argmax(axis=-1, keepdims=True)
-    moves = found.consistent.any(axis=-1) & (found.mode is not ContactMode.SEPARATE)
+    moves = found.consistent.any(axis=-1)
 
     def pick(values: Array, branch: Any) -> Array:
         return np.where(moves, np.take_along_axis(values, branch, axis=-1)[..., 0], 0.0)
@@ -80,6 +80,8 @@ def build(study: StudyFile) -> xr.Dataset:
             outcome[i, j, m] = outcomes(found)
             for each in found:
                 consistent[i, j, m, ..., each.mode] = each.consistent.sum(axis=-1)
+                if each.mode is ContactMode.SEPARATE:
+                    continue
                 for name, picked in _extremes(each).items():
                     values[name][i, j, m, ..., each.mode] = picked
     variables: dict[str, Any] = {"consistent": (DIMS, consistent), "outcome": (DIMS[:-1], outcome)}
