@@ -10,7 +10,7 @@ import math
 from planar_pushing.simulation.mode import SLACK, Cause, Entry, Guard, Mode, State
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Segment
-from planar_pushing.simulation.quasi_static_modes import Flow, Rest, Slip, Stick
+from planar_pushing.simulation.quasi_static_modes import Flow, QuasiStaticMode, Rest, Slip, Stick
 from planar_pushing.simulation.record import NO_MODE, Record, spin_ratio
 from planar_pushing.simulation.setting import setting
 from planar_pushing.simulation.support import Support
@@ -97,7 +97,7 @@ class QuasiStatic:
         return tuple(guards)
 
     def record(self, time: float, state: State, mode: Mode | None, solutions: int) -> Record:
-        flow = mode.flow(time, state) if isinstance(mode, (Rest, Stick, Slip)) else Flow()
+        flow = mode.flow(time, state) if isinstance(mode, QuasiStaticMode) else Flow()
         along, gap, psi, fence_x, fence_y, slip, contact, work, *dissipated = state
         e_x, e_y = math.cos(psi), math.sin(psi)
         w_x, w_y = self.segment.velocity(time)

@@ -6,6 +6,7 @@ Each yields a `Flow`: rotation, motion of the contact over the fence, and force.
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, NamedTuple
 
 from planar_pushing.mechanics.contact import ContactMode
@@ -30,7 +31,28 @@ class Flow(NamedTuple):
     force_y: float = 0.0
 
 
-class Rest:
+class QuasiStaticMode(ABC):
+    """A mode whose force and rates follow from its flow."""
+
+    kind: ContactMode
+    system: QuasiStatic
+
+    @abstractmethod
+    def flow(self, time: float, state: State) -> Flow:
+        """The motion at an instant, and the force that it takes."""
+
+    @abstractmethod
+    def guards(self, time: float, state: State) -> tuple[Guard, ...]: ...
+
+    def force(self, time: float, state: State) -> Vector:
+        flow = self.flow(time, state)
+        return flow.force_x, flow.force_y
+
+    def rates(self, time: float, state: State) -> State:
+        return self.system.rates(time, self.flow(time, state))
+
+
+class Rest(QuasiStaticMode):
     """No force and no motion; the fence is clear of the slider, or does not push it."""
 
     kind = ContactMode.SEPARATE
@@ -41,13 +63,6 @@ class Rest:
     def flow(self, time: float, state: State) -> Flow:
         fence_x, fence_y = self.system.segment.velocity(time)
         return Flow(slip=-fence_x, rise=-fence_y)
-
-    def force(self, time: float, state: State) -> Vector:
-        flow = self.flow(time, state)
-        return flow.force_x, flow.force_y
-
-    def rates(self, time: float, state: State) -> State:
-        return self.system.rates(time, self.flow(time, state))
 
     def guards(self, time: float, state: State) -> tuple[Guard, ...]:
         system = self.system
@@ -60,7 +75,7 @@ class Rest:
         return pushes, Guard(Cause.CHOICE, 1.0 if fence != (0.0, 0.0) else -1.0, True)
 
 
-class Stick:
+class Stick(QuasiStaticMode):
     """The contact moves with the fence, the force lies in the friction cone."""
 
     kind = ContactMode.STICK
@@ -89,13 +104,6 @@ class Stick:
             force_y=force_along * e_y - force_aside * e_x,
         )
 
-    def force(self, time: float, state: State) -> Vector:
-        flow = self.flow(time, state)
-        return flow.force_x, flow.force_y
-
-    def rates(self, time: float, state: State) -> State:
-        return self.system.rates(time, self.flow(time, state))
-
     def guards(self, time: float, state: State) -> tuple[Guard, ...]:
         system, flow = self.system, self.flow(time, state)
         rests = flow.force_x == 0.0 and flow.force_y == 0.0
@@ -103,7 +111,7 @@ class Stick:
         return Guard(Cause.LEAVES_CONE, inside), *system.common_guards(time, state, flow)
 
 
-class Slip:
+class Slip(QuasiStaticMode):
     """The contact moves over the fence, under a force on the opposite edge of the friction cone."""
 
     def __init__(self, system: QuasiStatic, kind: ContactMode) -> None:
@@ -131,13 +139,6 @@ class Slip:
             force_x=force * t_x,
             force_y=force * t_y,
         )
-
-    def force(self, time: float, state: State) -> Vector:
-        flow = self.flow(time, state)
-        return flow.force_x, flow.force_y
-
-    def rates(self, time: float, state: State) -> State:
-        return self.system.rates(time, self.flow(time, state))
 
     def guards(self, time: float, state: State) -> tuple[Guard, ...]:
         system, flow = self.system, self.flow(time, state)
