@@ -157,6 +157,6 @@ SECTIONS: dict[str, str] = {
     "figure_06": "Sec. 3.1: friction cones and velocity cones",
     **dict.fromkeys(("figure_07", "figure_08"), "Sec. 3.2: slip with infinite friction"),
     **dict.fromkeys(("figure_09", "figure_10", "figure_11", "figure_12"), _DYNAMICS),
-    "figure_13": "Ours: contact modes",
-    **dict.fromkeys(("figure_14", "figure_15"), "Ours: motion over time"),
+    "figure_13": "Ours, contact modes",
+    **dict.fromkeys(("figure_14", "figure_15"), "Ours, motion over time"),
 }
