@@ -2,10 +2,12 @@
 
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 import xarray as xr
 
+from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.store import group_names, read_attributes, read_dataset, write_dataset
 
 GOLDEN = Path(__file__).parents[1] / "golden"
@@ -61,6 +63,19 @@ def test_groups_and_attributes_are_listed(path):
     write_dataset(DATASET, path)
     assert read_attributes(path)["title"] == "of all kinds"
     assert set(read_attributes(path)) == set(DATASET.attrs)
+
+
+@pytest.mark.parametrize("group", ["angle", "absent"])
+def test_a_group_that_is_none_is_named(path, group):
+    write_dataset(DATASET, path)
+    with pytest.raises(InvalidFile, match=f"is not group '{group}' of a netCDF4 file"):
+        read_dataset(path, group)
+
+
+def test_a_file_that_names_no_dimensions_is_read(path):
+    with h5py.File(path, "w") as file:
+        file["square"] = np.eye(3)
+    assert read_dataset(path)["square"].dims == ("square_0", "square_1")
 
 
 def test_a_file_read_and_written_again_has_the_same_bytes(path, tmp_path):

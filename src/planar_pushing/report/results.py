@@ -27,6 +27,14 @@ def _opened(name: str, folder: Path) -> xr.Dataset:
     return open_dataset(name, folder)
 
 
+@cache
+def _marks(golden: Path) -> list[dict[str, Any]]:
+    paths = sorted(golden.glob("*.nc"))
+    if not paths:
+        raise InvalidFile(f"{golden}: holds no golden data; name the folder that does")
+    return [read_attributes(path) for path in paths]
+
+
 @dataclass(frozen=True, slots=True)
 class Results:
     """A results folder that the pipeline filled, and the golden data that it was checked against."""
@@ -50,10 +58,7 @@ class Results:
         InvalidFile
             Where there are no golden data.
         """
-        paths = sorted(self.golden.glob("*.nc"))
-        if not paths:
-            raise InvalidFile(f"{self.golden}: holds no golden data; name the folder that does")
-        return [read_attributes(path) for path in paths]
+        return _marks(self.golden)
 
     @property
     def verdict(self) -> str:

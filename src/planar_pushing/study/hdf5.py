@@ -32,9 +32,15 @@ def _plain(value: Any) -> Any:
 
 
 def _dims(node: h5py.Dataset) -> tuple[str, ...]:
-    scales = (node.dims[axis] for axis in range(node.ndim))
     own = node.name.rpartition("/")[2]
-    return tuple(scale[0].name.rpartition("/")[2] if len(scale) else own for scale in scales)
+    if node.is_scale:
+        return (own,)
+    scales = (node.dims[axis] for axis in range(node.ndim))
+    # A file that is HDF5 and no netCDF4 names no dimensions.
+    return tuple(
+        scale[0].name.rpartition("/")[2] if len(scale) else f"{own}_{axis}"
+        for axis, scale in enumerate(scales)
+    )
 
 
 def _variable(node: h5py.Dataset) -> xr.Variable:
@@ -43,8 +49,17 @@ def _variable(node: h5py.Dataset) -> xr.Variable:
     return xr.Variable(_dims(node), values, attributes(node))
 
 
-def read_variables(node: h5py.Group) -> xr.Dataset:
-    """The variables of a file's root, or of a group, in memory."""
+def read_variables(file: h5py.File, group: str | None) -> xr.Dataset:
+    """The variables of a file's root, or of a group, in memory.
+
+    Raises
+    ------
+    KeyError
+        Where there is no such group.
+    """
+    node = file[group] if group else file
+    if not isinstance(node, h5py.Group):
+        raise KeyError("a variable, not a group")
     variables = {
         name: _variable(each)
         for name, each in node.items()

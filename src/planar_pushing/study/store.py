@@ -63,7 +63,7 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
     """
     try:
         with h5py.File(path, "r") as file:
-            return hdf5.read_variables(file[group] if group else file)
+            return hdf5.read_variables(file, group)
     except FileNotFoundError:
         raise _missing(path) from None
     except (OSError, KeyError) as error:
