@@ -22,6 +22,9 @@ DATASET = xr.Dataset(
         "mark": ("bare", ["a", "longer"]),
         "held": ("length", [True, False]),
         "alone": ((), 2.5),
+        "word": ((), "one"),
+        "long": ("many", np.arange(2000.0), {"flags": ["up", "dön"]}),
+        "none": (("absent", "side"), np.zeros((0, 2))),
     },
     coords={
         "length": [0.5, 2.0],
@@ -48,6 +51,28 @@ def test_reading_gives_what_xarray_gives(path, group):
         name: each.dtype for name, each in expected.variables.items()
     }
     assert list(found.data_vars) == list(DATASET.data_vars)
+
+
+@pytest.mark.parametrize("group", [None, "part"])
+def test_a_file_is_what_xarray_writes(path, tmp_path, group):
+    other = tmp_path / "other.nc"
+    write_dataset({group: DATASET} if group else DATASET, path)
+    DATASET.to_netcdf(other, engine="h5netcdf", group=group)
+    ours, theirs = (xr.load_dataset(each, engine="h5netcdf", group=group) for each in (path, other))
+    xr.testing.assert_identical(ours, theirs)
+    for node, same in [(ours, theirs), *((ours[name], theirs[name]) for name in theirs.variables)]:
+        assert list(node.attrs) == list(same.attrs)
+    for name, variable in theirs.variables.items():
+        assert ours[name].dtype == variable.dtype
+        fills = [each.encoding.get("_FillValue") for each in (ours[name], variable)]
+        np.testing.assert_equal(*fills)
+
+
+def test_only_what_is_large_is_compressed(path):
+    write_dataset(DATASET, path)
+    with h5py.File(path) as file:
+        assert [name for name, node in file.items() if node.compression] == ["long"]
+        assert file["long"].chunks == (512,)
 
 
 @pytest.mark.parametrize("name", ["contact_modes", "scenes.figure_12", "figure_13"])

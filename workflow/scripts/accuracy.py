@@ -1,8 +1,9 @@
 """Measure what accuracy costs, in this one process."""
 
-from planar_pushing.accuracy.tables import measured
 from planar_pushing.study.jobs import job_log
-from planar_pushing.study.store import write_dataset
 
 with job_log(snakemake.log[0]):
+    from planar_pushing.accuracy.tables import measured
+    from planar_pushing.study.store import write_dataset
+
     write_dataset(measured(), snakemake.output[0])

@@ -1,8 +1,9 @@
 """Errors and evaluation counts of every method: no times, so the same on every run."""
 
-from planar_pushing.accuracy.tables import cone_errors, wrench_errors
 from planar_pushing.study.jobs import job_log
-from planar_pushing.study.store import write_dataset
 
 with job_log(snakemake.log[0]):
+    from planar_pushing.accuracy.tables import cone_errors, wrench_errors
+    from planar_pushing.study.store import write_dataset
+
     write_dataset({"wrench": wrench_errors(), "cone": cone_errors()}, snakemake.output[0])

@@ -1,12 +1,13 @@
 """Judge the claims of the ledger; fail, naming them, where a verdict is not the expected one."""
 
-from planar_pushing.claims.ledger import load_ledger
-from planar_pushing.claims.table import complaint, csv_text, json_text, judge_all
-from planar_pushing.mechanics.errors import InvalidResult
 from planar_pushing.study.jobs import job_log
-from planar_pushing.study.replacing import replacing
 
 with job_log(snakemake.log[0]) as log:
+    from planar_pushing.claims.ledger import load_ledger
+    from planar_pushing.claims.table import complaint, csv_text, json_text, judge_all
+    from planar_pushing.mechanics.errors import InvalidResult
+    from planar_pushing.study.replacing import replacing
+
     judged = judge_all(load_ledger(snakemake.input.ledger))
     if problem := complaint(judged):
         raise InvalidResult(problem)

@@ -1,13 +1,14 @@
 """Count and time what each effect of the study costs, in this one process."""
 
-import json
-
-from planar_pushing.accuracy.timing import machine
-from planar_pushing.effort.measure import measure
 from planar_pushing.study.jobs import job_log
-from planar_pushing.study.store import write_dataset
-from planar_pushing.study.study_file import load_study
 
 with job_log(snakemake.log[0]):
+    import json
+
+    from planar_pushing.accuracy.timing import machine
+    from planar_pushing.effort.measure import measure
+    from planar_pushing.study.store import write_dataset
+    from planar_pushing.study.study_file import load_study
+
     measured = measure(load_study(snakemake.input.study))
     write_dataset(measured.assign_attrs(machine=json.dumps(machine())), snakemake.output[0])

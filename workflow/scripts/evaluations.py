@@ -1,9 +1,10 @@
 """Count how often each effect of the study is evaluated."""
 
-from planar_pushing.effort.measure import evaluations
 from planar_pushing.study.jobs import job_log
-from planar_pushing.study.store import write_dataset
-from planar_pushing.study.study_file import load_study
 
 with job_log(snakemake.log[0]):
+    from planar_pushing.effort.measure import evaluations
+    from planar_pushing.study.store import write_dataset
+    from planar_pushing.study.study_file import load_study
+
     write_dataset(evaluations(load_study(snakemake.input.study)), snakemake.output[0])

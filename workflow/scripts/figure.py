@@ -1,11 +1,12 @@
 """Draw one figure from the datasets."""
 
-from types import SimpleNamespace
-
-from planar_pushing.figures.render import render
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
+    from types import SimpleNamespace
+
+    from planar_pushing.figures.render import render
+
     log.info("drawing %s", snakemake.wildcards.figure)
     settings = SimpleNamespace(**snakemake.params.settings)
     render(snakemake.wildcards.figure, "results", settings, **dict(snakemake.output.items()))

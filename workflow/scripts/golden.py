@@ -1,15 +1,16 @@
 """Compare the results with the golden data; fail, with the verdict in the log, where they differ."""
 
-from pathlib import Path
-
-from planar_pushing.golden.check import check_results
-from planar_pushing.golden.compare import verdict
-from planar_pushing.mechanics.errors import InvalidResult
 from planar_pushing.study.jobs import job_log
-from planar_pushing.study.models import Tolerance
-from planar_pushing.study.replacing import replacing
 
 with job_log(snakemake.log[0]) as log:
+    from pathlib import Path
+
+    from planar_pushing.golden.check import check_results
+    from planar_pushing.golden.compare import verdict
+    from planar_pushing.mechanics.errors import InvalidResult
+    from planar_pushing.study.models import Tolerance
+    from planar_pushing.study.replacing import replacing
+
     given = snakemake.params.tolerances.items()
     tolerances = {name: Tolerance.model_validate(values) for name, values in given}
     checks = check_results(Path("results"), Path(snakemake.params.golden), tolerances)

@@ -1,7 +1,8 @@
 """Set the report as a PDF."""
 
-from planar_pushing.report.typeset import typeset
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
+    from planar_pushing.report.typeset import typeset
+
     typeset(snakemake.input.source, ".", snakemake.output[0])

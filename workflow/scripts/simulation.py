@@ -1,10 +1,11 @@
 """Simulate one scene file over time."""
 
-from planar_pushing.simulation.scene_file import simulate_file
-from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.jobs import job_log
-from planar_pushing.study.store import write_dataset
 
 with job_log(snakemake.log[0]) as log:
+    from planar_pushing.simulation.scene_file import simulate_file
+    from planar_pushing.study.files import load_scene_file
+    from planar_pushing.study.store import write_dataset
+
     log.info("simulating %s", snakemake.wildcards.simulation)
     write_dataset(simulate_file(load_scene_file(snakemake.input.scene)), snakemake.output[0])

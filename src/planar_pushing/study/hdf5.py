@@ -1,7 +1,7 @@
-"""Read a netCDF4 file as the HDF5 file that it is: the same dataset as through xarray's own reader.
+"""Read and write a netCDF4 file as the HDF5 file that it is: the same dataset as through xarray's own way.
 
-h5netcdf looks an object up some forty times for each variable, which made reading the slowest part of
-many jobs. The decoding of fill values, flags and coordinates stays xarray's.
+h5netcdf looks an object up some forty times for each variable, which made files the slowest part of
+many jobs. The coding of fill values, flags and coordinates stays xarray's.
 """
 
 from __future__ import annotations
@@ -11,11 +11,16 @@ from typing import Any
 import h5py
 import numpy as np
 import xarray as xr
+from xarray import conventions
 
 #: How the netCDF4 format marks a dimension that has no coordinate.
-BARE = b"This is a netCDF dimension but not a netCDF variable"
+BARE = b"This is a netCDF dimension but not a netCDF variable."
 #: Attributes of the formats themselves.
 FORMAT = {"CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_NCProperties"}
+#: Values along a chunk's longest axis, small enough that a chunk fits a cache.
+CHUNK = 512
+#: A variable of fewer bytes, a page, gains nothing from compression.
+SMALL = 4096
 
 
 def attributes(node: h5py.Group | h5py.Dataset) -> dict[str, Any]:
@@ -45,7 +50,7 @@ def _dims(node: h5py.Dataset) -> tuple[str, ...]:
 
 def _variable(node: h5py.Dataset) -> xr.Variable:
     text = h5py.check_string_dtype(node.dtype) is not None
-    values = node.asstr()[()].astype(str) if text else node[()]
+    values = np.asarray(node.asstr()[()], dtype=str) if text else node[()]
     return xr.Variable(_dims(node), values, attributes(node))
 
 
@@ -66,3 +71,46 @@ def read_variables(file: h5py.File, group: str | None) -> xr.Dataset:
         if isinstance(each, h5py.Dataset) and not each.attrs.get("NAME", b"").startswith(BARE)
     }
     return xr.decode_cf(xr.Dataset(variables, attrs=attributes(node)))
+
+
+def write_variables(group: h5py.Group, dataset: xr.Dataset) -> None:
+    """Write a dataset into a file's root, or into a group; each tracks the order of what it holds."""
+    variables, attrs = conventions.cf_encoder(*conventions.encode_dataset_coordinates(dataset))
+    _set_attributes(group, attrs)
+    nodes = {str(name): _create(group, str(name), each) for name, each in variables.items()}
+    for index, (dim, size) in enumerate(dataset.sizes.items()):
+        title = str(dim).encode()
+        if dim not in nodes:
+            limit = size or None  # netCDF4 knows no fixed dimension of length 0
+            nodes[str(dim)] = group.create_dataset(dim, (size,), ">f4", maxshape=(limit,))
+            title = BARE + b"%10d" % size
+        nodes[str(dim)].make_scale(title)
+        nodes[str(dim)].attrs["_Netcdf4Dimid"] = np.int32(index)
+    for name, variable in variables.items():
+        for axis, dim in enumerate(variable.dims if name not in dataset.sizes else ()):
+            nodes[str(name)].dims[axis].attach_scale(nodes[str(dim)])
+
+
+def _create(group: h5py.Group, name: str, variable: xr.Variable) -> h5py.Dataset:
+    values, attrs = variable.values, dict(variable.attrs)
+    options: dict[str, Any] = {}
+    if values.dtype.kind in "OU":
+        values, options["dtype"] = values.astype(object), h5py.string_dtype()
+    elif values.nbytes >= SMALL:
+        chunks = tuple(min(size, CHUNK) for size in values.shape)
+        options |= {"chunks": chunks, "compression": 4, "shuffle": True}
+    if 0 in values.shape:
+        options["maxshape"] = tuple(size or None for size in values.shape)
+    if "_FillValue" in attrs:
+        attrs["_FillValue"] = options["fillvalue"] = values.dtype.type(attrs["_FillValue"])
+    node = group.create_dataset(name, data=values, track_order=True, **options)
+    _set_attributes(node, attrs)
+    return node
+
+
+def _set_attributes(node: h5py.Group | h5py.Dataset, attrs: dict[Any, Any]) -> None:
+    """Set attributes as netCDF4 has them: a number is an array of one."""
+    for name, value in attrs.items():
+        array = np.atleast_1d(value)
+        text = value if isinstance(value, str) else array.tolist()
+        node.attrs[str(name)] = text if array.dtype.kind == "U" else array

@@ -14,21 +14,6 @@ from planar_pushing.study.catalog import DATASETS, SIMULATIONS, dataset_file
 from planar_pushing.study.replacing import replacing
 
 PathLike = str | os.PathLike[str]
-#: Values along a chunk's longest axis, small enough that a chunk fits a cache.
-CHUNK = 512
-
-
-def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, object]]:
-    return {
-        str(name): {
-            "zlib": True,
-            "complevel": 4,
-            "shuffle": True,
-            "chunksizes": tuple(min(size, CHUNK) for size in variable.shape),
-        }
-        for name, variable in dataset.data_vars.items()
-        if variable.ndim and variable.dtype.kind in "fiu"
-    }
 
 
 def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> None:
@@ -36,15 +21,12 @@ def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> 
 
     The bytes depend on the content alone.
     """
-    with replacing(path) as temporary:
+    with replacing(path) as temporary, h5py.File(temporary, "w", track_order=True) as file:
         if isinstance(built, xr.Dataset):
-            built.to_netcdf(temporary, engine="h5netcdf", encoding=_encoding(built))
+            hdf5.write_variables(file, built)
             return
-        xr.Dataset().to_netcdf(temporary, engine="h5netcdf")
         for name, group in built.items():
-            group.to_netcdf(
-                temporary, engine="h5netcdf", mode="a", group=name, encoding=_encoding(group)
-            )
+            hdf5.write_variables(file.create_group(name, track_order=True), group)
 
 
 def read_attributes(path: PathLike) -> dict[str, object]:
