@@ -13,19 +13,17 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import elementwise
 
 from planar_pushing.mechanics.effects.base import IsotropicEffect
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.roots import bracketed_root
 
 Effects = Sequence[IsotropicEffect]
 
 #: A moment arm that turns the slider about its centre, and its inverse hardly at all, in doubles.
 LARGE_ARM = 1e12
 TINY = np.finfo(float).tiny
-#: Roots are refined to a few ulp; a bracket cannot shrink below one.
-TOLERANCES = {"xatol": 0.0, "xrtol": 4 * np.finfo(float).eps, "fatol": 0.0, "frtol": 0.0}
 
 
 def of_degree(effects: Effects, degree: int) -> Effects:
@@ -127,13 +125,10 @@ def root(
         # Next to an end that is small beside the other, steps round to the outside.
         return function(np.clip(x, low, high), *spread)
 
-    # Its interpolation divides, and takes roots of, what may be rounding: then it bisects instead.
-    with np.errstate(invalid="ignore", over="ignore"):
-        found = elementwise.find_root(
-            inside, (low, high), args=(low, high, *spread), tolerances=TOLERANCES
-        )
-    end = np.where(function(low, *spread) > 0, low, high)
-    return np.asarray(np.where(found.success, np.clip(found.x, low, high), end))
+    # Its interpolation divides by what may be rounding: then it bisects instead.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        found = bracketed_root(inside, low, high, (low, high, *spread))
+    return np.clip(found, low, high)
 
 
 def _homogeneous_spin_ratio(effects: Effects, arm: Array) -> Array:

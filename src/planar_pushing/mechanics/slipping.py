@@ -13,7 +13,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import elementwise
 
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.angles import RESOLUTION
@@ -86,6 +85,9 @@ class _Edges:
 
     def _extremum(self, bracket: Array, sign: float) -> float:
         """Where the normal motion has its minimum (sign 1) or maximum (sign -1) in a bracket."""
+        # Importing it takes longer than most scenes, and few have such a slip.
+        from scipy.optimize import elementwise
+
         found = elementwise.find_minimum(lambda k: sign * self.normal_motion(k), tuple(bracket))
         return float(found.x)
 

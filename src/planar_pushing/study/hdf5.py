@@ -98,7 +98,7 @@ def _create(group: h5py.Group, name: str, variable: xr.Variable) -> h5py.Dataset
         values, options["dtype"] = values.astype(object), h5py.string_dtype()
     elif values.nbytes >= SMALL:
         chunks = tuple(min(size, CHUNK) for size in values.shape)
-        options |= {"chunks": chunks, "compression": 4, "shuffle": True}
+        options |= {"chunks": chunks, "compression": 1, "shuffle": True}
     if 0 in values.shape:
         options["maxshape"] = tuple(size or None for size in values.shape)
     if "_FillValue" in attrs:

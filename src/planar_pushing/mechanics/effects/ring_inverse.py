@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -16,24 +15,36 @@ SMALL = 1e-9
 
 
 @cache
-def _first_guess() -> Callable[[Array], Array]:
-    """Spin ratio as a function of H on [0, 1]: H's graph read sideways, with nodes that crowd towards 1.
+def _table() -> tuple[Array, Array]:
+    """H's graph on [0, 1] read sideways, with nodes that crowd towards k = 1.
 
-    It is right to 1e-9, and next to k = 1 to 1e-7 of 1 - k: one Newton step is enough.
+    Moment arms, shape (n,), and from each to the next the coefficients of a cubic Hermite polynomial in
+    the distance from it, shape (n - 1, 4), the constant last.
     """
-    # Importing it takes longer than the rest of the mechanics, and many jobs never invert H.
-    from scipy.interpolate import CubicHermiteSpline
-
     k = np.append(np.linspace(0, 0.9, 256), 1 - np.append(np.geomspace(0.099, 1e-13, 480), 0))
     force, torque, slope = inner_profile(k)
     arm = torque / force
-    spline: Callable[[Array], Array] = CubicHermiteSpline(arm, k, force / (slope * (1 + arm * k)))
-    return spline
+    rate = force / (slope * (1 + arm * k))
+    step = np.diff(arm)
+    chord = np.diff(k) / step
+    first, last = rate[:-1] - chord, rate[1:] - chord
+    return arm, np.stack(
+        [(first + last) / step**2, -(2 * first + last) / step, rate[:-1], k[:-1]], -1
+    )
+
+
+def _first_guess(arm: Array) -> Array:
+    """Spin ratio to 1e-9, and next to k = 1 to 1e-7 of 1 - k: one Newton step is enough."""
+    nodes, coefficients = _table()
+    piece = np.searchsorted(nodes[1:-1], arm, side="right")
+    cubic, square, rate, k = coefficients[piece].T
+    step = arm - nodes[piece]
+    return np.asarray(((cubic * step + square) * step + rate) * step + k)
 
 
 def _inner_spin_ratio(arm: Array) -> Array:
     """Solve ``t(k) - arm f(k) = 0`` on [0, 1] by one Newton step from the table, with f' = -k t'."""
-    k = np.clip(_first_guess()(arm), 0, 1)
+    k = np.clip(_first_guess(arm), 0, 1)
     force, torque, slope = inner_profile(k)
     k -= (torque - arm * force) / (slope * (1 + arm * k))
     return np.where(arm < SMALL, 2 * arm, np.clip(k, 0, 1, out=k))

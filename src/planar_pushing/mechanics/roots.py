@@ -1,0 +1,66 @@
+"""Roots of elementwise functions in brackets, by the method of Chandrupatla (1997).
+
+Inverse quadratic interpolation where it can be trusted, bisection elsewhere: T. R. Chandrupatla, A new
+hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without using
+derivatives, Advances in Engineering Software 28(3), 145-149. Importing SciPy's implementation takes
+longer than most scenes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from planar_pushing.mechanics.planar import Array
+
+#: A bracket of a few ulp cannot shrink further.
+TOLERANCE = 4 * np.finfo(float).eps
+#: Bisection alone takes a bracket of doubles to its end in fewer steps.
+STEPS = 2200
+
+
+def bracketed_root(
+    function: Callable[..., Array], low: Array, high: Array, args: tuple[Array, ...] = ()
+) -> Array:
+    """Root of ``function(x, *args)`` in [low, high], for arrays of one shape.
+
+    Where the function has one sign at both ends, the end at which it is smaller.
+    """
+    shape = low.shape
+    rest: tuple[Array, ...] = tuple(each.ravel() for each in args)
+    # `a` is the latest point, `b` the one across the root, `c` the one before.
+    a, b = low.ravel(), high.ravel()
+    fa, fb = function(a, *rest), function(b, *rest)
+    found = np.where(np.abs(fb) < np.abs(fa), b, a)
+    active = np.flatnonzero(np.sign(fa) * np.sign(fb) < 0)
+    a, b, fa, fb = a[active], b[active], fa[active], fb[active]
+    rest = tuple(each[active] for each in rest)
+    part = np.full(active.size, 0.5)
+    for _ in range(STEPS):
+        if not active.size:
+            break
+        x = a + part * (b - a)
+        fx = function(x, *rest)
+        same = np.sign(fx) == np.sign(fa)
+        c, fc = np.where(same, a, b), np.where(same, fa, fb)
+        b, fb = np.where(same, b, a), np.where(same, fb, fa)
+        a, fa = x, fx
+        best = np.where(np.abs(fa) < np.abs(fb), a, b)
+        found[active] = best
+        width, least = np.abs(b - a), TOLERANCE * np.abs(best)
+        going = (width > least) & (fa != 0)
+        active, rest = active[going], tuple(each[going] for each in rest)
+        a, b, c, fa, fb, fc = (each[going] for each in (a, b, c, fa, fb, fc))
+        margin = 0.5 * least[going] / width[going]
+        part = np.clip(_interpolated(a, b, c, fa, fb, fc), margin, 1 - margin)
+    return found.reshape(shape)
+
+
+def _interpolated(a: Array, b: Array, c: Array, fa: Array, fb: Array, fc: Array) -> Array:
+    """Part of the way from a to b at which inverse quadratic interpolation sees the root, or a half."""
+    xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
+    trusted = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+    along = fa / (fb - fa) * (fc / (fb - fc))
+    across = (c - a) / (b - a) * (fa / (fc - fa)) * (fb / (fc - fb))
+    return np.where(trusted, along + across, 0.5)
