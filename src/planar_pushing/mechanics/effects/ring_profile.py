@@ -100,11 +100,14 @@ def _by_series(size: Array) -> tuple[Array, Array, Array]:
 
 def _by_integrals(size: Array) -> tuple[Array, Array, Array]:
     """f, t and t' at min(size, 1/size) >= NEAR_RING; at 1, where t' is infinite, it is large."""
-    k = np.minimum(size, 1 / size)
-    m, x = k * k, np.abs(1 - size)
-    x *= 1 + size
-    x *= k / size
-    second, first = scipy.special.ellipe(m), scipy.special.ellipkm1(np.maximum(x, TINY))
+    small, large = np.minimum(size, 1), np.maximum(size, 1)
+    m = small / large
+    m *= m
+    x = large - small
+    x *= large + small
+    x /= large * large
+    np.maximum(x, TINY, out=x)
+    second, first = scipy.special.ellipe(m), scipy.special.ellipkm1(x)
     slope = first - second
     slope *= 2 / np.pi
     slope /= m
@@ -114,10 +117,11 @@ def _by_integrals(size: Array) -> tuple[Array, Array, Array]:
     m *= slope
     m *= np.pi / 4
     second += m
-    torque = second - np.multiply(x, first, out=x)
+    x *= first
+    torque = np.subtract(second, x, out=x)
     torque *= 2 / np.pi
-    torque *= np.maximum(size, 1)
-    torque /= np.minimum(size, 1)
+    torque *= large
+    torque /= small
     second *= 2 / np.pi
     return second, torque, slope
 
@@ -136,11 +140,19 @@ def inner_profile(size: Array) -> tuple[Array, Array, Array]:
     return force, torque, slope
 
 
+def _swap(a: Array, b: Array, where: npt.NDArray[np.bool_]) -> None:
+    """Swap elements in place, by their bits: to pick them costs half as much as an integral."""
+    bits, others = a.view(np.int64), b.view(np.int64)
+    change = bits ^ others
+    change *= where
+    bits ^= change
+    others ^= change
+
+
 def _profile(k: Array) -> tuple[Array, Array]:
     size = np.abs(k)
     force, torque, _ = inner_profile(size)
-    outside = np.flatnonzero(size > 1)
-    force[outside], torque[outside] = torque[outside], force[outside]
+    _swap(force, torque, size > 1)
     return force, np.copysign(torque, k, out=torque)
 
 
