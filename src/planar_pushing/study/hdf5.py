@@ -17,8 +17,8 @@ from xarray import conventions
 BARE = b"This is a netCDF dimension but not a netCDF variable."
 #: Attributes of the formats themselves.
 FORMAT = {"CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_NCProperties"}
-#: Values along a chunk's longest axis, small enough that a chunk fits a cache.
-CHUNK = 512
+#: Values in a chunk at most: two megabytes of doubles fit a cache.
+CHUNK = 2**18
 #: A variable of fewer bytes, a page, gains nothing from compression.
 SMALL = 4096
 
@@ -75,7 +75,10 @@ def read_variables(file: h5py.File, group: str | None) -> xr.Dataset:
 
 def write_variables(group: h5py.Group, dataset: xr.Dataset) -> None:
     """Write a dataset into a file's root, or into a group; each tracks the order of what it holds."""
-    variables, attrs = conventions.cf_encoder(*conventions.encode_dataset_coordinates(dataset))
+    variables, attrs = conventions.encode_dataset_coordinates(dataset)
+    for each in variables.values():
+        each.encoding = {"_FillValue": None}  # every value is stored: none stands for another
+    variables, attrs = conventions.cf_encoder(variables, attrs)
     _set_attributes(group, attrs)
     nodes = {str(name): _create(group, str(name), each) for name, each in variables.items()}
     for index, (dim, size) in enumerate(dataset.sizes.items()):
@@ -92,20 +95,26 @@ def write_variables(group: h5py.Group, dataset: xr.Dataset) -> None:
 
 
 def _create(group: h5py.Group, name: str, variable: xr.Variable) -> h5py.Dataset:
-    values, attrs = variable.values, dict(variable.attrs)
+    values = variable.values
     options: dict[str, Any] = {}
     if values.dtype.kind in "OU":
         values, options["dtype"] = values.astype(object), h5py.string_dtype()
     elif values.nbytes >= SMALL:
-        chunks = tuple(min(size, CHUNK) for size in values.shape)
-        options |= {"chunks": chunks, "compression": 1, "shuffle": True}
+        options |= {"chunks": _chunks(values.shape), "compression": 1, "shuffle": True}
     if 0 in values.shape:
         options["maxshape"] = tuple(size or None for size in values.shape)
-    if "_FillValue" in attrs:
-        attrs["_FillValue"] = options["fillvalue"] = values.dtype.type(attrs["_FillValue"])
     node = group.create_dataset(name, data=values, track_order=True, **options)
-    _set_attributes(node, attrs)
+    _set_attributes(node, variable.attrs)
     return node
+
+
+def _chunks(shape: tuple[int, ...]) -> tuple[int, ...]:
+    """Trailing axes whole, as far as a chunk has room for them."""
+    chunks, room = [], CHUNK
+    for size in reversed(shape):
+        chunks.append(max(1, min(size, room)))
+        room //= chunks[-1]
+    return tuple(reversed(chunks))
 
 
 def _set_attributes(node: h5py.Group | h5py.Dataset, attrs: dict[Any, Any]) -> None:
