@@ -112,7 +112,7 @@ rule accuracy_data:
     # Nothing else may run beside a measurement.
     threads: workflow.cores
     params:
-        code=code_of("accuracy.tables", "study.store"),
+        code=code_of("accuracy.measurements", "study.store"),
     message:
         "Measuring what accuracy costs"
     script:
