@@ -125,10 +125,7 @@ def root(
         # Next to an end that is small beside the other, steps round to the outside.
         return function(np.clip(x, low, high), *spread)
 
-    # Its interpolation divides by what may be rounding: then it bisects instead.
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        found = bracketed_root(inside, low, high, (low, high, *spread))
-    return np.clip(found, low, high)
+    return np.clip(bracketed_root(inside, low, high, (low, high, *spread)), low, high)
 
 
 def _homogeneous_spin_ratio(effects: Effects, arm: Array) -> Array:

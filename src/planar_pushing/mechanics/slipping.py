@@ -17,6 +17,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.planar import Array, direction, moment_arm
+from planar_pushing.mechanics.roots import bracketed_minimum
 
 #: Steps towards the ends of the range of spin ratios and towards a kink, as parts of the range.
 GRADING = np.concatenate([10.0 ** -np.arange(7, 2, -0.5), np.linspace(2e-3, 0.5, 120)])
@@ -71,7 +72,7 @@ class _Edges:
             fast, end = nodes[-1], values[-1]
         rise = np.sign(np.diff(values))
         turns = np.nonzero(rise[1:] * rise[:-1] < 0)[0]
-        peaks = [self._extremum(nodes[i : i + 3], -rise[i]) for i in turns]
+        peaks = [self._extremum(nodes[i], nodes[i + 2], -rise[i]) for i in turns]
         ends = np.array([slow, *peaks, fast])
         return ends, np.array([0.0, *self.normal_motion(ends[1:-1]), end])
 
@@ -83,13 +84,9 @@ class _Edges:
         inside = (parts >= GRADING[0]) & (parts <= 1 - GRADING[0])
         return np.asarray(slow + (fast - slow) * parts[inside])
 
-    def _extremum(self, bracket: Array, sign: float) -> float:
-        """Where the normal motion has its minimum (sign 1) or maximum (sign -1) in a bracket."""
-        # Importing it takes longer than most scenes, and few have such a slip.
-        from scipy.optimize import elementwise
-
-        found = elementwise.find_minimum(lambda k: sign * self.normal_motion(k), tuple(bracket))
-        return float(found.x)
+    def _extremum(self, low: float, high: float, sign: float) -> float:
+        """Where the normal motion has its minimum (sign 1) or maximum (sign -1) between two nodes."""
+        return bracketed_minimum(lambda k: sign * self.normal_motion(k), low, high)
 
     def roots(self, resisting: response.Resistance, normal_motion: Array) -> SlipMotions:
         """Every motion with these normal parts, in units of `resisting`, of edges of shape (n, 1, ...)."""

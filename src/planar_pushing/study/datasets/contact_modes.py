@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import product
 from typing import Any
 
@@ -24,6 +25,7 @@ from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
 DIMS = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode")
+MOVING = [mode for mode in ContactMode if mode is not ContactMode.SEPARATE]
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
 
 
@@ -40,18 +42,23 @@ def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
     }
 
 
-def _extremes(found: Candidates) -> dict[str, Array]:
-    """Spin ratio and force angle of the slowest and the fastest consistent motion; 0 where none."""
-    speed = np.linalg.norm(found.twist, axis=-1)
-    slow = np.where(found.consistent, speed, np.inf).argmin(axis=-1, keepdims=True)
-    fast = np.where(found.consistent, speed, -np.inf).argmax(axis=-1, keepdims=True)
-    moves = found.consistent.any(axis=-1)
+def _extremes(found: Sequence[Candidates]) -> dict[str, Array]:
+    """Spin ratio and force angle of the slowest and the fastest consistent motion; 0 where none.
+
+    Of one mode under several laws, along the first axis.
+    """
+    consistent = np.stack([c.consistent for c in found])
+    ratio = np.stack([c.spin_ratio for c in found])
+    speed = np.stack([np.linalg.norm(c.twist, axis=-1) for c in found])
+    angle = np.rad2deg(np.stack([c.force_angle for c in found]))
+    slow = np.where(consistent, speed, np.inf).argmin(axis=-1, keepdims=True)
+    fast = np.where(consistent, speed, -np.inf).argmax(axis=-1, keepdims=True)
+    moves = consistent.any(axis=-1)
 
     def pick(values: Array, branch: Any) -> Array:
         return np.where(moves, np.take_along_axis(values, branch, axis=-1)[..., 0], 0.0)
 
-    angle = np.rad2deg(found.force_angle)
-    picks = (found.spin_ratio, slow), (angle, slow), (found.spin_ratio, fast), (angle, fast)
+    picks = (ratio, slow), (angle, slow), (ratio, fast), (angle, fast)
     return dict(zip(VALUES, (pick(*each) for each in picks), strict=True))
 
 
@@ -76,14 +83,15 @@ def build(study: StudyFile) -> xr.Dataset:
             slider=study.ring(length), contact=InfiniteFriction(), effects=study.effects(effects)
         )
         given = push(scene, heading, magnitude)  # the same for every law
+        of_mode: dict[ContactMode, dict[int, Candidates]] = {mode: {} for mode in ContactMode}
         for j, found in enumerate(modes_under(scene, [law for _, law in laws.values()], given)):
             outcome[i, j, m] = outcomes(found)
             for each in found:
                 consistent[i, j, m, ..., each.mode] = each.consistent.sum(axis=-1)
-                if each.mode is ContactMode.SEPARATE:
-                    continue
-                for name, picked in _extremes(each).items():
-                    values[name][i, j, m, ..., each.mode] = picked
+                of_mode[each.mode][j] = each
+        for mode in MOVING:
+            for name, picked in _extremes(list(of_mode[mode].values())).items():
+                values[name][i, list(of_mode[mode]), m, ..., mode] = picked
     variables: dict[str, Any] = {"consistent": (DIMS, consistent), "outcome": (DIMS[:-1], outcome)}
     variables |= {name: (DIMS, array) for name, array in values.items()}
     dataset = xr.Dataset(variables, coords=coords).assign_coords(
