@@ -104,8 +104,9 @@ def cases(study: StudyFile) -> Iterator[Case]:
         for name in DATASETS:
             yield _dataset_case(name, study.model_copy(update={"grid": grid}))
     for name, push in study.scenes.items():
+        scene = load_scene_file(push.file).build()
         for operation in OPERATIONS:
-            yield _scene_case(name, operation, load_scene_file(push.file).build())
+            yield _scene_case(name, operation, scene)
 
 
 def _times(case: Case) -> list[float]:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:  # a job that draws a figure validates no file
     from planar_pushing.study.scene_model import SceneFile
 
 PathLike = str | os.PathLike[str]
+#: Light compression: the default takes as long as the drawing for a fifth less of a file.
+OPTIONS: dict[str, dict[str, Any]] = {"png": {"pil_kwargs": {"compress_level": 1}}}
 SCENE_SIZE = (COLUMN_WIDTH, COLUMN_WIDTH)
 
 #: Metadata that would tell when and by which program version a picture was saved.
@@ -95,7 +97,7 @@ def save(figure: Figure, path: PathLike) -> None:
         allowed = ", ".join(f".{each}" for each in METADATA)
         raise InvalidValue("output", str(path), f"a name ending in {allowed}", "rename the file")
     with replacing(path) as temporary:
-        figure.savefig(temporary, format=kind, metadata=METADATA[kind])
+        figure.savefig(temporary, format=kind, metadata=METADATA[kind], **OPTIONS.get(kind, {}))
 
 
 def render(

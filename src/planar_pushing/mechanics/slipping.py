@@ -60,15 +60,25 @@ class _Edges:
         """``n . u`` (in units of W / m) at which the torques cancel."""
         return self.speed(k) * self.advance(k)
 
-    def pieces(self) -> tuple[Array, Array]:
-        """Spin ratios and normal motions at the ends of an edge's monotone pieces, friction end first."""
-        slow, fast = (float(response.spin_ratio(kind, self.arm, None)) for kind in self.kinds)
-        end = np.copysign(np.inf, self.advance(np.array(fast)))
-        if abs(fast - slow) <= 1e-6 * slow or slow < VANISHING:
-            return np.array([slow, fast]), np.array([0.0, end])
-        nodes = self._nodes(slow, fast)
-        values = self.normal_motion(nodes)
-        if self.advance(np.array(fast)) == 0:  # then n . u stays finite as the motion grows
+    def pieces(self) -> list[tuple[Array, Array]]:
+        """Spin ratios and normal motions at the ends of each edge's monotone pieces, friction end first."""
+        arm = self.arm.ravel()
+        slow, fast = (response.spin_ratio(kind, arm, None).tolist() for kind in self.kinds)
+        lines = list(self)
+        nodes = [line._nodes(*ends) for line, *ends in zip(lines, slow, fast, strict=True)]
+        sizes = [each.size for each in nodes]
+        owner = np.repeat(np.arange(arm.size), sizes)
+        owners = (each.ravel()[owner] for each in (self.arm, self.normal, self.lever))
+        values = _Edges(self.kinds, *owners).normal_motion(np.concatenate(nodes))
+        parts = np.split(values, np.cumsum(sizes)[:-1])
+        cuts = zip(lines, slow, fast, nodes, parts, strict=True)
+        return [line._cut(*each) for line, *each in cuts]
+
+    def _cut(self, slow: float, fast: float, nodes: Array, values: Array) -> tuple[Array, Array]:
+        """Pieces of one edge, whose normal motion has these values at its nodes."""
+        advance = self.advance(np.array(fast))
+        end = np.copysign(np.inf, advance)
+        if nodes.size and advance == 0:  # then n . u stays finite as the motion grows
             fast, end = nodes[-1], values[-1]
         rise = np.sign(np.diff(values))
         turns = np.nonzero(rise[1:] * rise[:-1] < 0)[0]
@@ -77,6 +87,9 @@ class _Edges:
         return ends, np.array([0.0, *self.normal_motion(ends[1:-1]), end])
 
     def _nodes(self, slow: float, fast: float) -> Array:
+        """Spin ratios at which an edge is looked at for extrema; none where its range is a point."""
+        if abs(fast - slow) <= 1e-6 * slow or slow < VANISHING:
+            return np.empty(0)
         kinks = [kink for kind in self.kinds for effect in kind for kink in effect.kinks]
         places = [(kink - slow) / (fast - slow) for kink in kinks]
         near = [place + side * GRADING for place in places for side in (-1, 1)]
@@ -90,7 +103,7 @@ class _Edges:
 
     def roots(self, resisting: response.Resistance, normal_motion: Array) -> SlipMotions:
         """Every motion with these normal parts, in units of `resisting`, of edges of shape (n, 1, ...)."""
-        cuts = [edge.pieces() for edge in self]
+        cuts = self.pieces()
         pieces = [(i, j) for i, (ends, _) in enumerate(cuts) for j in range(len(ends) - 1)]
         edge, branch = np.array(pieces).T
         ends = np.array([[*cuts[i][0][j : j + 2], *cuts[i][1][j : j + 2]] for i, j in pieces]).T
