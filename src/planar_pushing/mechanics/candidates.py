@@ -20,7 +20,7 @@ from planar_pushing.mechanics.response import (
     sustained_twist,
 )
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.slipping import SlipMotions, slip_motions
+from planar_pushing.mechanics.slipping import slip_motions
 
 #: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
 COINCIDENCE = 1e-12
@@ -86,6 +86,8 @@ class Push:
 #: Candidates of separation, of sticking and, where the contact slips, of slips right and left.
 Modes = tuple[Candidates, ...]
 SLIPS = (ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
+#: A slip, and where one of its motions is the pusher's own: a stick.
+Slip = tuple[Candidates, Found]
 
 
 def slip_edge(law: ContactLaw, mode: ContactMode) -> float:
@@ -149,33 +151,42 @@ def _stick(scene: Scene, given: Push) -> Candidates:
     )
 
 
-def _slip(
-    scene: Scene, given: Push, mode: ContactMode, motions: SlipMotions
-) -> tuple[Candidates, Found]:
-    """Motions under a force on an edge, and where one of them is the pusher's own: a stick."""
-    resisting, pusher = given.resisting, given.pusher
-    side = 1 if mode is ContactMode.SLIP_RIGHT else -1
-    edge = slip_edge(scene.contact, mode)
-    speed, ratio, exists = motions
-    heading = np.broadcast_to(direction(edge), (*ratio.shape, 2))
+def _slips(scene: Scene, laws: Sequence[ContactLaw], given: Push) -> Iterator[tuple[Slip, Slip]]:
+    """Motions under a force on each edge of each law, in the order of `SLIPS`, solved for together."""
+    if not laws:
+        return
+    resisting, rod = given.resisting, (scene.slider.length_ratio, scene.slider.rod_angle)
+    edges = np.array([[slip_edge(law, mode) for mode in SLIPS] for law in laws])
+    speed, ratio, exists = slip_motions(resisting, *rod, edges, given.pusher[..., 1])
+    over_pushes = *edges.shape, *(1 for _ in ratio.shape[2:])
+    heading = np.broadcast_to(direction(edges.reshape(over_pushes)), (*ratio.shape, 2))
     with np.errstate(over="ignore", invalid="ignore"):
         twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
         motion = contact_motion(scene, twist)
-    if not np.isfinite(motion).all():
-        raise InvalidValue(
-            "friction_coefficient", friction_coefficient(scene.contact),
-            "one under which the slips are doubles", "use the law of infinite friction",
-        )  # fmt: skip
-    slip = side * (motion[..., 0] - pusher[..., :1])
-    found = Candidates(
-        mode=mode,
-        consistent=exists & (slip > COINCIDENCE),
-        twist=twist,
-        force=resisting.branches().profile(np.abs(ratio), speed)[0][..., None] * heading,
-        spin_ratio=ratio,
-        force_unit=resisting.force,
-    )
-    return found, np.asarray((exists & (np.abs(slip) <= COINCIDENCE)).any(axis=-1))
+    for law, its_motion in zip(laws, motion, strict=True):
+        if not np.isfinite(its_motion).all():
+            raise InvalidValue(
+                "friction_coefficient", friction_coefficient(law),
+                "one under which the slips are doubles", "use the law of infinite friction",
+            )  # fmt: skip
+    side = np.array([1, -1]).reshape(2, *over_pushes[2:])
+    slip = side * (motion[..., 0] - given.pusher[..., :1])
+    consistent = exists & (slip > COINCIDENCE)
+    at_edge = np.any(exists & (np.abs(slip) <= COINCIDENCE), axis=-1)
+    force = resisting.branches().profile(np.abs(ratio), speed)[0][..., None] * heading
+    for i in range(len(laws)):
+        right, left = (
+            Candidates(
+                mode=mode,
+                consistent=consistent[i, j],
+                twist=twist[i, j],
+                force=force[i, j],
+                spin_ratio=ratio[i, j],
+                force_unit=resisting.force,
+            )
+            for j, mode in enumerate(SLIPS)
+        )
+        yield (right, at_edge[i, 0]), (left, at_edge[i, 1])
 
 
 def candidates(
@@ -202,26 +213,15 @@ def candidates(
 
 def modes_under(scene: Scene, laws: Sequence[ContactLaw], given: Push) -> list[Modes]:
     """Enumerate the contact modes of several laws under a push of the scene's slider and effects."""
-    slips = _slip_motions(scene, [law for law in laws if law.slips], given)
+    slips = _slips(scene, [law for law in laws if law.slips], given)
     return [
-        _modes(replace(scene, contact=law), given, next(slips) if law.slips else ()) for law in laws
+        _modes(replace(scene, contact=law), given, next(slips) if law.slips else None)
+        for law in laws
     ]
 
 
-def _slip_motions(
-    scene: Scene, laws: Sequence[ContactLaw], given: Push
-) -> Iterator[tuple[SlipMotions, ...]]:
-    """Motions under a force on each edge of each law, in the order of `SLIPS`, solved for together."""
-    if not laws:
-        return
-    edges = [[slip_edge(law, mode) for mode in SLIPS] for law in laws]
-    rod, normal = (scene.slider.length_ratio, scene.slider.rod_angle), given.pusher[..., 1]
-    for of_law in zip(*slip_motions(given.resisting, *rod, edges, normal), strict=True):
-        yield tuple(zip(*of_law, strict=True))
-
-
-def _modes(scene: Scene, given: Push, slips: tuple[SlipMotions, ...]) -> Modes:
-    """Enumerate the contact modes; `slips` holds the motions under a force on each edge.
+def _modes(scene: Scene, given: Push, slips: tuple[Slip, Slip] | None) -> Modes:
+    """Enumerate the contact modes; `slips` holds the motions under a force on each edge, if it slips.
 
     Notes
     -----
@@ -230,11 +230,9 @@ def _modes(scene: Scene, given: Push, slips: tuple[SlipMotions, ...]) -> Modes:
     and a slip that vanishes counts as the stick.
     """
     stick = _stick(scene, given)
-    if not scene.contact.slips:
+    if slips is None:
         return _separate(given), replace(stick, consistent=stick.consistent & given.moves)
-    (right, left_edge), (left, right_edge) = (
-        _slip(scene, given, mode, motions) for mode, motions in zip(SLIPS, slips, strict=True)
-    )
+    (right, left_edge), (left, right_edge) = slips
     inside = replace(scene.contact.force_angles, closed=False).contains(stick.force_angle)
     slides = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
     # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
