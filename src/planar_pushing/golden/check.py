@@ -38,7 +38,7 @@ def check_results(results: Path, golden: Path, tolerances: Mapping[str, Toleranc
     checks = []
     for name in golden_names(golden):
         try:
-            result = read_dataset(*result_of(name, results))
+            result = read_dataset(*result_of(name, results)).load()
         except InvalidFile as error:
             checks.append(Check(name=name, problem=f"cannot be compared: {error}"))
             continue

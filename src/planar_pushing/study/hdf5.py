@@ -12,6 +12,8 @@ import h5py
 import numpy as np
 import xarray as xr
 from xarray import conventions
+from xarray.backends import BackendArray
+from xarray.core import indexing
 
 #: How the netCDF4 format marks a dimension that has no coordinate.
 BARE = b"This is a netCDF dimension but not a netCDF variable."
@@ -21,6 +23,8 @@ FORMAT = {"CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_NCProperties"}
 CHUNK = 2**18
 #: A variable of fewer bytes, a page, gains nothing from compression.
 SMALL = 4096
+#: A variable of more bytes is read when it is used.
+LARGE = 2**23
 
 
 def attributes(node: h5py.Group | h5py.Dataset) -> dict[str, Any]:
@@ -49,13 +53,35 @@ def _dims(node: h5py.Dataset) -> tuple[str, ...]:
 
 
 def _variable(node: h5py.Dataset) -> xr.Variable:
-    text = h5py.check_string_dtype(node.dtype) is not None
-    values = np.asarray(node.asstr()[()], dtype=str) if text else node[()]
+    values: Any
+    if h5py.check_string_dtype(node.dtype) is not None:
+        values = np.asarray(node.asstr()[()], dtype=str)
+    elif node.nbytes > LARGE:
+        values = indexing.LazilyIndexedArray(_Stored(node))
+    else:
+        values = node[()]
     return xr.Variable(_dims(node), values, attributes(node))
 
 
+class _Stored(BackendArray):
+    """Values in a file, of which only those are read that are used."""
+
+    def __init__(self, node: h5py.Dataset) -> None:
+        self.place = node.file.filename, node.name
+        self.shape, self.dtype = node.shape, node.dtype
+
+    def __getitem__(self, key: indexing.ExplicitIndexer) -> Any:
+        support = indexing.IndexingSupport.OUTER_1VECTOR
+        return indexing.explicit_indexing_adapter(key, self.shape, support, self._read)
+
+    def _read(self, key: tuple[Any, ...]) -> Any:
+        path, name = self.place
+        with h5py.File(path, "r") as file:
+            return file[name][key]
+
+
 def read_variables(file: h5py.File, group: str | None) -> xr.Dataset:
-    """The variables of a file's root, or of a group, in memory.
+    """The variables of a file's root, or of a group, in memory; large ones are read when they are used.
 
     Raises
     ------

@@ -36,7 +36,7 @@ def read_attributes(path: PathLike) -> dict[str, object]:
 
 
 def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
-    """Read a dataset into memory, and close its file.
+    """Read a dataset into memory, and close its file; variables above 8 MB are read when they are used.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        In memory; angles are degrees.
+        In memory but for variables above 8 MB, which are read when they are used; angles are degrees.
 
     Raises
     ------
