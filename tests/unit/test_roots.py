@@ -74,12 +74,17 @@ def test_a_root_between_neighbours_takes_no_more_steps_than_bisection():
     assert len(calls) <= 1100
 
 
-def test_where_the_sign_does_not_change_the_end_that_is_nearer_to_a_root():
+def test_an_increasing_function_without_a_root_inside_has_an_end():
     ends = np.array([0.0, 1.0]), np.array([3.0, 4.0])
     np.testing.assert_array_equal(bracketed_root(lambda x: x + 1, *ends), ends[0])
     np.testing.assert_array_equal(bracketed_root(lambda x: x - 9, *ends), ends[1])
     np.testing.assert_array_equal(bracketed_root(lambda x: x, *ends), ends[0])
     np.testing.assert_array_equal(bracketed_root(lambda x: x - ends[1], *ends), ends[1])
+    np.testing.assert_array_equal(bracketed_root(lambda x: 0 * x, *ends), ends[1])
+    # Rounding leaves it negative at its root, the high end, by more than at the low one.
+    np.testing.assert_array_equal(
+        bracketed_root(lambda x: np.where(x < ends[1], -1e-29, -1e-17), *ends), ends[1]
+    )
 
 
 def test_a_jump_and_a_pole_are_enclosed():

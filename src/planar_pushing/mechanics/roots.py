@@ -25,16 +25,16 @@ SECTIONS = 40
 def bracketed_root(
     function: Callable[..., Array], low: Array, high: Array, args: tuple[Array, ...] = ()
 ) -> Array:
-    """Root of ``function(x, *args)`` in [low, high], for arrays of one shape.
+    """Root of ``function(x, *args)`` between low and high, for arrays of one shape.
 
-    Where the function has one sign at both ends, the end at which it is smaller.
+    Where the sign does not change, an end, as of an increasing function: low where it is positive there.
     """
     shape = low.shape
     rest: tuple[Array, ...] = tuple(each.ravel() for each in args)
     # `a` is the latest point, `b` the one across the root, `c` the one before.
     a, b = low.ravel(), high.ravel()
     fa, fb = function(a, *rest), function(b, *rest)
-    found = np.where(np.abs(fb) < np.abs(fa), b, a)
+    found = np.where((fa >= 0) & (fb != 0), a, b)
     active = np.flatnonzero(np.sign(fa) * np.sign(fb) < 0)
     a, b, fa, fb = a[active], b[active], fa[active], fb[active]
     rest = tuple(each[active] for each in rest)

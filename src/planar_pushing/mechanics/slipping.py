@@ -109,7 +109,8 @@ class _Edges:
         ends = np.array([[*cuts[i][0][j : j + 2], *cuts[i][1][j : j + 2]] for i, j in pieces]).T
         lines = _Edges(self.kinds, self.arm[edge], self.normal[edge], self.lever[edge])
         k, reached = lines._root(resisting, normal_motion, *ends.reshape(4, *lines.arm.shape))
-        otherwise = lines.speed(k) / resisting.inertia_ratio
+        with np.errstate(over="ignore"):  # where it is used it is finite
+            otherwise = lines.speed(k) / resisting.inertia_ratio
         speed, moves = _speed(normal_motion, lines.advance(k), otherwise)
         shape = len(cuts), *normal_motion.shape, branch.max() + 1
         speeds, ratios, exists = np.zeros(shape), np.zeros(shape), np.zeros(shape, bool)
