@@ -6,6 +6,7 @@ many jobs. The coding of fill values, flags and coordinates stays xarray's.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import h5py
@@ -67,7 +68,7 @@ class _Stored(BackendArray):
     """Values in a file, of which only those are read that are used."""
 
     def __init__(self, node: h5py.Dataset) -> None:
-        self.place = node.file.filename, node.name
+        self.place = Path(node.file.filename).resolve(), node.name
         self.shape, self.dtype = node.shape, node.dtype
 
     def __getitem__(self, key: indexing.ExplicitIndexer) -> Any:
