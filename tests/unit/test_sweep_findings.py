@@ -51,3 +51,36 @@ def test_edge_of_infinite_friction_is_a_half_turn_to_a_long_rod():
     rod = scene(755.0248268669369, 1e-300, INFINITE, pp.Inertia())
     assert pp.motion_cone(rod).left == np.pi
     assert names(pp.solve(rod, 3.1415926535897927)) == ["STICK"]
+
+
+@pytest.mark.parametrize("tilt", [5e-324, 1e-300, 1e-45])
+def test_an_upright_rod_keeps_a_push_that_hardly_leaves_the_fence(tilt):
+    """The cosine of the double next to a quarter turn, 6e-17, would pass for the push and stick."""
+    rod = scene(1e20, np.pi / 2, 1.0, pp.Inertia())
+    assert names(pp.solve(rod, tilt)) == ["SLIP_LEFT"]
+
+
+@pytest.mark.parametrize("gyration_radius", [1e-2, 1e-5, 1e-8, 1e-60])
+def test_slip_whose_spin_ratio_is_a_small_part_of_its_range(gyration_radius):
+    """From friction to inertia the spin ratio runs over up to 120 decades; n . u turns in the first one."""
+    effects = pp.RingFriction(), pp.Inertia(gyration_radius=gyration_radius)
+    rod = scene(1.0, 0.8069, 1.0, *effects)
+    assert names(pp.solve(rod, 0.05, 1e-6)) == ["SLIP_LEFT"]
+    friction = pp.spin_ratio(scene(1.0, 0.8069, 1.0, pp.RingFriction()), np.pi / 4)
+    assert next(iter(pp.solve(rod, 0.05, 1e-6))).spin_ratio == pytest.approx(friction, rel=1e-3)
+
+
+FLAT = np.nextafter(np.pi, 0)
+FLAT_RODS = [
+    (68.76402567408803, 0.12539251088369704, -FLAT, 0.05, ["SEPARATE", "STICK", "SLIP_RIGHT"]),
+    (62.700328085599466, None, -1.5e-323, 16.6, ["SEPARATE"]),
+    (804.6215437331406, 0.2952638755453314, 0.0, 15.5, ["SEPARATE"]),
+]
+
+
+@pytest.mark.parametrize(("length", "gyration_radius", "pusher", "size", "modes"), FLAT_RODS)
+def test_long_rod_along_the_fence(length, gyration_radius, pusher, size, modes):
+    """Force and edge of the cone are an ulp apart, the directions of the pusher l^2 times as far."""
+    inertia = [pp.Inertia(gyration_radius=gyration_radius)] if gyration_radius else []
+    rod = scene(length, FLAT, INFINITE, pp.RingFriction(), *inertia)
+    assert names(pp.solve(rod, pusher, size)) == modes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +20,7 @@ from planar_pushing.mechanics.candidates import COINCIDENCE, Candidates, candida
 from planar_pushing.mechanics.cones import edge_motions, friction_cone, motion_cone
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.contact.laws import friction_coefficient
+from planar_pushing.mechanics.effects import Inertia
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.mechanics.response import is_homogeneous
@@ -113,21 +115,24 @@ def _degrees(radians: float, nudge: float = 0.0) -> fmpq:
         return fmpq(mantissa) * fmpq(2) ** int(exponent)
 
 
-def _certified(
-    length: float, psi: float, law: certified.Law, names: Effects, size: float, pusher: fmpq
-) -> Counter[str]:
-    slider = ExactSlider(fmpq(*length.as_integer_ratio()), _degrees(psi), fmpq(1), fmpq(1), fmpq(1))
+def _certified(scene: Scene, names: Effects, size: float, pusher: fmpq) -> Counter[str]:
+    mu = friction_coefficient(scene.contact)
+    law = certified.coulomb(mu) if math.isfinite(mu) else certified.INFINITE_FREE
+    rho = next((each.gyration_radius for each in scene.effects if isinstance(each, Inertia)), 1.0)
+    slider = ExactSlider.of(scene.slider.rod_length, gyration_radius=rho)
+    slider = replace(slider, rod_angle=_degrees(scene.slider.rod_angle))
     found = certified.contact_modes(slider, names, law, size, pusher)
     return Counter({mode.name: len(motions) for mode, motions in found.items() if motions})
 
 
 def _drawn(rng: Generator) -> tuple[Scene, Effects, float, float]:
-    """Scene with W = m = rho = R = 1 and lengths in reach of the certified route, its effects, a push."""
-    length, mu, size = (float(10.0 ** rng.uniform(-reach, reach)) for reach in (3, 3, 4))
+    """Scene with W = m = R = 1 and lengths in reach of the certified route, its effects, a push."""
+    length, rho, mu, size = (float(10.0 ** rng.uniform(-reach, reach)) for reach in (3, 3, 3, 4))
     psi = rod_angle(rng) if rng.random() < 0.5 else float(rng.uniform(0.05, np.pi - 0.05))
     names = list(Effects)[int(rng.integers(3))]
     share = {Effects.FRICTION: 0.0, Effects.INERTIA: 1.0, Effects.BOTH: 0.5}[names]
-    here = make_scene(length, psi, share=share, mu=float(rng.choice([mu, 0.0, 1.0, math.inf])))
+    mu, rho = float(rng.choice([mu, 0.0, 1.0, math.inf])), float(rng.choice([rho, 1.0]))
+    here = make_scene(length, psi, share=share, mu=mu, rho=rho)
     cone = motion_cone(here)
     return here, names, float(rng.choice(angles(rng, 200, 0.0, np.pi, cone.right, cone.left))), size
 
@@ -147,14 +152,11 @@ def decided(rng: Generator) -> str:
     found, or the pusher is so close to a cone's edge that the slip is below `COINCIDENCE`: a stick.
     """
     here, names, pusher, size = _drawn(rng)
-    mu = friction_coefficient(here.contact)
     found = Counter(mode.name for mode in solve(here, pusher, size).modes)
-    law = certified.coulomb(mu) if math.isfinite(mu) else certified.INFINITE_FREE
-    slider, undecided = here.slider, False
+    undecided = False
     for nudge in NEXT_TO:
         try:
-            turned = _degrees(pusher, nudge)
-            exact = _certified(slider.rod_length, slider.rod_angle, law, names, size, turned)
+            exact = _certified(here, names, size, _degrees(pusher, nudge))
         except Undecided:
             undecided = True
             continue

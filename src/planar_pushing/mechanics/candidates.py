@@ -12,7 +12,7 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactLaw, ContactMode, Outcome
 from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.mechanics.planar import Array, direction
+from planar_pushing.mechanics.planar import Array, direction, parts_along_rod
 from planar_pushing.mechanics.response import (
     Resistance,
     resistance,
@@ -73,6 +73,10 @@ class Push:
     moves : ndarray of bool, shape S + (1,)
     twist, force, spin_ratio : ndarray, shapes S + (3,), S + (2,), S
         Of the slider that follows the pusher; units as in `Candidates`.
+    center : ndarray, shape S + (2,)
+        The centre's motion along the rod and along its right-hand normal, neither a difference.
+    carried : ndarray, shape S
+        Part of the pusher's motion across the rod that the centre takes, in (0, 1].
     """
 
     resisting: Resistance
@@ -81,6 +85,8 @@ class Push:
     twist: Array
     force: Array
     spin_ratio: Array
+    center: Array
+    carried: Array
 
 
 #: Candidates of separation, of sticking and, where the contact slips, of slips right and left.
@@ -125,8 +131,8 @@ def push(
     moves = np.broadcast_to(size > 0, shape)[..., None]
     resisting = resistance(scene.scaled_effects, np.broadcast_to(size, shape))
     pusher = np.where(moves, towards, 0.0)
-    lean = slider.rod_angle - np.arctan2(pusher[..., 1], pusher[..., 0])
-    along_rod = sustained_twist(resisting, slider.length_ratio, lean)
+    parts = parts_along_rod(slider.rod_angle, pusher)
+    along_rod, carried = sustained_twist(resisting, slider.length_ratio, *parts)
     e = direction(slider.rod_angle)
     axes = np.array([[e[0], e[1], 0.0], [e[1], -e[0], 0.0], [0.0, 0.0, 1.0]])
     return Push(
@@ -136,14 +142,40 @@ def push(
         twist=along_rod @ axes,
         force=resisting.wrench(along_rod)[..., :2] @ axes[:2, :2],
         spin_ratio=spin_ratio_of(along_rod),
+        center=along_rod[..., :2],
+        carried=carried,
     )
 
 
-def _stick(scene: Scene, given: Push) -> Candidates:
-    angle = np.arctan2(given.force[..., 1], given.force[..., 0])[..., None]
+def _transmits(scene: Scene, given: Push) -> tuple[Found, Found]:
+    """Whether the contact transmits the force that sticks, shape S + (1,): inside its cone, or on an edge.
+
+    The force is along the centre's motion. That motion is known as well as the pusher's direction, to
+    `RESOLUTION`, of which a long rod carries a small part; an edge of the cone is known that well where
+    it lies on no axis.
+    """
+    cone = scene.contact.force_angles
+    bounds = direction([cone.right, cone.left, (cone.right + cone.left) / 2])
+    (right, left, middle), (below, above, beside) = parts_along_rod(scene.slider.rod_angle, bounds)
+    # Turn of the force from the right edge, its turn to the left edge, its part along the middle.
+    conditions = np.array([[below, -right], [-above, left], [middle, beside]])
+    depth = given.center @ conditions.T
+    reach = np.stack([np.ones_like(given.carried), given.carried], axis=-1)
+    speed = np.hypot(given.center[..., 0], given.center[..., 1])[..., None]
+    rounded = np.where((bounds == 0).any(axis=-1), 0.0, speed)
+    noise = RESOLUTION * (reach @ np.abs(conditions).T + rounded)
+    inside, reached = depth > noise, depth >= -noise
+    if cone.span > np.pi:
+        inside, reached = (np.any(each[..., :2], axis=-1) for each in (inside, reached))
+    else:
+        inside, reached = (np.all(each, axis=-1) for each in (inside, reached))
+    return inside[..., None], reached[..., None]
+
+
+def _stick(given: Push, consistent: Found) -> Candidates:
     return Candidates(
         mode=ContactMode.STICK,
-        consistent=scene.contact.force_angles.contains(angle),
+        consistent=consistent & given.moves,
         twist=given.twist[..., None, :],
         force=given.force[..., None, :],
         spin_ratio=given.spin_ratio[..., None],
@@ -229,19 +261,18 @@ def _modes(scene: Scene, given: Push, slips: tuple[Slip, Slip] | None) -> Modes:
     motion of that edge apart by the cone's condition number, so there a stick counts where no slip does,
     and a slip that vanishes counts as the stick.
     """
-    stick = _stick(scene, given)
+    inside, reached = _transmits(scene, given)
     if slips is None:
-        return _separate(given), replace(stick, consistent=stick.consistent & given.moves)
+        held = reached if scene.contact.force_angles.closed else inside
+        return _separate(given), _stick(given, held)
     (right, left_edge), (left, right_edge) = slips
-    inside = replace(scene.contact.force_angles, closed=False).contains(stick.force_angle)
     slides = right.consistent.any(axis=-1) | left.consistent.any(axis=-1)
     # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
     left_edge &= ~left.consistent.any(axis=-1)
     right_edge &= ~right.consistent.any(axis=-1)
     at_edge = np.asarray(left_edge | right_edge)[..., None]
-    sticks = inside | (stick.consistent & ~np.asarray(slides)[..., None]) | at_edge
-    stick = replace(stick, consistent=sticks & given.moves)
-    return _separate(given), stick, right, left
+    held = inside | (reached & ~np.asarray(slides)[..., None]) | at_edge
+    return _separate(given), _stick(given, held), right, left
 
 
 def outcomes(found: Modes) -> npt.NDArray[np.int8]:

@@ -74,6 +74,19 @@ def moment_arm(
     return np.asarray(np.multiply(rod_length, sine))
 
 
+def parts_along_rod(rod_angle: float, vectors: Array) -> tuple[Array, Array]:
+    """Parts of unit vectors, shape S + (2,), along the rod and along its right-hand normal, shape S.
+
+    The products are exact where the rod or the vector lies on an axis, and keep a part as small as the
+    smallest double; elsewhere they would cancel where the difference of the angles does not.
+    """
+    rod = direction(rod_angle)
+    along, aside = vectors @ rod, vectors @ np.array([rod[1], -rod[0]])
+    lean = rod_angle - np.arctan2(vectors[..., 1], vectors[..., 0])
+    on_axis = (vectors == 0).any(axis=-1) | (rod == 0).any()
+    return np.where(on_axis, along, np.cos(lean)), np.where(on_axis, aside, np.sin(lean))
+
+
 def contact_motion_angle(
     force_angle: npt.ArrayLike,
     spin_ratio: npt.ArrayLike,

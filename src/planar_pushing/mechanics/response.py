@@ -203,7 +203,9 @@ def _leverages(effects: Effects) -> list[float]:
     return [float(q) for effect in effects for q in arms / effect.spin_ratio(arms)]
 
 
-def sustained_twist(resisting: Resistance, rod_length: float, lean: Array) -> Array:
+def sustained_twist(
+    resisting: Resistance, rod_length: float, along: Array, aside: Array
+) -> tuple[Array, Array]:
     """Twist that moves the contact by one unit under a force through the contact.
 
     Parameters
@@ -212,13 +214,15 @@ def sustained_twist(resisting: Resistance, rod_length: float, lean: Array) -> Ar
         Weights of shape S.
     rod_length : float
         In units of R.
-    lean : ndarray, shape S
-        Rod angle minus the angle of the contact's motion, radians.
+    along, aside : ndarray, shape S
+        Parts of the contact's unit motion along the rod and along its right-hand normal.
 
     Returns
     -------
-    ndarray, shape S + (3,)
+    twist : ndarray, shape S + (3,)
         Velocity of the centre along the rod, velocity along the rod's right-hand normal, R omega.
+    carried : ndarray, shape S
+        Part of `aside` that the centre takes, in (0, 1]; the rotation takes the rest.
 
     Notes
     -----
@@ -228,8 +232,7 @@ def sustained_twist(resisting: Resistance, rod_length: float, lean: Array) -> Ar
     and from which neither part of the motion across the rod is a difference.
     """
     ends = [q for kind in resisting.kinds for q in _leverages(kind)]
-    shape = np.broadcast_shapes(np.shape(lean), *(weight.shape for weight in resisting.weights))
-    along, aside = np.broadcast_to([np.cos(lean), np.sin(lean)], (2, *shape))
+    along, aside, *weights = np.broadcast_arrays(along, aside, *resisting.weights)
 
     def twist(leverage: Array, along: Array, aside: Array) -> Array:
         part = aside / (rod_length**2 + leverage)
@@ -239,6 +242,6 @@ def sustained_twist(resisting: Resistance, rod_length: float, lean: Array) -> Ar
         wrench = replace(resisting, weights=weights).wrench(twist(q, along, aside))
         return np.asarray(np.copysign(1.0, aside) * (rod_length * wrench[..., 1] - wrench[..., 2]))
 
-    low, high = np.full(shape, min(ends) / 2), np.full(shape, max(ends) * 2)
-    leverage = root(torque_about_contact, low, high, (along, aside, *resisting.weights))
-    return twist(leverage, along, aside)
+    low, high = np.array(min(ends) / 2), np.array(max(ends) * 2)
+    leverage = root(torque_about_contact, low, high, (along, aside, *weights))
+    return twist(leverage, along, aside), leverage / (rod_length**2 + leverage)

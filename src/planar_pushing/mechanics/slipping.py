@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -19,8 +20,10 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.planar import Array, direction, moment_arm
 from planar_pushing.mechanics.roots import bracketed_minimum
 
-#: Steps towards the ends of the range of spin ratios and towards a kink, as parts of the range.
-GRADING = np.concatenate([10.0 ** -np.arange(7, 2, -0.5), np.linspace(2e-3, 0.5, 120)])
+#: Where a range of spin ratios is looked at: in even steps, as parts of it, and next to its ends at
+#: distances that grow by a factor, from a part of the end's own size.
+EVEN = np.linspace(2e-3, 1 - 2e-3, 240)
+GROWTH, CLOSEST = 10.0**0.25, 1e-7
 
 SMALLEST = np.finfo(float).smallest_subnormal
 #: Below this spin ratio a motion is a translation to the last place, whatever its speed.
@@ -80,6 +83,7 @@ class _Edges:
         end = np.copysign(np.inf, advance)
         if nodes.size and advance == 0:  # then n . u stays finite as the motion grows
             fast, end = nodes[-1], values[-1]
+        nodes, values = np.array([slow, *nodes, fast]), np.array([0.0, *values, end])
         rise = np.sign(np.diff(values))
         turns = np.nonzero(rise[1:] * rise[:-1] < 0)[0]
         peaks = [self._extremum(nodes[i], nodes[i + 2], -rise[i]) for i in turns]
@@ -87,15 +91,15 @@ class _Edges:
         return ends, np.array([0.0, *self.normal_motion(ends[1:-1]), end])
 
     def _nodes(self, slow: float, fast: float) -> Array:
-        """Spin ratios at which an edge is looked at for extrema; none where its range is a point."""
-        if abs(fast - slow) <= 1e-6 * slow or slow < VANISHING:
+        """Spin ratios at which an edge is looked at for extrema, between its ends, kinks and turn."""
+        low, high = sorted((slow, fast))
+        if low < VANISHING:
             return np.empty(0)
         kinks = [kink for kind in self.kinds for effect in kind for kink in effect.kinks]
-        places = [(kink - slow) / (fast - slow) for kink in kinks]
-        near = [place + side * GRADING for place in places for side in (-1, 1)]
-        parts = np.unique(np.concatenate([GRADING, 1 - GRADING, *near]))
-        inside = (parts >= GRADING[0]) & (parts <= 1 - GRADING[0])
-        return np.asarray(slow + (fast - slow) * parts[inside])
+        along_fence = self.normal / self.lever if self.lever else np.inf
+        marks = [low, *sorted(k for k in {*kinks, float(along_fence)} if low < k < high), high]
+        nodes = np.concatenate([marks[1:-1], *(_graded(*pair) for pair in pairwise(marks))])
+        return np.sort(nodes)[:: 1 if slow < fast else -1]
 
     def _extremum(self, low: float, high: float, sign: float) -> float:
         """Where the normal motion has its minimum (sign 1) or maximum (sign -1) between two nodes."""
@@ -146,6 +150,22 @@ class _Edges:
         args = (normal_motion, *resisting.weights, *edge)
         found = response.root(excess, np.minimum(k1, k2), np.maximum(k1, k2), args)
         return found, between | (level == g2)
+
+
+def _graded(low: float, high: float) -> Array:
+    """Spin ratios between two marks; one where the marks are too close to tell more apart."""
+    width = high - low
+    if width <= 1e-6 * low:
+        return np.array([low + width / 2])
+    even = low + width * EVEN
+    near = [_growing(CLOSEST * end, EVEN[0] * width) for end in (low, high)]
+    return np.concatenate([low + near[0], even, high - near[1]])
+
+
+def _growing(first: float, last: float) -> Array:
+    """Numbers from first to below last that grow by `GROWTH`; none where first is not below."""
+    steps = np.log(last / first) / np.log(GROWTH)
+    return np.asarray(first * GROWTH ** np.arange(max(0.0, steps)))
 
 
 def _speed(
