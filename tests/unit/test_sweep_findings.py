@@ -84,3 +84,21 @@ def test_long_rod_along_the_fence(length, gyration_radius, pusher, size, modes):
     inertia = [pp.Inertia(gyration_radius=gyration_radius)] if gyration_radius else []
     rod = scene(length, FLAT, INFINITE, pp.RingFriction(), *inertia)
     assert names(pp.solve(rod, pusher, size)) == modes
+
+
+@pytest.mark.parametrize("length", [1e-5, 1e-20, 1e-43])
+def test_slip_whose_normal_motion_has_a_plateau(length):
+    """Between spin ratios of 1 and 1 / l friction has no more torque to give: n . u is even to rounding."""
+    effects = pp.RingFriction(), pp.Inertia(gyration_radius=length**1.5)
+    rod = scene(length, 1.8, 1.0, *effects)
+    found = pp.solve(rod, np.pi - 1e-3)
+    assert names(found) == ["SLIP_RIGHT"]
+    friction = pp.spin_ratio(scene(length, 1.8, 1.0, pp.RingFriction()), 3 * np.pi / 4)
+    (slip,) = found
+    assert slip.spin_ratio == pytest.approx(friction, rel=0.1)
+
+
+def test_torque_beyond_the_doubles_is_no_warning():
+    """That of a slip which is none; the stick is the answer."""
+    rod = scene(1e67, np.pi / 2, 1.9e281, pp.Inertia(gyration_radius=2e64))
+    assert names(pp.solve(rod, 1.0)) == ["STICK"]

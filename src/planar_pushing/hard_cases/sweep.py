@@ -39,7 +39,7 @@ class Budget:
     decided: int
 
 
-FULL = Budget(kernels=1_000_000, scenes=1000, pushers=1000, scalar=2000, decided=4000)
+FULL = Budget(kernels=1_000_000, scenes=5000, pushers=200, scalar=5000, decided=10_000)
 
 
 def sweep(budget: Budget, seed: int = 1995) -> Counts:

@@ -195,6 +195,7 @@ def _slips(scene: Scene, laws: Sequence[ContactLaw], given: Push) -> Iterator[tu
     with np.errstate(over="ignore", invalid="ignore"):
         twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
         motion = contact_motion(scene, twist)
+        force = resisting.branches().profile(np.abs(ratio), speed)[0][..., None] * heading
     for law, its_motion in zip(laws, motion, strict=True):
         if not np.isfinite(its_motion).all():
             raise InvalidValue(
@@ -205,7 +206,6 @@ def _slips(scene: Scene, laws: Sequence[ContactLaw], given: Push) -> Iterator[tu
     slip = side * (motion[..., 0] - given.pusher[..., :1])
     consistent = exists & (slip > COINCIDENCE)
     at_edge = np.any(exists & (np.abs(slip) <= COINCIDENCE), axis=-1)
-    force = resisting.branches().profile(np.abs(ratio), speed)[0][..., None] * heading
     for i in range(len(laws)):
         right, left = (
             Candidates(

@@ -26,8 +26,8 @@ EVEN = np.linspace(2e-3, 1 - 2e-3, 240)
 GROWTH, CLOSEST = 10.0**0.25, 1e-7
 
 SMALLEST = np.finfo(float).smallest_subnormal
-#: Below this spin ratio a motion is a translation to the last place, whatever its speed.
-VANISHING = 1e-100
+#: Below this spin ratio what is left of the torques in doubles is too coarse to look at.
+VANISHING = 1e-290
 
 #: Centre speed, spin ratio, and whether there is such a motion; shape S + (branches,) each.
 SlipMotions = tuple[Array, Array, npt.NDArray[np.bool_]]
@@ -84,9 +84,11 @@ class _Edges:
         if nodes.size and advance == 0:  # then n . u stays finite as the motion grows
             fast, end = nodes[-1], values[-1]
         nodes, values = np.array([slow, *nodes, fast]), np.array([0.0, *values, end])
-        rise = np.sign(np.diff(values))
-        turns = np.nonzero(rise[1:] * rise[:-1] < 0)[0]
-        peaks = [self._extremum(nodes[i], nodes[i + 2], -rise[i]) for i in turns]
+        rise = np.diff(values)
+        steps = np.flatnonzero(np.abs(rise) > RESOLUTION * np.abs(values[:-1]))  # none on a plateau
+        rise = np.sign(rise)
+        turns = [(i, j) for i, j in pairwise(steps) if rise[i] != rise[j]]
+        peaks = [self._extremum(nodes[i], nodes[j + 1], -rise[i]) for i, j in turns]
         ends = np.array([slow, *peaks, fast])
         return ends, np.array([0.0, *self.normal_motion(ends[1:-1]), end])
 
@@ -103,7 +105,10 @@ class _Edges:
 
     def _extremum(self, low: float, high: float, sign: float) -> float:
         """Where the normal motion has its minimum (sign 1) or maximum (sign -1) between two nodes."""
-        return bracketed_minimum(lambda k: sign * self.normal_motion(k), low, high)
+        ends = np.log([low, high]).tolist()  # a plateau may reach over many decades
+        return float(
+            np.exp(bracketed_minimum(lambda x: sign * self.normal_motion(np.exp(x)), *ends))
+        )
 
     def roots(self, resisting: response.Resistance, normal_motion: Array) -> SlipMotions:
         """Every motion with these normal parts, in units of `resisting`, of edges of shape (n, 1, ...)."""
