@@ -158,17 +158,17 @@ def _transmits(scene: Scene, given: Push) -> tuple[Found, Found]:
     bounds = direction([cone.right, cone.left, (cone.right + cone.left) / 2])
     (right, left, middle), (below, above, beside) = parts_along_rod(scene.slider.rod_angle, bounds)
     # Turn of the force from the right edge, its turn to the left edge, its part along the middle.
-    conditions = np.array([[below, -right], [-above, left], [middle, beside]])
-    depth = given.center @ conditions.T
-    reach = np.stack([np.ones_like(given.carried), given.carried], axis=-1)
-    speed = np.hypot(given.center[..., 0], given.center[..., 1])[..., None]
-    rounded = np.where((bounds == 0).any(axis=-1), 0.0, speed)
-    noise = RESOLUTION * (reach @ np.abs(conditions).T + rounded)
+    of_each = np.array([[below, -right], [-above, left], [middle, beside]]).T
+    ahead, aside = of_each.reshape(2, 3, *(1 for _ in given.carried.shape))
+    v, w = np.moveaxis(given.center, -1, 0)
+    rounded = np.where((bounds == 0).any(axis=-1).reshape(ahead.shape), 0.0, np.hypot(v, w))
+    noise = RESOLUTION * (np.abs(ahead) + given.carried * np.abs(aside) + rounded)
+    depth = v * ahead + w * aside
     inside, reached = depth > noise, depth >= -noise
     if cone.span > np.pi:
-        inside, reached = (np.any(each[..., :2], axis=-1) for each in (inside, reached))
+        inside, reached = inside[:2].any(axis=0), reached[:2].any(axis=0)
     else:
-        inside, reached = (np.all(each, axis=-1) for each in (inside, reached))
+        inside, reached = inside.all(axis=0), reached.all(axis=0)
     return inside[..., None], reached[..., None]
 
 

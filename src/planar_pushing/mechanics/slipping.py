@@ -86,9 +86,10 @@ class _Edges:
         nodes, values = np.array([slow, *nodes, fast]), np.array([0.0, *values, end])
         rise = np.diff(values)
         steps = np.flatnonzero(np.abs(rise) > RESOLUTION * np.abs(values[:-1]))  # none on a plateau
-        rise = np.sign(rise)
-        turns = [(i, j) for i, j in pairwise(steps) if rise[i] != rise[j]]
-        peaks = [self._extremum(nodes[i], nodes[j + 1], -rise[i]) for i, j in turns]
+        rises = np.sign(rise[steps])
+        turns = np.flatnonzero(np.diff(rises))
+        spans = zip(nodes[steps[turns]], nodes[steps[turns + 1] + 1], rises[turns], strict=True)
+        peaks = [self._extremum(low, high, -up) for low, high, up in spans]
         ends = np.array([slow, *peaks, fast])
         return ends, np.array([0.0, *self.normal_motion(ends[1:-1]), end])
 
