@@ -155,6 +155,11 @@ def test_open_unknown_scene(results, name):
         pp.open_dataset(name, results)
 
 
+def test_open_part_of_a_dataset_that_has_none(results):
+    with pytest.raises(pp.InvalidValue, match="allowed: contact_modes; name one of these"):
+        pp.open_dataset("contact_modes/force", results)
+
+
 def test_open_dataset_that_is_not_built(tmp_path):
     with pytest.raises(pp.InvalidFile, match="no such dataset; build it with make or snakemake"):
         pp.open_dataset("motion_cones", tmp_path)
@@ -163,7 +168,13 @@ def test_open_dataset_that_is_not_built(tmp_path):
 def test_open_damaged_dataset(tmp_path):
     (tmp_path / "data").mkdir()
     (tmp_path / "data/motion_cones.nc").write_bytes(b"not netCDF")
-    with pytest.raises(pp.InvalidFile, match=r"is not a netCDF4 file .* build it anew"):
+    with pytest.raises(pp.InvalidFile, match=r"cones\.nc: is not a netCDF4 file; build it anew"):
+        pp.open_dataset("motion_cones", tmp_path)
+
+
+def test_open_folder_in_place_of_a_dataset(tmp_path):
+    (tmp_path / "data/motion_cones.nc").mkdir(parents=True)
+    with pytest.raises(pp.InvalidFile, match=r"is not a netCDF4 file \(Is a directory\); build it"):
         pp.open_dataset("motion_cones", tmp_path)
 
 

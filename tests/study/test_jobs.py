@@ -44,5 +44,5 @@ def test_an_error_of_ours_is_one_line_without_a_traceback(tmp_path):
 
 
 def test_a_job_collects_no_garbage(tmp_path):
-    body = "import gc; assert not gc.isenabled()"
+    body = "import gc; assert not gc.isenabled()\nassert gc.get_freeze_count() > 0"
     assert run(body, tmp_path / "job.log").returncode == 0

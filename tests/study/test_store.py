@@ -112,7 +112,7 @@ def test_groups_and_attributes_are_listed(path):
 @pytest.mark.parametrize("group", ["angle", "absent"])
 def test_a_group_that_is_none_is_named(path, group):
     write_dataset(DATASET, path)
-    with pytest.raises(InvalidFile, match=f"is not group '{group}' of a netCDF4 file"):
+    with pytest.raises(InvalidFile, match=f"has no group '{group}'; build it anew"):
         read_dataset(path, group)
 
 

@@ -48,13 +48,19 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
             return hdf5.read_variables(file, group)
     except FileNotFoundError:
         raise _missing(path) from None
-    except (OSError, KeyError) as error:
-        what = f"group {group!r} of a netCDF4 file" if group else "a netCDF4 file"
-        raise InvalidFile(f"{path}: is not {what} ({error}); build it anew") from None
+    except KeyError:
+        raise InvalidFile(f"{path}: has no group {group!r}; build it anew") from None
+    except OSError as error:
+        raise _unreadable(path, error) from None
 
 
 def _missing(path: PathLike) -> InvalidFile:
     return InvalidFile(f"{path}: no such dataset; build it with make or snakemake")
+
+
+def _unreadable(path: PathLike, error: OSError) -> InvalidFile:
+    reason = f" ({os.strerror(error.errno)})" if error.errno else ""
+    return InvalidFile(f"{path}: is not a netCDF4 file{reason}; build it anew")
 
 
 def group_names(path: PathLike) -> list[str]:
@@ -65,7 +71,7 @@ def group_names(path: PathLike) -> list[str]:
     except FileNotFoundError:
         raise _missing(path) from None
     except OSError as error:
-        raise InvalidFile(f"{path}: is not a netCDF4 file ({error}); build it anew") from None
+        raise _unreadable(path, error) from None
 
 
 def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
@@ -98,9 +104,8 @@ def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
         allowed = ", ".join([*DATASETS, f"{SIMULATIONS}/NAME"])
         raise InvalidValue("name", name, allowed, "name one of these datasets")
     path = Path(results) / dataset_file(name)
-    if stem == "scenes" and path.is_file():
-        names = group_names(path)
-        if group not in names:
-            allowed = ", ".join(f"scenes/{each}" for each in names)
-            raise InvalidValue("name", name, allowed, "name one of these scenes")
+    if (group or stem == "scenes") and path.is_file():
+        parts = [f"{stem}/{each}" for each in group_names(path)] or [stem]
+        if name not in parts:
+            raise InvalidValue("name", name, ", ".join(parts), "name one of these")
     return read_dataset(path, group or None)
