@@ -73,7 +73,7 @@ class Push:
     moves : ndarray of bool, shape S + (1,)
     twist, force, spin_ratio : ndarray, shapes S + (3,), S + (2,), S
         Of the slider that follows the pusher; units as in `Candidates`.
-    center : ndarray, shape S + (2,)
+    center_motion : ndarray, shape S + (2,)
         The centre's motion along the rod and along its right-hand normal, neither a difference.
     carried : ndarray, shape S
         Part of the pusher's motion across the rod that the centre takes, in (0, 1].
@@ -85,7 +85,7 @@ class Push:
     twist: Array
     force: Array
     spin_ratio: Array
-    center: Array
+    center_motion: Array
     carried: Array
 
 
@@ -142,7 +142,7 @@ def push(
         twist=along_rod @ axes,
         force=resisting.wrench(along_rod)[..., :2] @ axes[:2, :2],
         spin_ratio=spin_ratio_of(along_rod),
-        center=along_rod[..., :2],
+        center_motion=along_rod[..., :2],
         carried=carried,
     )
 
@@ -160,7 +160,7 @@ def _transmits(scene: Scene, given: Push) -> tuple[Found, Found]:
     # Turn of the force from the right edge, its turn to the left edge, its part along the middle.
     of_each = np.array([[below, -right], [-above, left], [middle, beside]]).T
     ahead, aside = of_each.reshape(2, 3, *(1 for _ in given.carried.shape))
-    v, w = np.moveaxis(given.center, -1, 0)
+    v, w = np.moveaxis(given.center_motion, -1, 0)
     rounded = np.where((bounds == 0).any(axis=-1).reshape(ahead.shape), 0.0, np.hypot(v, w))
     noise = RESOLUTION * (np.abs(ahead) + given.carried * np.abs(aside) + rounded)
     depth = v * ahead + w * aside

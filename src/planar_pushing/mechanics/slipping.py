@@ -24,6 +24,8 @@ from planar_pushing.mechanics.roots import bracketed_minimum
 #: distances that grow by a factor, from a part of the end's own size.
 EVEN = np.linspace(2e-3, 1 - 2e-3, 240)
 GROWTH, CLOSEST = 10.0**0.25, 1e-7
+#: Spin ratios closer than this, relative to their size, leave rounding little room between them.
+NARROW = 1e-6
 
 SMALLEST = np.finfo(float).smallest_subnormal
 #: Below this spin ratio what is left of the torques in doubles is too coarse to look at.
@@ -98,9 +100,12 @@ class _Edges:
         low, high = sorted((slow, fast))
         if low < VANISHING:
             return np.empty(0)
-        kinks = [kink for kind in self.kinds for effect in kind for kink in effect.kinks]
-        along_fence = self.normal / self.lever if self.lever else np.inf
-        marks = [low, *sorted(k for k in {*kinks, float(along_fence)} if low < k < high), high]
+        kinks = (kink for kind in self.kinds for effect in kind for kink in effect.kinks)
+        inside = {k for k in kinks if min(k - low, high - k) > NARROW * k}
+        along_fence = float(self.normal / self.lever) if self.lever else np.inf
+        if low < along_fence < high:
+            inside.add(along_fence)
+        marks = [low, *sorted(inside), high]
         nodes = np.concatenate([marks[1:-1], *(_graded(*pair) for pair in pairwise(marks))])
         return np.sort(nodes)[:: 1 if slow < fast else -1]
 
@@ -161,7 +166,7 @@ class _Edges:
 def _graded(low: float, high: float) -> Array:
     """Spin ratios between two marks; one where the marks are too close to tell more apart."""
     width = high - low
-    if width <= 1e-6 * low:
+    if width <= NARROW * low:
         return np.array([low + width / 2])
     even = low + width * EVEN
     near = [_growing(CLOSEST * end, EVEN[0] * width) for end in (low, high)]
