@@ -196,12 +196,7 @@ def _slips(scene: Scene, laws: Sequence[ContactLaw], given: Push) -> Iterator[tu
         twist = speed[..., None] * np.concatenate([heading, ratio[..., None]], axis=-1)
         motion = contact_motion(scene, twist)
         force = resisting.branches().profile(np.abs(ratio), speed)[0][..., None] * heading
-    for law, its_motion in zip(laws, motion, strict=True):
-        if not np.isfinite(its_motion).all():
-            raise InvalidValue(
-                "friction_coefficient", friction_coefficient(law),
-                "one under which the slips are doubles", "use the law of infinite friction",
-            )  # fmt: skip
+    _require_doubles(laws, motion)
     side = np.array([1, -1]).reshape(2, *over_pushes[2:])
     slip = side * (motion[..., 0] - given.pusher[..., :1])
     consistent = exists & (slip > COINCIDENCE)
@@ -219,6 +214,15 @@ def _slips(scene: Scene, laws: Sequence[ContactLaw], given: Push) -> Iterator[tu
             for j, mode in enumerate(SLIPS)
         )
         yield (right, at_edge[i, 0]), (left, at_edge[i, 1])
+
+
+def _require_doubles(laws: Sequence[ContactLaw], motions: Array) -> None:
+    for law, motion in zip(laws, motions, strict=True):
+        if not np.isfinite(motion).all():
+            raise InvalidValue(
+                "friction_coefficient", friction_coefficient(law),
+                "one under which the slips are doubles", "use the law of infinite friction",
+            )  # fmt: skip
 
 
 def candidates(
