@@ -85,7 +85,8 @@ class _Edges:
         end = np.copysign(np.inf, advance)
         if nodes.size and advance == 0:  # then n . u stays finite as the motion grows
             fast, end = nodes[-1], values[-1]
-        nodes, values = np.array([slow, *nodes, fast]), np.array([0.0, *values, end])
+        nodes = np.concatenate([[slow], nodes, [fast]])
+        values = np.concatenate([[0.0], values, [end]])
         rise = np.diff(values)
         steps = np.flatnonzero(np.abs(rise) > RESOLUTION * np.abs(values[:-1]))  # none on a plateau
         rises = np.sign(rise[steps])
