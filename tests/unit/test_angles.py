@@ -11,6 +11,7 @@ from planar_pushing.mechanics.planar import (
     direction,
     moment_arm,
     motion_center,
+    parts_along_rod,
 )
 from unit.builders import PSI
 
@@ -76,6 +77,20 @@ def test_moment_arm_sign():
     assert moment_arm(2.0, PSI, 0.0) == pytest.approx(np.sqrt(2))
     assert moment_arm(2.0, PSI, np.pi / 2) == pytest.approx(-np.sqrt(2))
     assert moment_arm(2.0, PSI, PSI) == 0
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_parts_along_an_upright_rod_are_exact(side):
+    along, aside = parts_along_rod(np.pi / 2, np.array([side, 5e-324]))
+    assert (along, aside) == (5e-324, side)
+
+
+@pytest.mark.parametrize("lean", [0.0, 1e-13, -1e-9, 0.3, np.pi / 2 + 1e-12])
+def test_parts_along_a_leaning_rod_do_not_cancel(lean):
+    """Known to the rounding of the angles, about 1e-16."""
+    along, aside = parts_along_rod(PSI, direction([PSI - lean]))
+    assert along == pytest.approx(np.cos(lean), rel=1e-15, abs=4e-16)
+    assert aside == pytest.approx(np.sin(lean), rel=1e-15, abs=4e-16)
 
 
 def test_infinite_spin_ratio_moves_the_contact_across_the_rod():
