@@ -118,3 +118,21 @@ def test_scan_sees_the_two_slips_of_the_published_example():
     assert scan.across.min() == pytest.approx(-0.0400296, abs=1e-6)
     assert scan.crossings(-0.03).size == 2
     assert scan.crossings(0.01).size == 1
+
+
+def test_four_slips_while_the_motion_centre_crosses_the_ring():
+    """Next to k = 1 the torque of friction changes fast enough for n . u to turn twice within 5e-5."""
+    length, psi, phi, rho = (
+        0.5130212627321971,
+        2.1793295774327346,
+        2.813831984976355,
+        0.19392821393963708,
+    )
+    target, k = 0.0476228, np.array([0.54, 0.85, 1 - 2.3e-5, 1 + 2.3e-5, 8.0])
+    arm, (force, torque) = abs(length * np.sin(psi - phi)), friction_profile(k)
+    speed = (torque - arm * force) / (arm - rho**2 * k)
+    above = speed * (np.sin(phi) + k * length * np.cos(psi)) > target
+    assert above.tolist() == [False, True, False, True, False]
+    effects = pp.RingFriction(), pp.Inertia(gyration_radius=rho)
+    scene = make_scene(length, -1 / np.tan(phi), effects, psi)
+    assert slip_count(scene, np.array([-10.0, target]), pp.ContactMode.SLIP_RIGHT) == 4

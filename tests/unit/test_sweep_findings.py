@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import planar_pushing as pp
+from planar_pushing.mechanics.response import resistance
+from planar_pushing.mechanics.slipping import slip_motions
 from unit.builders import INFINITE, make_scene, names, numbers
 
 
@@ -102,3 +105,35 @@ def test_torque_beyond_the_doubles_is_no_warning():
     """That of a slip which is none; the stick is the answer."""
     rod = scene(1e67, np.pi / 2, 1.9e281, pp.Inertia(gyration_radius=2e64))
     assert names(pp.solve(rod, 1.0)) == ["STICK"]
+
+
+@pytest.mark.parametrize("beyond", [1e-12, 1e-9, 1e-6, 1e-3])
+def test_long_rod_along_an_edge_of_the_friction_cone(beyond):
+    """An ulp of the edge's angle, an arc tangent, moves the motion cone by l^2 ulp."""
+    rod = scene(1e9, np.nextafter(np.pi / 4, 1.0), 1.0, pp.Inertia())
+    found = names(pp.solve(rod, pp.motion_cone(rod).right + beyond))
+    assert [name for name in found if name != "SEPARATE"] == ["SLIP_LEFT"]
+
+
+@pytest.mark.parametrize("steepness", [1e-3, 1e-6, 1e-9])
+def test_slip_next_to_friction_that_moves_along_the_fence(steepness):
+    """The motion under friction leaves the fence by a small angle, under inertia it enters it."""
+    length, psi = 2.0, 1.0
+    leaves = brentq(
+        lambda mu: pp.motion_cone(scene(length, psi, mu, pp.RingFriction())).right - steepness,
+        0.1,
+        3,
+    )
+    rod = scene(length, psi, leaves, pp.RingFriction(), pp.Inertia(gyration_radius=0.3))
+    assert pp.motion_cone(rod).right < -0.1
+    found = pp.solve(rod, steepness / 1000, steepness / 1000)
+    assert names(found) == ["SLIP_LEFT"]
+
+
+@pytest.mark.parametrize("length", 10.0 ** np.arange(-60, 61, 10))
+@pytest.mark.parametrize("part", [1e-9, 1e-4, 1e4, 1e9])
+def test_a_plateau_is_not_cut_at_its_rounding(length, part):
+    """Friction's torque is even to rounding over many decades; each turn of n . u would be a branch."""
+    effects = pp.RingFriction(), pp.Inertia(gyration_radius=length * part)
+    _, spin_ratio, _ = slip_motions(resistance(effects), length, 1.8, 2.5, 1e-3)
+    assert spin_ratio.shape[-1] <= 2

@@ -101,21 +101,15 @@ class _Edges:
         low, high = sorted((slow, fast))
         if low < VANISHING:
             return np.empty(0)
-        kinks = (kink for kind in self.kinds for effect in kind for kink in effect.kinks)
-        inside = {k for k in kinks if min(k - low, high - k) > NARROW * k}
+        kinks = [kink for kind in self.kinds for effect in kind for kink in effect.kinks]
         along_fence = float(self.normal / self.lever) if self.lever else np.inf
-        if low < along_fence < high:
-            inside.add(along_fence)
-        marks = [low, *sorted(inside), high]
+        marks = [low, *sorted(k for k in {*kinks, along_fence} if low < k < high), high]
         nodes = np.concatenate([marks[1:-1], *(_graded(*pair) for pair in pairwise(marks))])
         return np.sort(nodes)[:: 1 if slow < fast else -1]
 
     def _extremum(self, low: float, high: float, sign: float) -> float:
         """Where the normal motion has its minimum (sign 1) or maximum (sign -1) between two nodes."""
-        ends = np.log([low, high]).tolist()  # a plateau may reach over many decades
-        return float(
-            np.exp(bracketed_minimum(lambda x: sign * self.normal_motion(np.exp(x)), *ends))
-        )
+        return bracketed_minimum(lambda k: sign * self.normal_motion(k), low, high)
 
     def roots(self, resisting: response.Resistance, normal_motion: Array) -> SlipMotions:
         """Every motion with these normal parts, in units of `resisting`, of edges of shape (n, 1, ...)."""
