@@ -12,7 +12,7 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactLaw, ContactMode, Outcome
 from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.mechanics.planar import Array, direction, parts_along_rod
+from planar_pushing.mechanics.planar import Array, direction, moment_arm, parts_along_rod
 from planar_pushing.mechanics.response import (
     Resistance,
     resistance,
@@ -150,19 +150,18 @@ def push(
 def _transmits(scene: Scene, given: Push) -> tuple[Found, Found]:
     """Whether the contact transmits the force that sticks, shape S + (1,): inside its cone, or on an edge.
 
-    The force is along the centre's motion. That motion is known as well as the pusher's direction, to
-    `RESOLUTION`, of which a long rod carries a small part; an edge of the cone is known that well where
-    it lies on no axis.
+    The force is along the centre's motion, which is known as well as the pusher's direction, to
+    `RESOLUTION`, of which a long rod carries a small part.
     """
-    cone = scene.contact.force_angles
-    bounds = direction([cone.right, cone.left, (cone.right + cone.left) / 2])
-    (right, left, middle), (below, above, beside) = parts_along_rod(scene.slider.rod_angle, bounds)
+    cone, rod_angle = scene.contact.force_angles, scene.slider.rod_angle
+    bounds = [cone.right, cone.left, (cone.right + cone.left) / 2]
+    (right, left, middle), _ = parts_along_rod(rod_angle, direction(bounds))
+    below, above, beside = moment_arm(1.0, rod_angle, bounds)  # to the same rounding as in a slip
     # Turn of the force from the right edge, its turn to the left edge, its part along the middle.
     of_each = np.array([[below, -right], [-above, left], [middle, beside]]).T
     ahead, aside = of_each.reshape(2, 3, *(1 for _ in given.carried.shape))
     v, w = np.moveaxis(given.center_motion, -1, 0)
-    rounded = np.where((bounds == 0).any(axis=-1).reshape(ahead.shape), 0.0, np.hypot(v, w))
-    noise = RESOLUTION * (np.abs(ahead) + given.carried * np.abs(aside) + rounded)
+    noise = RESOLUTION * (np.abs(ahead) + given.carried * np.abs(aside))
     depth = v * ahead + w * aside
     inside, reached = depth > noise, depth >= -noise
     if cone.span > np.pi:
