@@ -1,0 +1,91 @@
+"""The decorators of the compiled core, and where its cache lives.
+
+A formula is a function of numbers. `compiled` hands it to numba; with ``NUMBA_DISABLE_JIT=1`` it stays
+the Python function that it is. `generic` chooses a body by the type of the first argument, in compiled
+code as in Python: what a scene does not list is not compiled into its functions.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import llvmlite.binding
+import numba
+from numba.core import types
+from numba.extending import overload
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+#: Packages whose sources are compiled. Numba's cache sees changes in a function's own file only; the
+#: digest of all these files keeps stale callees out.
+SOURCES = ("mechanics", "simulation")
+PACKAGE = Path(__file__).parents[1]
+
+
+def _digest() -> str:
+    """Digest of the compiled sources, of the compiler and of the processor."""
+    digest = hashlib.sha256(f"{numba.__version__} {llvmlite.binding.get_host_cpu_name()}".encode())
+    for path in sorted(path for name in SOURCES for path in (PACKAGE / name).rglob("*.py")):
+        digest.update(f"{path.relative_to(PACKAGE)}\0".encode() + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _folder() -> str:
+    """Folder of the cache: beside the sources where they can be written, else the user's own."""
+    users = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"))
+    name = f"compiled-{_digest()}"
+    for base in (PACKAGE / "__pycache__", users / "planar-pushing", Path(tempfile.gettempdir())):
+        try:
+            (base / name).mkdir(parents=True, exist_ok=True)
+        except OSError:
+            continue
+        if os.access(base / name, os.W_OK):
+            return str(base / name)
+    raise OSError("no folder for compiled code can be written; set XDG_CACHE_HOME to one that can")
+
+
+CACHE = _folder()
+
+
+def compiled(function: Function) -> Function:
+    """Compile a function of numbers, without fast mathematics: every run gives the same results."""
+    before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, CACHE
+    try:
+        made = numba.njit(nogil=True, error_model="numpy", cache=True)(function)
+    finally:
+        numba.config.CACHE_DIR = before
+    return made  # type: ignore[no-any-return]
+
+
+def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
+    """Make a function whose body `choose` picks by the kind of its first argument.
+
+    The kind of a named tuple is its class, that of a plain tuple the tuple of its entries' kinds.
+    """
+
+    @functools.wraps(choose)
+    def function(first: Any, *rest: Any) -> Any:
+        return choose(_kind(first))(first, *rest)
+
+    def typed(first: Any, *rest: Any) -> Any:
+        body = choose(_kind_of_type(first))
+        return lambda first, *rest: body(first, *rest)
+
+    overload(function, strict=False)(typed)
+    return function
+
+
+def _kind(value: Any) -> Any:
+    return tuple(map(_kind, value)) if type(value) is tuple else type(value)
+
+
+def _kind_of_type(kind: types.Type) -> Any:
+    if hasattr(kind, "instance_class"):
+        return kind.instance_class
+    return tuple(map(_kind_of_type, kind.types))

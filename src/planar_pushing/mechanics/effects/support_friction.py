@@ -1,0 +1,63 @@
+"""Friction between the slider and its support, of degree 1 (Eqs. 2-3)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.domain import Number, required
+from planar_pushing.mechanics.effects.base import MAKERS, RESPONSES, WEIGHT
+from planar_pushing.mechanics.supports.ring import ring_response
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RingFriction:
+    """Coulomb friction between the ring and the support, its pressure even around the ring.
+
+    Parameters
+    ----------
+    weight : float or array
+        W > 0: the slider's weight times the coefficient of support friction.
+
+    Raises
+    ------
+    InvalidValue
+        Where the weight is not a positive finite number.
+    """
+
+    weight: Number = 1.0
+
+    def __post_init__(self) -> None:
+        required("weight", self.weight)
+
+    @property
+    def degree(self) -> int:
+        return 1
+
+
+class RingSupport(NamedTuple):
+    """Friction of a ring in the compiled core."""
+
+    weight: float
+
+
+@compiled
+def _response(effect, speed, spin):
+    force, torque, curvature = ring_response(speed, spin)
+    bend = effect.weight * curvature
+    return (
+        effect.weight * force,
+        effect.weight * torque,
+        bend * spin * spin,
+        -bend * spin * speed,
+        bend * speed * speed,
+    )
+
+
+@compiled
+def _made(effect, row):
+    return RingSupport(row[WEIGHT])
+
+
+RESPONSES[RingSupport], MAKERS[RingSupport] = _response, _made

@@ -1,0 +1,329 @@
+"""The reduced potential of effects that see only the centre's speed and the rotation.
+
+Their force lies along the centre's motion, so one relation, moment arm <-> spin ratio, carries everything
+(Eqs. 7 and 10, Sec. 4)::
+
+    friction   h = t(k) / f(k)
+    inertia    h = rho^2 k
+    both       h (f + s) = t + s rho^2 k,  s the ratio of the two forces in translation
+
+Lengths are in radii. `effects` is a tuple of one effect, whose motion keeps its direction as it grows, or
+of friction and inertia in this order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import copysign, sqrt
+from typing import Any, NamedTuple
+
+from planar_pushing.mechanics.angles import RESOLUTION
+from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.effects.base import response
+from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.effects.support_friction import RingSupport
+from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm
+from planar_pushing.mechanics.root import EQUATIONS, root
+from planar_pushing.mechanics.supports.ring import ring_spin_ratio
+
+#: Speed that stands for one below the smallest double, so that its force has a direction.
+SLOWEST = 1e-300
+
+
+class Sustained(NamedTuple):
+    """A motion of the slider, and the force through the contact that sustains it.
+
+    Attributes
+    ----------
+    v_x, v_y, spin : float
+        Twist at the ring centre, the rotation as R omega.
+    f_x, f_y : float
+        Force of the pusher.
+    along, aside : float
+        A vector parallel to the force, along the rod and along its right-hand normal.
+    blur : float
+        Part of the rounding of the pusher's direction that `aside` carries; `along` carries all of it.
+    """
+
+    v_x: float
+    v_y: float
+    spin: float
+    f_x: float
+    f_y: float
+    along: float
+    aside: float
+    blur: float
+
+
+@generic
+def spin_ratio(kinds: Any) -> Callable[..., Any]:
+    """Spin ratio k under a force of a moment arm >= 0, the centre at unit speed."""
+    return {(RingSupport,): _of_ring, (Mass,): _of_mass}.get(kinds, _of_both)
+
+
+@compiled
+def _of_ring(effects, arm):
+    return ring_spin_ratio(arm)
+
+
+@compiled
+def _of_mass(effects, arm):
+    return arm / effects[0].gyration
+
+
+class Imbalance(NamedTuple):
+    """Torque about the contact at unit centre speed over the spin ratio."""
+
+    effects: tuple[Any, ...]
+    arm: float
+
+
+@compiled
+def _imbalance(of, k):
+    force, torque, _, bend, stiffness = response(of.effects, 1.0, k)
+    return torque - of.arm * force, stiffness - of.arm * bend
+
+
+EQUATIONS[Imbalance] = _imbalance
+
+
+@compiled
+def _of_both(effects, arm):
+    slow, fast = spin_ratio(effects[:1], arm), spin_ratio(effects[1:], arm)
+    low, high = min(slow, fast), max(slow, fast)
+    return root(Imbalance(effects, arm), low, high, sqrt(low) * sqrt(high))[0]
+
+
+@compiled
+def signed_spin_ratio(effects, own, force):
+    """Spin ratio under a force in a direction."""
+    arm = moment_arm(own, force)
+    return copysign(spin_ratio(effects, abs(arm)), arm)
+
+
+@compiled
+def motion_angle(effects, own, force):
+    return contact_motion_angle(own, force, signed_spin_ratio(effects, own, force))
+
+
+@generic
+def _leverage(kinds: Any) -> Callable[..., Any]:
+    """Moment arm per spin ratio, ``h / k``, of the motion that sticks; rho^2 under inertia."""
+    return _leverage_of_mass if kinds == (Mass,) else _leverage_found
+
+
+@compiled
+def _leverage_of_mass(effects, length, along, aside):
+    return effects[0].gyration
+
+
+@generic
+def _leverages(kinds: Any) -> Callable[..., Any]:
+    """Least and greatest h / k of any motion: between 1/2 and 2 for the ring."""
+    if len(kinds) > 1:
+        return _all_leverages
+    return {RingSupport: _leverages_of_ring, Mass: _leverages_of_mass}[kinds[0]]
+
+
+@compiled
+def _leverages_of_ring(effects):
+    return 0.5, 2.0
+
+
+@compiled
+def _leverages_of_mass(effects):
+    return effects[0].gyration, effects[0].gyration
+
+
+@compiled
+def _all_leverages(effects):
+    low, high = _leverages(effects[:1])
+    other_low, other_high = _leverages(effects[1:])
+    return min(low, other_low), max(high, other_high)
+
+
+class ContactTorque(NamedTuple):
+    """Torque about the contact that a sticking motion lacks, over its h / k."""
+
+    effects: tuple[Any, ...]
+    length: float
+    along: float
+    aside: float
+
+
+@compiled
+def _contact_torque(of, leverage):
+    effects, length, along, aside = of
+    total = length * length + leverage
+    across, spin = leverage / total * aside, length * (aside / total)
+    speed = sqrt(along * along + across * across)
+    force, torque, vv, vs, ss = response(effects, speed, spin)
+    sine, cosine = across / speed, along / speed
+    turn, slow = length * spin / total, -spin / total  # of `across` and of the spin over h / k
+    change = length * (
+        (vv * sine * turn + vs * slow) * sine + force * turn * cosine * cosine / speed
+    )
+    return length * force * sine - torque, change - (vs * sine * turn + ss * slow)
+
+
+EQUATIONS[ContactTorque] = _contact_torque
+
+
+@compiled
+def _leverage_found(effects, length, along, aside):
+    """Of all twists with this contact motion the one of least potential; `aside` >= 0.
+
+    The torque about the contact, the potential's slope, increases with the rotation. The root is sought
+    in h / k, which has narrow bounds whatever the length of the rod, and from which neither part of the
+    motion across the rod is a difference.
+    """
+    low, high = _leverages(effects)
+    equation = ContactTorque(effects, length, along, aside)
+    return root(equation, low, high, sqrt(low * high))[0]
+
+
+@compiled
+def stick(effects, own, towards):
+    along, aside, length = towards.along, towards.aside, own.length
+    leverage = _leverage(effects, length, along, abs(aside))
+    total = length * length + leverage
+    carried = leverage / total
+    return sustained(effects, own, along, carried * aside, length * (aside / total), carried)
+
+
+@compiled
+def sustained(effects, own, along, aside, spin, blur):
+    """The motion whose centre moves by (along, aside) in the rod's axes, with its force."""
+    speed = sqrt(along * along + aside * aside)
+    part = response(effects, speed, spin)[0] / speed
+    v_x, v_y = along * own.x + aside * own.y, along * own.y - aside * own.x
+    return Sustained(v_x, v_y, spin, part * v_x, part * v_y, along, aside, blur)
+
+
+@generic
+def _speed_of(kinds: Any) -> Callable[..., Any]:
+    """Centre speed of the motion with a given spin under a force of a moment arm > 0."""
+    return _speed_of_one if len(kinds) == 1 else _speed_of_both
+
+
+@compiled
+def _speed_of_one(effects, arm, spin):
+    return spin / spin_ratio(effects, arm)
+
+
+class SpeedOfSpin(NamedTuple):
+    """Torque about the contact that a motion with a given spin lacks, over the centre's speed."""
+
+    effects: tuple[Any, ...]
+    arm: float
+    spin: float
+
+
+@compiled
+def _speed_of_spin(of, speed):
+    force, torque, vv, vs, _ = response(of.effects, speed, of.spin)
+    return of.arm * force - torque, of.arm * vv - vs
+
+
+EQUATIONS[SpeedOfSpin] = _speed_of_spin
+
+
+@compiled
+def _speed_of_both(effects, arm, spin):
+    one = _speed_of_one(effects[:1], arm, spin)
+    other = _speed_of_one(effects[1:], arm, spin)
+    low, high = min(one, other), max(one, other)
+    return root(SpeedOfSpin(effects, arm, spin), low, high, sqrt(low) * sqrt(high))[0]
+
+
+@compiled
+def held_on_edge(effects, own, edge, spin):
+    speed = _speed_of(effects, abs(moment_arm(own, edge)), abs(spin))
+    return sustained(effects, own, speed * edge.along, speed * edge.aside, spin, 0.0)
+
+
+@compiled
+def without_noise(part, other):
+    """Difference of two numbers, zero where nothing but rounding is left of it."""
+    difference = part - other
+    return 0.0 if abs(difference) <= RESOLUTION * (abs(part) + abs(other)) else difference
+
+
+@compiled
+def slip(effects, edge, speed, ratio, found):
+    """Write down a motion under a force on an edge: v_x, v_y, R omega, f_x, f_y."""
+    pace = max(speed, SLOWEST)
+    force = response(effects, pace, ratio * pace)[0]
+    found[0], found[1], found[2] = speed * edge.x, speed * edge.y, speed * ratio
+    found[3], found[4] = force * edge.x, force * edge.y
+
+
+@compiled
+def steady_slips(effects, own, edge, normal, found):
+    """The motion under one effect keeps its direction, so there is one at most."""
+    ratio = signed_spin_ratio(effects, own, edge)
+    advance = without_noise(edge.y, own.length * own.x * ratio)
+    if not ((normal > 0.0 and advance > 0.0) or (normal < 0.0 and advance < 0.0)):
+        return 0
+    slip(effects, edge, normal / advance, ratio, found[0])
+    return 1
+
+
+@generic
+def limit_motion(kinds: Any) -> Callable[..., Any]:
+    """The forces whose motion has the kinetic energy of a unit translation; without inertia all speeds."""
+    if len(kinds) > 1:
+        return _limit_of_both
+    return {RingSupport: _limit_of_ring, Mass: _limit_of_mass}[kinds[0]]
+
+
+@compiled
+def _limit_of_ring(effects, own, force):
+    ratio = signed_spin_ratio(effects, own, force)
+    magnitude = response(effects, 1.0, ratio)[0]
+    return magnitude, ratio, contact_motion_angle(own, force, ratio)
+
+
+@compiled
+def _curve_speed(gyration, ratio):
+    """Centre speed at which a motion has the kinetic energy of a unit translation."""
+    return 1.0 / sqrt(1.0 + gyration * ratio * ratio)
+
+
+@compiled
+def _limit_of_mass(effects, own, force):
+    ratio = signed_spin_ratio(effects, own, force)
+    magnitude = effects[0].mass * _curve_speed(effects[0].gyration, ratio)
+    return magnitude, ratio, contact_motion_angle(own, force, ratio)
+
+
+class CurveImbalance(NamedTuple):
+    """Torque about the contact on the limit curve over the spin ratio."""
+
+    effects: tuple[Any, ...]
+    arm: float
+
+
+@compiled
+def _curve_imbalance(of, k):
+    arm, (mass, gyration) = of.arm, of.effects[1]
+    speed = _curve_speed(gyration, k)
+    friction, slope = _imbalance(Imbalance(of.effects[:1], arm), k)
+    lean = mass * gyration * speed * speed * speed * (1.0 + arm * k)
+    return friction + mass * speed * (gyration * k - arm), slope + lean
+
+
+EQUATIONS[CurveImbalance] = _curve_imbalance
+
+
+@compiled
+def _limit_of_both(effects, own, force):
+    arm = moment_arm(own, force)
+    slow, fast = spin_ratio(effects[:1], abs(arm)), spin_ratio(effects[1:], abs(arm))
+    low, high = min(slow, fast), max(slow, fast)
+    equation = CurveImbalance(effects, abs(arm))
+    size = root(equation, low, high, sqrt(low) * sqrt(high))[0]
+    speed = _curve_speed(effects[1].gyration, size)
+    ratio = copysign(size, arm)
+    magnitude = response(effects, speed, speed * ratio)[0]
+    return magnitude, ratio, contact_motion_angle(own, force, ratio)
