@@ -124,7 +124,7 @@ def _labelled(
     from planar_pushing.mechanics.quantities import attributes
 
     found = xr.apply_ufunc(
-        lambda *given: tuple(function(*given)),
+        lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
         *arguments,
         output_core_dims=[[dim for dim, _ in output.tail] for output in outputs],
         dask="parallelized",

@@ -103,7 +103,7 @@ class SolutionArrays:
     @property
     def outcome(self) -> npt.NDArray[np.int8]:
         """Values of `Outcome`, shape S."""
-        return np.minimum(self.solutions, Outcome.AMBIGUOUS)
+        return np.minimum(self.solutions, np.int8(Outcome.AMBIGUOUS))
 
 
 def arguments(scene: Scene, pusher_angle: Number, pusher_magnitude: Number) -> list[Number]:
@@ -168,7 +168,7 @@ def _dataset(found: list[Any]) -> Any:
 
     dataset = xr.merge(found)
     dataset["consistent"] = dataset.mode >= 0
-    dataset["outcome"] = np.minimum(dataset.solutions, Outcome.AMBIGUOUS)
+    dataset["outcome"] = np.minimum(dataset.solutions, Outcome.AMBIGUOUS).astype(np.int8)
     for name in ("consistent", "outcome"):
         dataset[name].attrs = attributes(name)
     return dataset.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

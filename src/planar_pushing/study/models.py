@@ -11,7 +11,8 @@ from pydantic import Field, model_validator
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction
 from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
+from planar_pushing.mechanics.domain import Number
+from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.scene import Slider
 from planar_pushing.study.fields import (
     Angles,
@@ -192,12 +193,12 @@ class StudyFile(FileModel):
         known = {"support_friction": self.support_friction, "inertia": self.inertia}
         return {name: part for name, part in known.items() if part is not None}
 
-    def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:
+    def effects(self, name: EffectsName) -> tuple[Effect, ...]:
         """Build the effects that a value of the effects axis stands for."""
         return tuple(self.parts[part].effect() for part in name.split("+"))
 
-    def ring(self, rod_length: float, rod_angle: float | None = None) -> Slider:
-        """Build the study's slider with this rod; the angle in degrees."""
+    def ring(self, rod_length: Number, rod_angle: Number = None) -> Slider:
+        """Build the study's slider with this rod, or these rods; the angle in degrees."""
         return Slider(
             rod_length=rod_length,
             rod_angle=np.deg2rad(self.slider.rod_angle if rod_angle is None else rod_angle),

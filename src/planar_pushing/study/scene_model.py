@@ -14,7 +14,7 @@ from planar_pushing.mechanics.contact import (
     PerfectlyRough,
 )
 from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
+from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.fields import (
     FileModel,
@@ -76,7 +76,7 @@ class RingFrictionEntry(FileModel):
     type: Literal["ring_friction"]
     weight: Positive = 1.0
 
-    def build(self) -> IsotropicEffect:
+    def build(self) -> Effect:
         return RingFriction(weight=self.weight)
 
 
@@ -87,7 +87,7 @@ class InertiaEntry(FileModel):
     mass: Positive = 1.0
     gyration_radius: Positive = 1.0
 
-    def build(self) -> IsotropicEffect:
+    def build(self) -> Effect:
         return Inertia(mass=self.mass, gyration_radius=self.gyration_radius)
 
 
