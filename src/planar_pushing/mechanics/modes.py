@@ -14,9 +14,9 @@ from planar_pushing.mechanics.reduced.base import held_on_edge, slips, stick
 from planar_pushing.mechanics.reduced.turning import SLIPS
 
 #: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
-COINCIDENCE = 1e-12
+COINCIDENCE = 9e-13
 #: A force this far outside the cone, relative to its size, is taken to the edge.
-OUTSIDE = 1e-13
+OUTSIDE = 5e-13
 #: Solutions of one push: separate, stick, and the slips under each edge.
 MOST = 2 + 2 * SLIPS
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
@@ -41,11 +41,18 @@ def _rise(own, moved):
 
 @compiled
 def _kept_inside(effects, own, law, moved, right, left):
-    """The sticking motion, its force taken to the edge of the cone that it has left by rounding."""
-    depth, edge = (right, law.right) if right < left else (left, law.left)
-    if law.rough or depth >= -OUTSIDE * sqrt(moved.along**2 + moved.aside**2):
+    """The sticking motion, its force taken to the edge of the cone that it has left by rounding.
+
+    Of two edges that it has left, the one on its side of the rod: rounding turns the force of a long rod
+    within its side.
+    """
+    if law.rough or min(right, left) >= -OUTSIDE * sqrt(moved.along**2 + moved.aside**2):
         return moved
-    return held_on_edge(effects, own, toward(own, edge), moved.spin)
+    first, second = toward(own, law.right), toward(own, law.left)
+    one, other = first.aside * moved.aside > 0.0, second.aside * moved.aside > 0.0
+    if one and (right <= left or not other):
+        return held_on_edge(effects, own, first, moved)
+    return held_on_edge(effects, own, second, moved) if other else moved
 
 
 @compiled

@@ -71,27 +71,45 @@ def _of_mass(effects, arm):
     return arm / effects[0].gyration
 
 
-class Imbalance(NamedTuple):
-    """Torque about the contact at unit centre speed over the spin ratio."""
+class SpinOfSpeed(NamedTuple):
+    """Torque about the contact that a motion with a given centre speed leaves, over the spin."""
 
     effects: tuple[Any, ...]
     arm: float
+    speed: float
 
 
 @compiled
-def _imbalance(of, k):
-    force, torque, _, bend, stiffness = response(of.effects, 1.0, k)
-    return torque - of.arm * force, stiffness - of.arm * bend
+def _spin_of_speed(of, spin):
+    force, torque, _, vs, ss = response(of.effects, of.speed, spin)
+    return torque - of.arm * force, ss - of.arm * vs
 
 
-EQUATIONS[Imbalance] = _imbalance
+EQUATIONS[SpinOfSpeed] = _spin_of_speed
+
+
+@generic
+def _spin_ratios(kinds: Any) -> Callable[..., Any]:
+    """Least and greatest spin ratio under a force of a moment arm >= 0, over all magnitudes."""
+    return _one_spin_ratio if len(kinds) == 1 else _two_spin_ratios
+
+
+@compiled
+def _one_spin_ratio(effects, arm):
+    ratio = spin_ratio(effects, arm)
+    return ratio, ratio
+
+
+@compiled
+def _two_spin_ratios(effects, arm):
+    one, other = spin_ratio(effects[:1], arm), spin_ratio(effects[1:], arm)
+    return min(one, other), max(one, other)
 
 
 @compiled
 def _of_both(effects, arm):
-    slow, fast = spin_ratio(effects[:1], arm), spin_ratio(effects[1:], arm)
-    low, high = min(slow, fast), max(slow, fast)
-    return root(Imbalance(effects, arm), low, high, sqrt(low) * sqrt(high))[0]
+    low, high = _two_spin_ratios(effects, arm)
+    return root(SpinOfSpeed(effects, arm, 1.0), low, high, sqrt(low * high))[0]
 
 
 @compiled
@@ -200,17 +218,6 @@ def sustained(effects, own, along, aside, spin, blur):
     return Sustained(v_x, v_y, spin, part * v_x, part * v_y, along, aside, blur)
 
 
-@generic
-def _speed_of(kinds: Any) -> Callable[..., Any]:
-    """Centre speed of the motion with a given spin under a force of a moment arm > 0."""
-    return _speed_of_one if len(kinds) == 1 else _speed_of_both
-
-
-@compiled
-def _speed_of_one(effects, arm, spin):
-    return spin / spin_ratio(effects, arm)
-
-
 class SpeedOfSpin(NamedTuple):
     """Torque about the contact that a motion with a given spin lacks, over the centre's speed."""
 
@@ -229,17 +236,19 @@ EQUATIONS[SpeedOfSpin] = _speed_of_spin
 
 
 @compiled
-def _speed_of_both(effects, arm, spin):
-    one = _speed_of_one(effects[:1], arm, spin)
-    other = _speed_of_one(effects[1:], arm, spin)
-    low, high = min(one, other), max(one, other)
-    return root(SpeedOfSpin(effects, arm, spin), low, high, sqrt(low) * sqrt(high))[0]
-
-
-@compiled
-def held_on_edge(effects, own, edge, spin):
-    speed = _speed_of(effects, abs(moment_arm(own, edge)), abs(spin))
-    return sustained(effects, own, speed * edge.along, speed * edge.aside, spin, 0.0)
+def held_on_edge(effects, own, edge, moved):
+    arm, spin = abs(moment_arm(own, edge)), abs(moved.spin)
+    low, high = _spin_ratios(effects, arm)
+    speed = moved.along * edge.along + moved.aside * edge.aside
+    if own.length * spin > speed:
+        equation = SpeedOfSpin(effects, arm, spin)
+        speed = root(equation, spin / high, spin / low, spin / sqrt(low * high))[0]
+    else:
+        equation = SpinOfSpeed(effects, arm, speed)
+        spin = root(equation, speed * low, speed * high, speed * sqrt(low * high))[0]
+    return sustained(
+        effects, own, speed * edge.along, speed * edge.aside, copysign(spin, edge.aside), 0.0
+    )
 
 
 @compiled
@@ -308,7 +317,7 @@ class CurveImbalance(NamedTuple):
 def _curve_imbalance(of, k):
     arm, (mass, gyration) = of.arm, of.effects[1]
     speed = _curve_speed(gyration, k)
-    friction, slope = _imbalance(Imbalance(of.effects[:1], arm), k)
+    friction, slope = _spin_of_speed(SpinOfSpeed(of.effects[:1], arm, 1.0), k)
     lean = mass * gyration * speed * speed * speed * (1.0 + arm * k)
     return friction + mass * speed * (gyration * k - arm), slope + lean
 
@@ -319,10 +328,9 @@ EQUATIONS[CurveImbalance] = _curve_imbalance
 @compiled
 def _limit_of_both(effects, own, force):
     arm = moment_arm(own, force)
-    slow, fast = spin_ratio(effects[:1], abs(arm)), spin_ratio(effects[1:], abs(arm))
-    low, high = min(slow, fast), max(slow, fast)
+    low, high = _two_spin_ratios(effects, abs(arm))
     equation = CurveImbalance(effects, abs(arm))
-    size = root(equation, low, high, sqrt(low) * sqrt(high))[0]
+    size = root(equation, low, high, sqrt(low * high))[0]
     speed = _curve_speed(effects[1].gyration, size)
     ratio = copysign(size, arm)
     magnitude = response(effects, speed, speed * ratio)[0]
