@@ -28,7 +28,7 @@ rule golden_verdict:
         "results/benchmarks/golden/golden_verdict.tsv"
     priority: FIRST
     params:
-        code=code_of("golden.check", "golden.compare"),
+        code=code_of("evidence.golden.check", "evidence.golden.compare"),
         golden=STUDY.golden,
         tolerances={name: each.model_dump() for name, each in STUDY.tolerances.items()},
     message:

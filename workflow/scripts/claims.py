@@ -3,8 +3,8 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
-    from planar_pushing.claims.ledger import load_ledger
-    from planar_pushing.claims.table import complaint, csv_text, json_text, judge_all
+    from planar_pushing.evidence.claims.ledger import load_ledger
+    from planar_pushing.evidence.claims.table import complaint, csv_text, json_text, judge_all
     from planar_pushing.mechanics.errors import InvalidResult
     from planar_pushing.study.replacing import replacing
 

@@ -5,8 +5,8 @@ from planar_pushing.study.jobs import job_log
 with job_log(snakemake.log[0]):
     import json
 
-    from planar_pushing.accuracy.timing import machine
-    from planar_pushing.effort.measure import measure
+    from planar_pushing.evidence.costs.effects import measure
+    from planar_pushing.evidence.costs.timing import machine
     from planar_pushing.study.store import write_dataset
     from planar_pushing.study.study_file import load_study
 

@@ -5,8 +5,8 @@ from planar_pushing.study.jobs import job_log
 with job_log(snakemake.log[0]) as log:
     from pathlib import Path
 
-    from planar_pushing.golden.check import check_results
-    from planar_pushing.golden.compare import verdict
+    from planar_pushing.evidence.golden.check import check_results
+    from planar_pushing.evidence.golden.compare import verdict
     from planar_pushing.mechanics.errors import InvalidResult
     from planar_pushing.study.models import Tolerance
     from planar_pushing.study.replacing import replacing

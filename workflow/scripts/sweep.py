@@ -3,7 +3,7 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
-    from planar_pushing.hard_cases.sweep import FULL, sweep, write_counts
+    from planar_pushing.evidence.hard_cases.sweep.counts import FULL, sweep, write_counts
 
     log.info("sweeping %d inputs of each kind", FULL.kernels)
     write_counts(sweep(FULL), snakemake.output[0])

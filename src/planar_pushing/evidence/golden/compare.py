@@ -1,0 +1,183 @@
+"""Compare results with golden data: what differs, where and by how much, worst first.
+
+A golden file holds, for each variable `x` that it certifies, the midpoint of an enclosure as the pair of
+doubles `x` and `x_low` and its rigorous radius `x_radius`. Its axes are a part of the result's.
+A computed value passes where it differs from the midpoint by no more than tolerance plus radius.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+
+from planar_pushing.evidence.golden.build.enclosures import golden_variables
+from planar_pushing.study.models import Tolerance
+
+#: A variable that no tolerance names must agree exactly.
+EXACT = Tolerance()
+#: Attributes that must be the same.
+MARKS = ("units", "flag_meanings")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Check:
+    """Comparison of one variable, or the reason why there was none.
+
+    Attributes
+    ----------
+    name : str
+        "dataset: variable".
+    count, failed : int
+        Values compared, and how many of them differ by more than is allowed.
+    error, ulp, allowed : float
+        Of the worst value: its difference, the same in units in the last place, and what is allowed.
+    where : str
+        Coordinates, computed and golden value of the worst.
+    problem : str
+        Why the variable could not be compared; empty where it was.
+    """
+
+    name: str
+    count: int = 0
+    failed: int = 0
+    error: float = 0.0
+    ulp: float = 0.0
+    allowed: float = 0.0
+    where: str = ""
+    problem: str = ""
+
+    @property
+    def passed(self) -> bool:
+        return not self.problem and not self.failed
+
+    @property
+    def badness(self) -> float:
+        """Sorts checks: those that could not be made first, then by error against allowance."""
+        if self.problem:
+            return np.inf
+        return self.error / self.allowed if self.allowed else np.inf if self.error else 0.0
+
+
+def compare(
+    label: str, result: xr.Dataset, golden: xr.Dataset, tolerances: Mapping[str, Tolerance]
+) -> list[Check]:
+    """Compare every variable that a golden file certifies with a result."""
+    return [
+        _compare_variable(f"{label}: {name}", name, result, golden, tolerances.get(name, EXACT))
+        for name in golden_variables(golden)
+    ]
+
+
+def _problem(name: str, result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]:
+    """Reasons why a variable cannot be compared."""
+    if name not in result:
+        yield "is missing from the result"
+        return
+    found, wanted = result[name], golden[name]
+    if found.dims != wanted.dims:
+        yield f"has the dims {found.dims}, not {wanted.dims}"
+        return
+    for mark in MARKS:
+        if found.attrs.get(mark) != wanted.attrs.get(mark):
+            yield f"has {mark} {found.attrs.get(mark)!r}, not {wanted.attrs.get(mark)!r}"
+    for dim in wanted.dims:
+        if dim in golden.coords:
+            absent = ~np.isin(golden[dim].values, result[dim].values)
+            if absent.any():
+                yield f"has no {dim} {golden[dim].values[absent][0]}"
+            if result[dim].attrs.get("units") != golden[dim].attrs.get("units"):
+                yield f"has {dim} in {result[dim].attrs.get('units')!r}"
+        elif found.sizes[dim] != wanted.sizes[dim]:
+            yield f"has {found.sizes[dim]} entries of {dim}, not {wanted.sizes[dim]}"
+
+
+def _compare_variable(
+    label: str, name: str, result: xr.Dataset, golden: xr.Dataset, tolerance: Tolerance
+) -> Check:
+    problem = "; ".join(_problem(name, result, golden))
+    if problem:
+        return Check(name=label, problem=problem)
+    wanted = golden[name]
+    chosen = {dim: golden[dim].values for dim in wanted.dims if dim in golden.coords}
+    found = result[name].sel(chosen)
+    computed, middle = found.values, wanted.values
+    if computed.dtype.kind not in "fiu":
+        wrong = computed != middle
+        return Check(
+            name=label, count=computed.size, failed=int(wrong.sum()), error=float(wrong.any())
+        )
+    if np.isnan(computed.astype(float)).any():
+        return Check(name=label, problem=f"has {int(np.isnan(computed).sum())} NaN")
+    low, radius = (
+        golden[f"{name}{part}"].values if f"{name}{part}" in golden else np.zeros(middle.shape)
+        for part in ("_low", "_radius")
+    )
+    error = _difference(computed, middle, low)
+    finite = np.where(np.isfinite(middle), np.abs(middle), 0.0)
+    allowed = tolerance.ulp * np.spacing(finite) + tolerance.absolute + radius
+    return _worst(label, wanted, computed, error, allowed)
+
+
+def _difference(
+    computed: npt.NDArray[np.float64], middle: npt.NDArray[np.float64], low: npt.NDArray[np.float64]
+) -> npt.NDArray[np.float64]:
+    """Absolute difference from ``middle + low``; 0 where both are the same infinity."""
+    same = computed == middle
+    with np.errstate(invalid="ignore"):
+        gap = np.abs((np.asarray(computed, float) - middle) - low)
+    return np.where(same & ~np.isfinite(middle), 0.0, np.where(np.isnan(gap), np.inf, gap))
+
+
+def _worst(
+    label: str,
+    wanted: xr.DataArray,
+    computed: npt.NDArray[np.float64],
+    error: npt.NDArray[np.float64],
+    allowed: npt.NDArray[np.float64],
+) -> Check:
+    failed = error > allowed
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        ratio = np.where(error == 0, 0.0, error / allowed)
+        ulps = np.where(error == 0, 0.0, error / np.spacing(np.abs(wanted.values.astype(float))))
+    at = np.unravel_index(int(np.argmax(ratio)), error.shape) if error.size else ()
+    middle = wanted.values[at]
+    coordinates = ", ".join(
+        f"{dim}={wanted[dim].values[i] if dim in wanted.coords else i}"
+        for dim, i in zip(wanted.dims, at, strict=True)
+    )
+    return Check(
+        name=label,
+        count=error.size,
+        failed=int(failed.sum()),
+        error=float(error[at]),
+        ulp=float(ulps[at]),
+        allowed=float(allowed[at]),
+        where=f"{coordinates}: computed {computed[at]!s}, golden {middle!s}".lstrip(": "),
+    )
+
+
+def verdict(checks: list[Check]) -> str:
+    """Readable verdict, worst first."""
+    ranked = sorted(checks, key=lambda check: (check.passed, -check.badness, check.name))
+    failed = sum(not check.passed for check in checks)
+    count = sum(check.count for check in checks)
+    head = (
+        f"FAILED: {failed} of {len(checks)} variables differ from the golden data"
+        if failed
+        else f"passed: {count} values of {len(checks)} variables agree with the golden data"
+    )
+    return "\n".join([head, "", *map(_line, ranked)]) + "\n"
+
+
+def _line(check: Check) -> str:
+    if check.problem:
+        return f"FAIL {check.name} {check.problem}"
+    mark = "ok  " if check.passed else "FAIL"
+    amount = f"{check.failed} of {check.count} differ" if check.failed else f"{check.count} agree"
+    worst = f"; worst {check.error:.2g} ({check.ulp:.3g} ulp), allowed {check.allowed:.2g}"
+    place = f" at {check.where}" if check.where and check.error else ""
+    return f"{mark} {check.name}: {amount}{worst}{place}"
