@@ -1,8 +1,6 @@
 """Motion of the slider under one line of force, enclosed: spin ratio, motion, limit force, centre.
 
-Friction and inertia act together through the share sigma = s / (1 + s) of inertia, 0 for friction alone
-and 1 for inertia alone: ``(1 - sigma) (t - h f) + sigma (g k - h) = 0`` with ``g = (rho / R)^2``,
-increasing in k.
+`share` is the share of inertia, as in `inverse`.
 """
 
 from __future__ import annotations
@@ -24,6 +22,7 @@ from planar_pushing.certified.balls import (
     settle,
     sign,
 )
+from planar_pushing.certified.inverse import spin_of_arm
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.setting import (
     FRICTION,
@@ -31,57 +30,13 @@ from planar_pushing.certified.setting import (
     Effects,
     Heading,
     Slider,
-    direction,
-    edge,
-    heading,
     lean,
 )
-
-__all__ = [
-    "FRICTION",
-    "INERTIA",
-    "Effects",
-    "Heading",
-    "Slider",
-    "contact_motion",
-    "direction",
-    "edge",
-    "exact_contact_motion",
-    "heading",
-    "is_steady",
-    "lean",
-    "limit_point",
-    "motion_angle",
-    "motion_center",
-    "motion_degrees",
-    "spin_of_arm",
-    "spin_ratio",
-]
-
-
-@precise
-def spin_of_arm(arm: arb, gyration: fmpq, share: fmpq) -> arb:
-    """Spin ratio for a moment arm > 0 in units of R: Eqs. (7) and (10), or their mixture."""
-    if share == INERTIA:
-        return arm / gyration
-    if arm == 1 and (share == FRICTION or gyration == 1):  # tangent to the ring
-        return arb(1)
-
-    def balance(k: arb) -> arb:
-        force, torque = ring.profile(k)
-        return (1 - share) * (torque - arm * force) + share * (gyration * k - arm)
-
-    # t / f lies between k / 2 and k below k = 1, and between k and 2 k above it.
-    ends = (arm / 3, arm * 3, arm / gyration * fmpq(2, 3), arm / gyration * fmpq(3, 2))
-    used = ends[:2] if share == FRICTION else ends
-    low = min(float(end.lower()) for end in used)
-    return increasing_root(balance, arb(low), arb(max(float(end.upper()) for end in used)))
 
 
 @lru_cache(maxsize=1 << 17)
 def _spin_of_lean(length: fmpq, gyration: fmpq, share: fmpq, degrees: fmpq) -> arb:
-    arm = length * arb.sin_pi_fmpq(degrees / 180)
-    return arb(0) if arm == 0 else spin_of_arm(arm, gyration, share)
+    return spin_of_arm(length * arb.sin_pi_fmpq(degrees / 180), gyration, share)
 
 
 @lru_cache(maxsize=1 << 15)
@@ -93,8 +48,7 @@ def spin_ratio(slider: Slider, force: Heading, share: fmpq) -> arb:
         folded = fold(slider.rod_angle - force.rational)
         size = _spin_of_lean(slider.rod_length, slider.gyration, share, folded)
     else:
-        arm = slider.rod_length * abs(sine)
-        size = arb(0) if arm == 0 else spin_of_arm(arm, slider.gyration, share)
+        size = spin_of_arm(slider.rod_length * abs(sine), slider.gyration, share)
     return -size if sine < 0 else size
 
 

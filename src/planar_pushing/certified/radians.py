@@ -1,6 +1,6 @@
 """References in balls for inputs in radians: Arb's elliptic integrals and certified roots.
 
-Lengths are in units of the ring's radius, `g` is the squared radius of gyration, `share` is s / (1 + s).
+Lengths are in units of the ring's radius, `rho` is the radius of gyration, `share` that of `inverse`.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 from flint import arb
 
+from planar_pushing.certified.inverse import spin_of_arm
 from planar_pushing.certified.ring import profile
 from planar_pushing.certified.roots import increasing_root
 
@@ -32,31 +33,14 @@ def root(function: Callable[[arb], arb], low: arb, high: arb) -> arb:
     return increasing_root(function, low.lower(), high.upper(), WIDTH)
 
 
-def spin_of_arm(arm: arb, share: arb, g: arb) -> arb:
-    """Spin ratio under a line of force: ``(1 - share) (t - h f) + share (g k - h) = 0``."""
-    if arm == 0:
-        return arb(0)
-    if arm < 0:
-        return -spin_of_arm(-arm, share, g)
-    if share == 1:
-        return arm / g
-
-    def balance(k: arb) -> arb:
-        f, t = profile(k)
-        return (1 - share) * (t - arm * f) + share * (g * k - arm)
-
-    ends = [arm / 3, arm * 3] if share == 0 else [arm / 3, arm * 3, arm / g / 2, arm / g * 2]
-    return root(balance, min(ends, key=float), max(ends, key=float))
-
-
 def friction_spin(arm: arb) -> arb:
     """Spin ratio under friction alone, Eq. (7)."""
-    return spin_of_arm(arm, arb(0), arb(1))
+    return spin_of_arm(arm, arb(1), arb(0), WIDTH)
 
 
 def spin(length: arb, psi: arb, phi: arb, share: arb, rho: arb) -> arb:
     """Spin ratio under a force at the angle phi, Eq. (10) for the arm."""
-    return spin_of_arm(length * (psi - phi).sin(), share, rho * rho)
+    return spin_of_arm(length * (psi - phi).sin(), rho * rho, share, WIDTH)
 
 
 def motion_angle(length: arb, psi: arb, phi: arb, share: arb, rho: arb) -> arb:

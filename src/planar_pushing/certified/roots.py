@@ -9,15 +9,13 @@ from flint import arb
 from planar_pushing.certified.balls import Undecided
 
 #: Relative width of an enclosure, far below the resolution of stored numbers.
-_WIDTH = arb(2) ** -128
+WIDTH = arb(2) ** -128
 
 #: Steps after which an enclosure counts as out of reach; bisection alone needs fewer.
 _LIMIT = 500
 
 
-def increasing_root(
-    function: Callable[[arb], arb], low: arb, high: arb, width: arb = _WIDTH
-) -> arb:
+def increasing_root(function: Callable[[arb], arb], low: arb, high: arb, width: arb = WIDTH) -> arb:
     """Enclose the root of an increasing function between two points of opposite sign.
 
     Parameters

@@ -17,7 +17,7 @@ from flint import arb
 
 from planar_pushing.certified import ring
 from planar_pushing.certified.balls import Undecided, precise, sign
-from planar_pushing.certified.line_of_force import spin_of_arm
+from planar_pushing.certified.inverse import spin_of_arm
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.setting import FRICTION, INERTIA, Heading, Slider
 

@@ -19,7 +19,7 @@ from planar_pushing.certified.balls import (
     settle,
     sign,
 )
-from planar_pushing.certified.line_of_force import spin_of_arm
+from planar_pushing.certified.inverse import spin_of_arm
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.setting import Effects, Slider
 

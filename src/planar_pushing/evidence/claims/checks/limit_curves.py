@@ -6,7 +6,8 @@ from flint import arb, fmpq
 
 from planar_pushing.certified import ring
 from planar_pushing.certified.balls import rational
-from planar_pushing.certified.line_of_force import limit_point, spin_of_arm, spin_ratio
+from planar_pushing.certified.inverse import spin_of_arm
+from planar_pushing.certified.line_of_force import limit_point, spin_ratio
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.setting import FRICTION, Effects, Slider, heading, lean
 from planar_pushing.evidence.claims.proofs import identities as ids

@@ -7,7 +7,8 @@ from flint import arb, fmpq
 from planar_pushing.certified.balls import rational
 from planar_pushing.certified.cones import friction_cone, motion_cone
 from planar_pushing.certified.contact.modes import Mode, coulomb
-from planar_pushing.certified.line_of_force import contact_motion, spin_of_arm, spin_ratio
+from planar_pushing.certified.inverse import spin_of_arm
+from planar_pushing.certified.line_of_force import contact_motion, spin_ratio
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.setting import FRICTION, Effects, Slider, heading
 from planar_pushing.evidence.claims.proofs import lemmas

@@ -1,0 +1,54 @@
+"""From the moment arm to the spin ratio, enclosed: the one inverse that every certified number uses.
+
+Friction and inertia act together through the share sigma = s / (1 + s) of inertia, 0 for friction alone
+and 1 for inertia alone: ``(1 - sigma) (t - h f) + sigma (g k - h) = 0`` with ``g = (rho / R)^2``,
+increasing in k.
+"""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from planar_pushing.certified import ring
+from planar_pushing.certified.roots import WIDTH, increasing_root
+
+Number = arb | fmpq
+
+
+def spin_of_arm(arm: arb, gyration: Number, share: Number, width: arb = WIDTH) -> arb:
+    """Spin ratio for a moment arm in units of R: Eqs. (7) and (10), or their mixture.
+
+    Parameters
+    ----------
+    arm : arb
+    gyration : arb or fmpq
+        ``(rho / R)^2``.
+    share : arb or fmpq
+        Share of inertia in [0, 1].
+    width : arb
+        Relative width of the enclosure, where the spin ratio is a root.
+
+    Raises
+    ------
+    Undecided
+        Where the sign of the arm is open.
+    """
+    if arm == 0:
+        return arb(0)
+    if arm < 0:
+        return -spin_of_arm(-arm, gyration, share, width)
+    if share == 1:
+        return arm / gyration
+    if arm == 1 and (share == 0 or gyration == 1):  # tangent to the ring
+        return arb(1)
+
+    def balance(k: arb) -> arb:
+        force, torque = ring.profile(k)
+        return (1 - share) * (torque - arm * force) + share * (gyration * k - arm)
+
+    # t / f lies between k / 2 and k below k = 1, and between k and 2 k above it.
+    ends = [arm / 3, arm * 3]
+    if share != 0:
+        ends += [arm / gyration / 2, arm / gyration * 2]
+    low, high = min(ends, key=float), max(ends, key=float)
+    return increasing_root(balance, low.lower(), high.upper(), width)
