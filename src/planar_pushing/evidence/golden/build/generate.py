@@ -16,13 +16,13 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from flint import arb
 
-from planar_pushing.certified.balls import pack, precise
+from planar_pushing.certified.balls import precise
 from planar_pushing.certified.contact import modes
 from planar_pushing.evidence.golden.build import cells
 from planar_pushing.evidence.golden.build.cells import UNIT, Parameters, Record
 from planar_pushing.evidence.golden.build.marks import marks, provenance
+from planar_pushing.evidence.golden.build.packing import parts
 
 Grid = Mapping[str, Sequence[Any]]
 Cell = Callable[..., Record]
@@ -92,7 +92,6 @@ def _tabulate(
     variables = {}
     for name in records[0]:
         values = np.array([record[name] for record in records])
-        values = values.astype(np.int8) if values.dtype.kind == "i" else values
         array = values.reshape(shape + values.shape[1:])
         variables[name] = (dims + inner[: array.ndim - len(dims)], array)
     return variables
@@ -109,17 +108,8 @@ def _evaluate(cell: Callable[[Any], Any], points: Iterable[Any], processes: int)
 @precise
 def _packed(cell: Cell, point: tuple[Any, ...]) -> dict[str, Any]:
     """Record of one point with every ball as midpoint, low part and radius."""
-    packed: dict[str, Any] = {}
-    for name, value in cell(*point).items():
-        first = value[0] if isinstance(value, list) else value
-        if not isinstance(first, arb):
-            packed[name] = value
-            continue
-        parts = (
-            np.array([pack(ball) for ball in value]).T if isinstance(value, list) else pack(value)
-        )
-        packed |= dict(zip((name, f"{name}_low", f"{name}_radius"), parts, strict=True))
-    return packed
+    record = cell(*point).items()
+    return {part: array for name, value in record for part, array in parts(name, value).items()}
 
 
 def _dataset(

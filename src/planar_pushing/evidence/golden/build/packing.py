@@ -1,4 +1,4 @@
-"""Certified values as datasets: nested lists of balls, integers or labels, with units by name."""
+"""Certified values as arrays and datasets: nested lists of balls or integers, with units by name."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 from flint import arb
 
@@ -25,19 +26,25 @@ def _packed(ball: arb) -> tuple[float, float, float]:
     return pack(ball)
 
 
+def parts(name: str, nested: Any) -> dict[str, npt.NDArray[Any]]:
+    """Arrays by name: midpoint, low part and radius of balls; integers and numbers as they are."""
+    array = np.array(nested, dtype=object)
+    flat = array.ravel().tolist()
+    if not any(isinstance(each, arb) for each in flat):
+        kind = np.int8 if all(isinstance(each, int) for each in flat) else float
+        return {name: array.astype(kind)}
+    packed = np.array([_packed(each) for each in flat]).reshape((*array.shape, 3))
+    names = (name, f"{name}_low", f"{name}_radius")
+    return dict(zip(names, np.moveaxis(packed, -1, 0), strict=True))
+
+
 @precise
 def certified(values: Values, coords: Mapping[str, Any], title: str) -> xr.Dataset:
     """Dataset of values with the midpoint, its low part and the radius of each ball."""
     dataset = xr.Dataset(coords=dict(coords))
     for name, (dims, nested) in values.items():
-        array = np.array(nested, dtype=object)
-        if not any(isinstance(each, arb) for each in array.ravel()):
-            kind = np.int8 if all(isinstance(each, int) for each in array.ravel()) else float
-            dataset[name] = (dims, array.astype(kind), marks(name))
-            continue
-        packed = np.array([_packed(each) for each in array.ravel()]).reshape((*array.shape, 3))
-        for i, part in enumerate((name, f"{name}_low", f"{name}_radius")):
-            dataset[part] = (dims, packed[..., i], marks(part))
+        for part, array in parts(name, nested).items():
+            dataset[part] = (dims, array, marks(part))
     for axis in dataset.coords:
         dataset[axis].attrs = marks(str(axis))
     dataset.attrs = provenance(title)
