@@ -60,7 +60,7 @@ rule sweep:
     benchmark:
         "results/benchmarks/tables/sweep.tsv"
     params:
-        code=code_of("evidence.hard_cases.sweep.counts"),
+        code=code_of("evidence.hard_cases.sweep.counts", "evidence.writing"),
     message:
         "Sweeping a million random and adversarial inputs"
     script:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
+from planar_pushing.evidence.writing import csv_text
 from planar_pushing.report.costs import FEW_ULP, ill, method, part, well
 from planar_pushing.report.results import Results
-from planar_pushing.report.writing import csv_text
 
 #: The hard places by their number.
 PLACES = {

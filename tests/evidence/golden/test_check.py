@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from planar_pushing.evidence.golden.check import check_results, golden_names
-from planar_pushing.evidence.golden.compare import verdict
+from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.figures.catalog import FIGURES
 from planar_pushing.figures.images import TOLERANCE, difference
 from planar_pushing.figures.render import picture, save, select
@@ -58,7 +58,7 @@ def test_every_tolerance_is_of_a_golden_variable():
 
 def test_results_agree_with_the_golden_data(results):
     checks = check_results(results, GOLDEN, STUDY.tolerances)
-    assert all(check.passed for check in checks), verdict(checks)
+    assert all(check.passed for check in checks), verdict_text(verdict(checks))
     assert sum(check.count for check in checks) > 500_000
 
 

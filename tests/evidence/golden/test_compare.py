@@ -8,7 +8,8 @@ import xarray as xr
 
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
 from planar_pushing.evidence.golden.check import check_results, golden_names
-from planar_pushing.evidence.golden.compare import compare, verdict
+from planar_pushing.evidence.golden.compare import compare
+from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.models import Tolerance
 from planar_pushing.study.store import write_dataset
@@ -47,7 +48,7 @@ def test_equal_data_pass():
     checks = compare("data", result(), golden(), {})
     assert [check.name for check in checks] == ["data: size", "data: turn", "data: count"]
     assert all(check.passed for check in checks)
-    assert verdict(checks).startswith("passed: 11 values of 3 variables agree")
+    assert verdict_text(verdict(checks)).startswith("passed: 11 values of 3 variables agree")
 
 
 def test_parts_of_an_enclosure_are_no_variables():
@@ -128,7 +129,7 @@ def test_verdict_puts_the_worst_first():
     values = np.c_[VALUES, [7.0, 8.0]]
     values[1, 0] += 1
     changed = result(size=(("a", "x"), values, {"units": "length"})).drop_vars("count")
-    lines = verdict(compare("data", changed, golden(), {})).splitlines()
+    lines = verdict_text(verdict(compare("data", changed, golden(), {}))).splitlines()
     assert lines[0] == "FAILED: 2 of 3 variables differ from the golden data"
     assert lines[2] == "FAIL data: count is missing from the result"
     assert lines[3].startswith("FAIL data: size: 1 of 6 differ; worst 1 (")

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import json
 import math
 from collections import Counter
 from collections.abc import Iterable
@@ -14,6 +11,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import precise
+from planar_pushing.evidence import writing
 from planar_pushing.evidence.claims.ledger import NO_CHECK, Claim, Ledger
 from planar_pushing.evidence.claims.proofs.registry import CHECKS
 from planar_pushing.evidence.claims.proofs.verdicts import Evidence, Verdict
@@ -75,17 +73,12 @@ def json_text(judged: Iterable[Judged]) -> str:
     rows = [_row(each) for each in judged]
     counts = Counter(row["verdict"] for row in rows)
     found = {str(verdict): counts[verdict] for verdict in Verdict if counts[verdict]}
-    return json.dumps({"counts": found, "claims": rows}, indent=1, allow_nan=False) + "\n"
+    return writing.json_text({"counts": found, "claims": rows})
 
 
 def csv_text(judged: Iterable[Judged]) -> str:
     """The table as CSV, one line for each claim."""
-    rows = [_row(each) for each in judged]
-    text = io.StringIO()
-    writer = csv.DictWriter(text, fieldnames=list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return text.getvalue()
+    return writing.csv_text([_row(each) for each in judged])
 
 
 def complaint(judged: Iterable[Judged]) -> str:

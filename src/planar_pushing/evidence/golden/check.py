@@ -40,7 +40,7 @@ def check_results(results: Path, golden: Path, tolerances: Mapping[str, Toleranc
         try:
             result = read_dataset(*result_of(name, results)).load()
         except InvalidFile as error:
-            checks.append(Check(name=name, problem=f"cannot be compared: {error}"))
+            checks.append(Check(file=name, problem=f"cannot be compared: {error}"))
             continue
         checks += compare(name, result, read_dataset(golden / f"{name}.nc"), tolerances)
     return checks

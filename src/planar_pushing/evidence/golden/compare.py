@@ -8,7 +8,7 @@ A computed value passes where it differs from the midpoint by no more than toler
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -29,8 +29,8 @@ class Check:
 
     Attributes
     ----------
-    name : str
-        "dataset: variable".
+    file, variable : str
+        The golden file, and the variable in it; empty where the whole result could not be read.
     count, failed : int
         Values compared, and how many of them differ by more than is allowed.
     error, ulp, allowed : float
@@ -41,7 +41,8 @@ class Check:
         Why the variable could not be compared; empty where it was.
     """
 
-    name: str
+    file: str
+    variable: str = ""
     count: int = 0
     failed: int = 0
     error: float = 0.0
@@ -49,6 +50,10 @@ class Check:
     allowed: float = 0.0
     where: str = ""
     problem: str = ""
+
+    @property
+    def name(self) -> str:
+        return f"{self.file}: {self.variable}"
 
     @property
     def passed(self) -> bool:
@@ -63,11 +68,11 @@ class Check:
 
 
 def compare(
-    label: str, result: xr.Dataset, golden: xr.Dataset, tolerances: Mapping[str, Tolerance]
+    file: str, result: xr.Dataset, golden: xr.Dataset, tolerances: Mapping[str, Tolerance]
 ) -> list[Check]:
     """Compare every variable that a golden file certifies with a result."""
     return [
-        _compare_variable(f"{label}: {name}", name, result, golden, tolerances.get(name, EXACT))
+        _compare_variable(file, name, result, golden, tolerances.get(name, EXACT))
         for name in golden_variables(golden)
     ]
 
@@ -96,22 +101,22 @@ def _problem(name: str, result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]
 
 
 def _compare_variable(
-    label: str, name: str, result: xr.Dataset, golden: xr.Dataset, tolerance: Tolerance
+    file: str, name: str, result: xr.Dataset, golden: xr.Dataset, tolerance: Tolerance
 ) -> Check:
     problem = "; ".join(_problem(name, result, golden))
+    check = Check(file=file, variable=name, problem=problem)
     if problem:
-        return Check(name=label, problem=problem)
+        return check
     wanted = golden[name]
     chosen = {dim: golden[dim].values for dim in wanted.dims if dim in golden.coords}
     found = result[name].sel(chosen)
     computed, middle = found.values, wanted.values
     if computed.dtype.kind not in "fiu":
         wrong = computed != middle
-        return Check(
-            name=label, count=computed.size, failed=int(wrong.sum()), error=float(wrong.any())
-        )
+        failed = int(wrong.sum())
+        return replace(check, count=computed.size, failed=failed, error=float(wrong.any()))
     if np.isnan(computed.astype(float)).any():
-        return Check(name=label, problem=f"has {int(np.isnan(computed).sum())} NaN")
+        return replace(check, problem=f"has {int(np.isnan(computed).sum())} NaN")
     low, radius = (
         golden[f"{name}{part}"].values if f"{name}{part}" in golden else np.zeros(middle.shape)
         for part in ("_low", "_radius")
@@ -119,7 +124,7 @@ def _compare_variable(
     error = _difference(computed, middle, low)
     finite = np.where(np.isfinite(middle), np.abs(middle), 0.0)
     allowed = tolerance.ulp * np.spacing(finite) + tolerance.absolute + radius
-    return _worst(label, wanted, computed, error, allowed)
+    return _worst(check, wanted, computed, error, allowed)
 
 
 def _difference(
@@ -133,7 +138,7 @@ def _difference(
 
 
 def _worst(
-    label: str,
+    check: Check,
     wanted: xr.DataArray,
     computed: npt.NDArray[np.float64],
     error: npt.NDArray[np.float64],
@@ -149,8 +154,8 @@ def _worst(
         f"{dim}={wanted[dim].values[i] if dim in wanted.coords else i}"
         for dim, i in zip(wanted.dims, at, strict=True)
     )
-    return Check(
-        name=label,
+    return replace(
+        check,
         count=error.size,
         failed=int(failed.sum()),
         error=float(error[at]),
@@ -158,26 +163,3 @@ def _worst(
         allowed=float(allowed[at]),
         where=f"{coordinates}: computed {computed[at]!s}, golden {middle!s}".lstrip(": "),
     )
-
-
-def verdict(checks: list[Check]) -> str:
-    """Readable verdict, worst first."""
-    ranked = sorted(checks, key=lambda check: (check.passed, -check.badness, check.name))
-    failed = sum(not check.passed for check in checks)
-    count = sum(check.count for check in checks)
-    head = (
-        f"FAILED: {failed} of {len(checks)} variables differ from the golden data"
-        if failed
-        else f"passed: {count} values of {len(checks)} variables agree with the golden data"
-    )
-    return "\n".join([head, "", *map(_line, ranked)]) + "\n"
-
-
-def _line(check: Check) -> str:
-    if check.problem:
-        return f"FAIL {check.name} {check.problem}"
-    mark = "ok  " if check.passed else "FAIL"
-    amount = f"{check.failed} of {check.count} differ" if check.failed else f"{check.count} agree"
-    worst = f"; worst {check.error:.2g} ({check.ulp:.3g} ulp), allowed {check.allowed:.2g}"
-    place = f" at {check.where}" if check.where and check.error else ""
-    return f"{mark} {check.name}: {amount}{worst}{place}"

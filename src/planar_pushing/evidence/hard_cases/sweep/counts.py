@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import os
 import warnings
 from collections import Counter
 from collections.abc import Callable
@@ -13,7 +11,6 @@ import numpy as np
 
 from planar_pushing.evidence.hard_cases.sweep import decisions, kernels
 from planar_pushing.evidence.hard_cases.sweep.adversarial import Generator
-from planar_pushing.study.replacing import replacing
 
 #: Checks of the kernels, and by how much fewer inputs each gets: roots of both effects cost more.
 KERNELS: dict[str, tuple[Callable[[Generator, int], kernels.Wrong], int]] = {
@@ -85,9 +82,3 @@ def _decided(budget: Budget, seed: int) -> dict[str, int]:
     )
     ties = {name: found[name] for name in ("tie", "undecided")}
     return {"inputs": budget.decided, "failures": found["wrong"], **ties}
-
-
-def write_counts(counts: Counts, path: str | os.PathLike[str]) -> None:
-    """Write the counts as JSON, whole or not at all."""
-    with replacing(path) as temporary:
-        temporary.write_text(json.dumps(counts, indent=2) + "\n", encoding="utf-8")

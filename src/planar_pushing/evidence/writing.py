@@ -1,22 +1,21 @@
-"""Text of the report's tables, and writing it to a file."""
+"""Tables as text, and writing them to a file."""
 
 from __future__ import annotations
 
 import csv
 import io
 import json
-import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from planar_pushing.study.files import PathLike
 from planar_pushing.study.replacing import replacing
 
-PathLike = str | os.PathLike[str]
-Rows = Sequence[dict[str, str]]
+Rows = Sequence[Mapping[str, object]]
 
 
 def json_text(content: object) -> str:
     """Content as JSON, one value a line."""
-    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def csv_text(rows: Rows) -> str:
