@@ -49,6 +49,6 @@ def spin_of_arm(arm: arb, gyration: Number, share: Number, width: arb = WIDTH) -
     # t / f lies between k / 2 and k below k = 1, and between k and 2 k above it.
     ends = [arm / 3, arm * 3]
     if share != 0:
-        ends += [arm / gyration / 2, arm / gyration * 2]
-    low, high = min(ends, key=float), max(ends, key=float)
-    return increasing_root(balance, low.lower(), high.upper(), width)
+        ends += [arm / gyration * fmpq(2, 3), arm / gyration * fmpq(3, 2)]
+    low, high = min(float(end.lower()) for end in ends), max(float(end.upper()) for end in ends)
+    return increasing_root(balance, arb(low), arb(high), width)
