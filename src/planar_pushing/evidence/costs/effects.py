@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.costs.counted import NAMES, CountedStudy, counted_scene
+from planar_pushing.evidence.costs.timing import seconds, stamped
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.limit_curve import limit_curve
@@ -109,16 +109,6 @@ def cases(study: StudyFile) -> Iterator[Case]:
             yield _scene_case(name, operation, scene)
 
 
-def _times(case: Case) -> list[float]:
-    case.plain()
-    seconds = []
-    for _ in range(REPEATS):
-        start = time.perf_counter()
-        case.plain()
-        seconds.append(time.perf_counter() - start)
-    return seconds
-
-
 def evaluations(study: StudyFile) -> xr.Dataset:
     """Evaluations of each effect in each case, over `case` and `effect`; the same on every machine."""
     found, names = list(cases(study)), list(NAMES.values())
@@ -144,10 +134,11 @@ def evaluations(study: StudyFile) -> xr.Dataset:
 def measure(study: StudyFile) -> xr.Dataset:
     """Evaluations, and the time of each case in each repeat on this machine."""
     counted = evaluations(study)
-    seconds = np.array([_times(case) for case in cases(study)])
-    return describe(
-        counted.assign(time=(("case", "repeat"), seconds)),
+    taken = seconds([case.plain for case in cases(study)], REPEATS)
+    measured = describe(
+        counted.assign(time=(("case", "repeat"), taken)),
         title="What each effect costs: evaluations counted, time measured on one machine",
         source="scenes and grid of the study",
         parameters={"study": study.title},
     )
+    return stamped(measured)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -21,7 +20,7 @@ from planar_pushing.evidence.costs.tables import (
     labelled,
     wrench_errors,
 )
-from planar_pushing.evidence.costs.timing import machine, seconds
+from planar_pushing.evidence.costs.timing import seconds, stamped
 
 
 def wrench_times() -> Variables:
@@ -102,6 +101,4 @@ def measured() -> dict[str, xr.Dataset]:
     groups["motion"] = described(motion_errors().assign(motion_times))
     for name, times in (("wrench", wrench_times()), ("cone", cone_times())):
         groups[name] = described(groups[name].assign(times))
-    for each in groups.values():
-        each.attrs["machine"] = json.dumps(machine())
-    return groups
+    return {name: stamped(each) for name, each in groups.items()}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import platform
 import time
@@ -10,6 +11,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
+import xarray as xr
 
 from planar_pushing.mechanics.planar import Array
 
@@ -41,6 +43,11 @@ def machine() -> dict[str, str]:
         "python": platform.python_version(),
         **{name: version(name) for name in PACKAGES},
     }
+
+
+def stamped(measured: xr.Dataset) -> xr.Dataset:
+    """Name the machine that a dataset was measured on."""
+    return measured.assign_attrs(machine=json.dumps(machine()))
 
 
 def _processor() -> str:
