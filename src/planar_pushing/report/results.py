@@ -6,13 +6,17 @@ import json
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import xarray as xr
 
 from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.models import EffectsName
 from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
 
+#: What resists the motion, as the datasets name it.
+EFFECTS: tuple[str, ...] = get_args(EffectsName)
+FRICTION, INERTIA, BOTH = EFFECTS
 #: Datasets on how this work computes; a group is named behind a slash.
 MEASURED = ("accuracy", "accuracy_errors", "effects", "evaluations", "hard_cases")
 

@@ -16,7 +16,7 @@ from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.margins import margins
 from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
-from planar_pushing.report.results import Results
+from planar_pushing.report.results import FRICTION, INERTIA, Results
 from planar_pushing.report.verdict import verdict_rows
 from planar_pushing.study.files import PathLike
 
@@ -73,8 +73,8 @@ def cones_text(results: Results) -> str:
     for length in centers.rod_length.values:
         one, bound = cones.sel(rod_length=length), centers.sel(rod_length=length)
         found = {
-            "friction": [one.sel(effects="support_friction")[_edge("motion", s)] for s in SIDES],
-            "inertia": [one.sel(effects="inertia")[_edge("motion", s)] for s in SIDES],
+            "friction": [one.sel(effects=FRICTION)[_edge("motion", s)] for s in SIDES],
+            "inertia": [one.sel(effects=INERTIA)[_edge("motion", s)] for s in SIDES],
             "both, exact": [bound[_edge("exact", s)] for s in SIDES],
             "both, bound of the paper": [bound[_edge("conservative", s)] for s in SIDES],
         }

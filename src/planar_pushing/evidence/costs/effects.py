@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.study.datasets import contact_modes, limit_curves, motion_cones
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.models import StudyFile
@@ -29,7 +29,11 @@ OPERATIONS: dict[str, Callable[[Scene], object]] = {
     "limit_curve": lambda scene: limit_curve(scene, FORCE_ANGLES),
     "solve": lambda scene: solve(scene, PUSHER_ANGLE),
 }
-DATASETS = ("limit_curves", "motion_cones", "contact_modes")
+BUILDERS: dict[str, Callable[[StudyFile], xr.Dataset]] = {
+    "limit_curves": limit_curves.build,
+    "motion_cones": motion_cones.build,
+    "contact_modes": contact_modes.build,
+}
 REPEATS = 7
 
 
@@ -74,7 +78,7 @@ def _scene_case(name: str, operation: str, scene: Scene) -> Case:
 
 
 def _dataset_case(name: str, study: StudyFile) -> Case:
-    build = importlib.import_module(f"planar_pushing.study.datasets.{name}").build
+    build = BUILDERS[name]
     values = {field: getattr(study, field) for field in StudyFile.model_fields}
 
     def run() -> Counter[str]:
@@ -101,7 +105,7 @@ def cases(study: StudyFile) -> Iterator[Case]:
         few = {"effects": (effects,), "rod_angle": (study.slider.rod_angle,)}
         few["contact_friction_coefficient"] = study.grid.contact_friction_coefficient[::10]
         grid = study.grid.model_copy(update=few)
-        for name in DATASETS:
+        for name in BUILDERS:
             yield _dataset_case(name, study.model_copy(update={"grid": grid}))
     for name, push in study.scenes.items():
         scene = load_scene_file(push.file).build()
