@@ -9,9 +9,6 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-Array = npt.NDArray[np.float64]
-
-
 EPS = float(np.finfo(float).eps)
 #: Errors of at most so many units in the last place count as none to speak of.
 FEW_ULP = 4
@@ -121,7 +118,7 @@ def ill_from(cases: xr.Dataset) -> float:
     return float(json.loads(cases.attrs["parameters"])["ill_conditioned_from"])
 
 
-def condition_of_ill(cases: xr.Dataset, which: Callable[[Array], float]) -> float:
+def condition_of_ill(cases: xr.Dataset, which: Callable[[npt.NDArray[np.float64]], float]) -> float:
     """Extreme condition number of the ill-conditioned cases."""
     return float(which(ill(cases).condition.values))
 

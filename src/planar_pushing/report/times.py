@@ -9,9 +9,6 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-Array = npt.NDArray[np.float64]
-
-
 NANO, MICRO, MILLI, MEGA = 1e9, 1e6, 1e3, 1e6
 
 
@@ -21,13 +18,13 @@ def machine(data: xr.Dataset) -> dict[str, str]:
     return found
 
 
-def _least(data: xr.Dataset, times: str, name: str) -> Array:
+def _least(data: xr.Dataset, times: str, name: str) -> npt.NDArray[np.float64]:
     """Least times of a method at its last setting, seconds."""
     return np.asarray(data[times][data.method.values == name][-1].min("repeat").values)
 
 
 def wrench_time(
-    wrench: xr.Dataset, name: str, which: Callable[[Array], float], per: float
+    wrench: xr.Dataset, name: str, which: Callable[[npt.NDArray[np.float64]], float], per: float
 ) -> float:
     """Extreme over the spin ratios of the least time for a wrench, most accurate setting."""
     return per * float(which(_least(wrench, "wrench_seconds", name)))

@@ -10,9 +10,8 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import Field
 
+from planar_pushing.evidence.internals import Array, IsotropicEffect
 from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
-from planar_pushing.mechanics.planar import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.models import EffectsName, StudyFile
 

@@ -11,7 +11,7 @@ from planar_pushing.evidence.costs.errors import angle_errors, relative_error, w
 from planar_pushing.evidence.costs.methods.cones import ROD_ANGLE, edges, inverses, motion_angles
 from planar_pushing.evidence.costs.methods.models import rim_errors
 from planar_pushing.evidence.costs.methods.wrench import wrench_methods
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.evidence.internals import Array
 
 SPIN_RATIOS = np.array([1e-8, 0.1, 0.9, 1 - 1e-3, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e8])
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from planar_pushing.evidence.internals import IsotropicEffect
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction
 from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
 from planar_pushing.mechanics.scene import Scene, Slider
 
 

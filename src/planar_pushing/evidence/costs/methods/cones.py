@@ -13,8 +13,8 @@ from scipy.optimize import brentq, elementwise
 from planar_pushing.evidence.costs.methods.models import fitted_quartic
 from planar_pushing.evidence.costs.methods.quadrature import adaptive
 from planar_pushing.evidence.costs.methods.wrench import BATCH, CLOSED
+from planar_pushing.evidence.internals import Array, contact_motion_angle, moment_arm
 from planar_pushing.mechanics.effects import RingFriction
-from planar_pushing.mechanics.planar import Array, contact_motion_angle, moment_arm
 
 #: Cones whose edges are computed: every rod length with every coefficient of friction. With the last four
 #: the edges' lines of force almost touch the ring.

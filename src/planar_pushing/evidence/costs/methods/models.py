@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from planar_pushing.evidence.internals import Array
 from planar_pushing.mechanics.effects import RingFriction
-from planar_pushing.mechanics.planar import Array
 
 #: Twists, uniform on the unit sphere of (v_x, v_y, R omega), that a fit or a mean runs over.
 SAMPLES = 20000

@@ -11,8 +11,8 @@ from scipy.special import ellipe, ellipk, elliprd, hyp2f1
 from planar_pushing.evidence.costs.methods import quadrature
 from planar_pushing.evidence.costs.methods.models import ellipsoid_profile, fitted_quartic
 from planar_pushing.evidence.costs.methods.quadrature import Wrenches
+from planar_pushing.evidence.internals import Array
 from planar_pushing.mechanics.effects import RingFriction
-from planar_pushing.mechanics.planar import Array
 
 TINY = np.finfo(float).tiny
 #: Elements in a batch of a method that costs nanoseconds each.

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from planar_pushing.certified import radians
 from planar_pushing.evidence.hard_cases.case import Case
-from planar_pushing.mechanics.effects.ring_inverse import ring_spin_ratio
-from planar_pushing.mechanics.effects.ring_profile import ring_profile
+from planar_pushing.evidence.internals import ring_profile, ring_spin_ratio
 
 #: Distances from 1, in both directions where they are doubles.
 GAPS = (0.0, 2.0**-53, 2.0**-52, 1e-12, 1e-9, 1e-6, 1e-3)

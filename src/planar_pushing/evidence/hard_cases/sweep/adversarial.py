@@ -7,10 +7,9 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.evidence.internals import LONGEST, Array, IsotropicEffect
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction, PerfectlyRough
 from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
-from planar_pushing.mechanics.planar import LONGEST, Array
 from planar_pushing.mechanics.scene import Scene, Slider
 
 Generator = np.random.Generator

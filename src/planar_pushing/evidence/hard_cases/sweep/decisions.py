@@ -22,14 +22,21 @@ from planar_pushing.evidence.hard_cases.sweep.adversarial import (
     rod_angle,
     scene,
 )
-from planar_pushing.mechanics.candidates import COINCIDENCE, Candidates, candidates, contact_motion
-from planar_pushing.mechanics.cones import edge_motions, friction_cone, motion_cone
+from planar_pushing.evidence.internals import (
+    COINCIDENCE,
+    Array,
+    Candidates,
+    candidates,
+    contact_motion,
+    direction,
+    edge_motions,
+    friction_coefficient,
+    is_homogeneous,
+)
+from planar_pushing.mechanics.cones import friction_cone, motion_cone
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.effects import Inertia
 from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.mechanics.planar import Array, direction
-from planar_pushing.mechanics.response import is_homogeneous
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import Solutions, solve
 

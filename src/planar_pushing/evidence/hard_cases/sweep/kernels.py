@@ -16,14 +16,19 @@ from planar_pushing.evidence.hard_cases.sweep.adversarial import (
     powers,
     rod_angle,
 )
-from planar_pushing.mechanics import response
+from planar_pushing.evidence.internals import (
+    Array,
+    IsotropicEffect,
+    contact_motion_angle,
+    is_homogeneous,
+    moment_arm,
+    ring_profile,
+    ring_spin_ratio,
+    spin_ratio,
+)
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
-from planar_pushing.mechanics.effects.ring_inverse import ring_spin_ratio
-from planar_pushing.mechanics.effects.ring_profile import ring_profile
 from planar_pushing.mechanics.limit_curve import limit_curve
-from planar_pushing.mechanics.planar import Array, contact_motion_angle, moment_arm
 from planar_pushing.mechanics.scene import Scene, Slider
 
 Wrong = npt.NDArray[np.bool_]
@@ -78,9 +83,9 @@ def ring_spin_ratios(rng: Generator, size: int) -> Wrong:
 
 
 def _spin_ratios(effects: tuple[IsotropicEffect, ...], rng: Generator, arm: Array) -> Array:
-    both = not response.is_homogeneous(effects)
+    both = not is_homogeneous(effects)
     share = rng.choice([0.0, 1.0, 5e-324, 0.5, 1e-300, 1 - 2.0**-53], arm.shape) if both else None
-    return response.spin_ratio(effects, arm, share)
+    return spin_ratio(effects, arm, share)
 
 
 def motion_angles(rng: Generator, size: int) -> Wrong:
