@@ -1,8 +1,8 @@
-"""From the moment arm to the spin ratio, enclosed: the one inverse that every certified number uses.
+"""Roots of the balance of torques, enclosed: from the moment arm to the spin ratio, and sticking.
 
-Friction and inertia act together through the share sigma = s / (1 + s) of inertia, 0 for friction alone
-and 1 for inertia alone: ``(1 - sigma) (t - h f) + sigma (g k - h) = 0`` with ``g = (rho / R)^2``,
-increasing in k.
+Under a line of force friction and inertia act together through the share sigma = s / (1 + s) of inertia,
+0 for friction alone and 1 for inertia alone: ``(1 - sigma) (t - h f) + sigma (g k - h) = 0`` with
+``g = (rho / R)^2``, increasing in k.
 """
 
 from __future__ import annotations
@@ -52,3 +52,25 @@ def spin_of_arm(arm: arb, gyration: Number, share: Number, width: arb = WIDTH) -
         ends += [arm / gyration * fmpq(2, 3), arm / gyration * fmpq(3, 2)]
     low, high = min(float(end.lower()) for end in ends), max(float(end.upper()) for end in ends)
     return increasing_root(balance, arb(low), arb(high), width)
+
+
+def sticking_rotation(
+    along: arb, aside: arb, length: Number, gyration: Number, ratio: Number, width: arb = WIDTH
+) -> arb:
+    """R omega of the motion that takes the contact along, and no torque about the contact.
+
+    In the frame of the rod the contact moves by ``(along, aside)``; `ratio` is m over W in their units.
+    """
+    size = abs(aside)
+
+    def torque(omega: arb) -> arb:
+        across = size - length * omega
+        speed = (along * along + across * across).sqrt()
+        force, moment = ring.profile(omega / speed)
+        friction = moment - length * across / speed * force
+        return friction + ratio * (gyration * omega - length * across)
+
+    # The arm of every such force is at least min(1/2, g) k: it leaves the centre a part of `aside`.
+    least = min(arb(0.5), arb(gyration), key=float) / 2
+    high = size / (length * (1 + least / length**2))
+    return aside.sgn() * increasing_root(torque, arb(0), high.upper(), width)

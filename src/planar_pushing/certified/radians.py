@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 from flint import arb
 
-from planar_pushing.certified.inverse import spin_of_arm
+from planar_pushing.certified.inverse import spin_of_arm, sticking_rotation
 from planar_pushing.certified.ring import profile
 from planar_pushing.certified.roots import increasing_root
 
@@ -67,21 +67,9 @@ def sticking_spin(length: arb, psi: arb, pusher: arb, ratio: arb, rho: arb) -> a
     The torque about the contact increases with the rotation; friction alone has the ratio 0.
     """
     along, aside = (psi - pusher).cos(), (psi - pusher).sin()
-    size, g = abs(aside), rho * rho
-
-    def speed(omega: arb) -> arb:
-        across = size - length * omega
-        return (along * along + across * across).sqrt()
-
-    def about_contact(omega: arb) -> arb:
-        across, v = size - length * omega, speed(omega)
-        f, t = profile((omega / v).mid())
-        return t - length * across / v * f + ratio * (g * omega - length * across)
-
-    least = min(arb(0.5), g, key=float) / 2
-    omega = root(about_contact, arb(0), size * length / (length * length + least))
-    k = omega / speed(omega)
-    return k if aside > 0 else -k
+    omega = sticking_rotation(along, aside, length, rho * rho, ratio, WIDTH)
+    across = aside - length * omega
+    return omega / (along * along + across * across).sqrt()
 
 
 def slip_spin(arm: arb, normal: arb, lever: arb, level: arb, low: arb, high: arb) -> arb:

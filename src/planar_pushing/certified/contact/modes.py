@@ -34,19 +34,6 @@ from planar_pushing.certified.setting import (
     lean,
 )
 
-__all__ = [
-    "INFINITE_FREE",
-    "INFINITE_NONE",
-    "PERFECTLY_ROUGH",
-    "REST",
-    "Law",
-    "Mode",
-    "Motion",
-    "contact_modes",
-    "coulomb",
-    "outcome",
-]
-
 
 class Mode(IntEnum):
     """Contact modes in the order of the datasets."""

@@ -8,7 +8,6 @@ from functools import lru_cache
 
 from flint import arb, fmpq
 
-from planar_pushing.certified import ring
 from planar_pushing.certified.balls import (
     Exact,
     cosine_sine,
@@ -19,8 +18,7 @@ from planar_pushing.certified.balls import (
     settle,
     sign,
 )
-from planar_pushing.certified.inverse import spin_of_arm
-from planar_pushing.certified.roots import increasing_root
+from planar_pushing.certified.inverse import spin_of_arm, sticking_rotation
 from planar_pushing.certified.setting import Effects, Slider
 
 
@@ -95,20 +93,8 @@ def _exact_force(
 
 def _rotation(slider: Slider, effects: Effects, along: arb, aside: arb) -> arb:
     """R omega at which the torque about the contact vanishes, of the sign of `aside`."""
-    length, size, g = slider.rod_length, abs(aside), slider.gyration
-    mass = slider.mass if effects is Effects.BOTH else fmpq(0)
-
-    def torque(omega: arb) -> arb:
-        across = size - length * omega
-        speed = (along * along + across * across).sqrt()
-        force, moment = ring.profile(omega / speed)
-        friction = slider.weight * (moment - length * across / speed * force)
-        return friction + mass * (g * omega - length * across)
-
-    # The arm of every such force is at least min(1/2, g) k: it leaves the centre a part of `aside`.
-    least = min(fmpq(1, 2), g) / 2
-    high = size / (length * (1 + least / length**2))
-    return aside.sgn() * increasing_root(torque, arb(0), high.upper())
+    ratio = slider.mass / slider.weight if effects is Effects.BOTH else fmpq(0)
+    return sticking_rotation(along, aside, slider.rod_length, slider.gyration, ratio)
 
 
 def _spin(slider: Slider, effects: Effects, along: arb, aside: arb, force: tuple[arb, arb]) -> arb:

@@ -8,14 +8,12 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
-from planar_pushing.evidence.claims import checks
+from planar_pushing.evidence.claims import checks as checks  # registers every check
 from planar_pushing.evidence.claims.proofs.registry import CHECKS, numbers_of
 from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.fields import FileModel, NotEmpty, Number, refuse
 from planar_pushing.study.files import PathLike, load_model
-
-__all__ = ["NO_CHECK", "Claim", "Ledger", "checks", "load_ledger"]
 
 #: Check of a claim that nothing can decide; its entry gives the reason.
 NO_CHECK = "not-reproducible"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from itertools import starmap
 
 import numpy as np
@@ -20,6 +21,20 @@ EPS = float(np.finfo(float).eps)
 ILL_CONDITIONED = 1e6
 
 
+class Quantity(StrEnum):
+    """What a case asks for."""
+
+    FORCE = "force"
+    TORQUE = "torque"
+    SPIN_RATIO = "spin_ratio"
+    MOTION_ANGLE = "motion_angle"
+
+    @property
+    def unit(self) -> str:
+        """Unit of the number."""
+        return "radian" if self is Quantity.MOTION_ANGLE else "1"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case:
     """One number under test.
@@ -30,7 +45,7 @@ class Case:
         What is asked, in words.
     line : int
         The line of the list of hard places that it belongs to, 1 to 7.
-    quantity, unit : str
+    quantity : Quantity
         What the number is.
     inputs : tuple of float
         Doubles, taken as exact.
@@ -42,8 +57,7 @@ class Case:
 
     label: str
     line: int
-    quantity: str
-    unit: str
+    quantity: Quantity
     inputs: tuple[float, ...]
     compute: Callable[..., float]
     reference: Callable[..., arb]

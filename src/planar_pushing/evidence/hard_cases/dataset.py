@@ -32,8 +32,8 @@ def build() -> xr.Dataset:
     found = [measure(case) for case in every]
     columns = {
         "line": np.array([case.line for case in every], np.int8),
-        "quantity": [case.quantity for case in every],
-        "quantity_unit": [case.unit for case in every],
+        "quantity": [str(case.quantity) for case in every],
+        "quantity_unit": [case.quantity.unit for case in every],
         "reference": [each.reference for each in found],
         "reference_high": [each.high for each in found],
         "reference_low": [each.low for each in found],

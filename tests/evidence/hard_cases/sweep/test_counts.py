@@ -84,7 +84,7 @@ def test_a_missing_solution_is_wrong(monkeypatch):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         found = Counter(decisions.decided(np.random.default_rng([SEED, i])) for i in range(10))
-    assert found["wrong"] >= 5
+    assert found[decisions.Decision.WRONG] >= 5
 
 
 def test_counts_are_plain_values(counts):

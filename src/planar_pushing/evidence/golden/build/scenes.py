@@ -11,6 +11,7 @@ from flint import arb, fmpq
 from planar_pushing.certified import cones, ring
 from planar_pushing.certified.balls import cosine_sine, precise, rational, sign
 from planar_pushing.certified.contact import modes
+from planar_pushing.certified.contact.sticking import Motion
 from planar_pushing.certified.line_of_force import (
     contact_motion,
     motion_angle,
@@ -97,7 +98,7 @@ def _solution(
     slider: Slider,
     effects: Effects,
     mode: modes.Mode,
-    motion: modes.Motion,
+    motion: Motion,
     magnitude: fmpq,
     pusher: Heading,
 ) -> dict[str, Any]:
@@ -122,7 +123,7 @@ def _solution(
     }
 
 
-def _center(ring_center: list[arb], size: fmpq, motion: modes.Motion) -> list[arb]:
+def _center(ring_center: list[arb], size: fmpq, motion: Motion) -> list[arb]:
     """Motion centre relative to the contact; of a translation the limit k -> 0+ of a rotation."""
     along, k = direction(motion.force_angle), motion.spin_ratio
     across = -along.y, along.x
@@ -166,9 +167,7 @@ def cone_values(
         spins = [spin_ratio(slider, force, share) for force in samples]
         pairs = list(zip(samples, spins, strict=True))
         angles.append([motion_degrees(slider, force, k) for force, k in pairs])
-        centers.append(
-            [_center(ring_center, size, modes.Motion(k, force.degrees)) for force, k in pairs]
-        )
+        centers.append([_center(ring_center, size, Motion(k, force.degrees)) for force, k in pairs])
     return {
         "friction_cone_right": ((), forces.right),
         "friction_cone_left": ((), forces.left),

@@ -10,7 +10,7 @@ import numpy as np
 from flint import arb
 
 from planar_pushing.certified import radians
-from planar_pushing.evidence.hard_cases.case import Case
+from planar_pushing.evidence.hard_cases.case import Case, Quantity
 from planar_pushing.evidence.hard_cases.scenes import make_scene
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import ContactMode, PerfectlyRough
@@ -48,8 +48,9 @@ def cases() -> Iterator[Case]:
         for mu in COEFFICIENTS:
             for side, edge in ((1, "right"), (-1, "left")):
                 yield Case(
-                    label=f"{edge} edge, {name}, mu = {mu:g}", line=4, quantity="motion_angle",
-                    unit="radian", inputs=(2.0, ROD_ANGLE, mu), compute=partial(_edge, side, share),
+                    label=f"{edge} edge, {name}, mu = {mu:g}", line=4,
+                    quantity=Quantity.MOTION_ANGLE, inputs=(2.0, ROD_ANGLE, mu),
+                    compute=partial(_edge, side, share),
                     reference=partial(_exact_edge, side, share),
                 )  # fmt: skip
     cone = motion_cone(make_scene(2.0, ROD_ANGLE, share=0.0, mu=2.0))
@@ -59,6 +60,6 @@ def cases() -> Iterator[Case]:
             pusher = float(np.nextafter(angle, towards))
             yield Case(
                 label=f"stick, pusher at {pusher!r}, an ulp off {name}", line=4,
-                quantity="spin_ratio", unit="1", inputs=(2.0, ROD_ANGLE, pusher), compute=_stick,
+                quantity=Quantity.SPIN_RATIO, inputs=(2.0, ROD_ANGLE, pusher), compute=_stick,
                 reference=_exact_stick,
             )  # fmt: skip

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from planar_pushing.certified import radians
-from planar_pushing.evidence.hard_cases.case import Case
+from planar_pushing.evidence.hard_cases.case import Case, Quantity
 from planar_pushing.evidence.hard_cases.scenes import make_scene
 from planar_pushing.mechanics.cones import motion_angle
 
@@ -33,7 +33,7 @@ def _compute(length: float, psi: float, phi: float, share: float, rho: float) ->
 
 def _case(label: str, *inputs: float) -> Case:
     return Case(
-        label=label, line=3, quantity="motion_angle", unit="radian", inputs=inputs,
+        label=label, line=3, quantity=Quantity.MOTION_ANGLE, inputs=inputs,
         compute=_compute, reference=radians.motion_angle,
     )  # fmt: skip
 

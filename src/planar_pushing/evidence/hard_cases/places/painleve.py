@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb
 
 from planar_pushing.certified import radians
-from planar_pushing.evidence.hard_cases.case import Case
+from planar_pushing.evidence.hard_cases.case import Case, Quantity
 from planar_pushing.evidence.hard_cases.scenes import make_scene
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.solve import solve
@@ -49,7 +49,7 @@ def cases() -> Iterator[Case]:
     for level in LEVELS:
         for branch, name in enumerate(("fast", "slow")):
             yield Case(
-                label=f"{name} slip at n . u = {level!r}", line=7, quantity="spin_ratio", unit="1",
+                label=f"{name} slip at n . u = {level!r}", line=7, quantity=Quantity.SPIN_RATIO,
                 inputs=(COEFFICIENT, level), compute=partial(_spin, branch),
                 reference=partial(_exact_spin, branch),
             )  # fmt: skip

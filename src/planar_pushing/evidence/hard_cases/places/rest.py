@@ -8,7 +8,7 @@ import numpy as np
 from flint import arb
 
 from planar_pushing.certified import radians
-from planar_pushing.evidence.hard_cases.case import Case
+from planar_pushing.evidence.hard_cases.case import Case, Quantity
 from planar_pushing.mechanics.effects import RingFriction
 
 TWISTS = (
@@ -44,10 +44,10 @@ def cases() -> Iterator[Case]:
     """Cases of line 6."""
     for speed, spin in TWISTS:
         for quantity, compute, exact in (
-            ("force", _force, _exact_force),
-            ("torque", _torque, _exact_torque),
+            (Quantity.FORCE, _force, _exact_force),
+            (Quantity.TORQUE, _torque, _exact_torque),
         ):
             yield Case(
                 label=f"{quantity} at v = {speed:g}, R omega = {spin:g}", line=6, quantity=quantity,
-                unit="1", inputs=(speed, spin), compute=compute, reference=exact,
+                inputs=(speed, spin), compute=compute, reference=exact,
             )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from planar_pushing.certified import radians
-from planar_pushing.evidence.hard_cases.case import Case
+from planar_pushing.evidence.hard_cases.case import Case, Quantity
 from planar_pushing.evidence.internals import ring_profile, ring_spin_ratio
 
 #: Distances from 1, in both directions where they are doubles.
@@ -28,12 +28,12 @@ def _spin(arm: float) -> float:
 
 def _cases(line: int, x: float) -> Iterator[Case]:
     for quantity, compute, exact, name in (
-        ("force", _force, radians.force, "k"),
-        ("torque", _torque, radians.torque, "k"),
-        ("spin_ratio", _spin, radians.friction_spin, "h"),
+        (Quantity.FORCE, _force, radians.force, "k"),
+        (Quantity.TORQUE, _torque, radians.torque, "k"),
+        (Quantity.SPIN_RATIO, _spin, radians.friction_spin, "h"),
     ):
         yield Case(
-            label=f"{quantity} at {name} = {x!r}", line=line, quantity=quantity, unit="1",
+            label=f"{quantity} at {name} = {x!r}", line=line, quantity=quantity,
             inputs=(x,), compute=compute, reference=exact,
         )  # fmt: skip
 

@@ -8,7 +8,7 @@ import numpy as np
 from flint import arb
 
 from planar_pushing.certified import radians
-from planar_pushing.evidence.hard_cases.case import Case
+from planar_pushing.evidence.hard_cases.case import Case, Quantity
 from planar_pushing.evidence.hard_cases.scenes import make_scene
 from planar_pushing.mechanics.cones import spin_ratio
 from planar_pushing.mechanics.contact import ContactMode
@@ -44,11 +44,11 @@ def cases() -> Iterator[Case]:
     for phi in (0.2, TANGENT):
         for share in SHARES:
             yield Case(
-                label=f"phi = {phi:.6g}, share {share!r}", line=5, quantity="spin_ratio", unit="1",
+                label=f"phi = {phi:.6g}, share {share!r}", line=5, quantity=Quantity.SPIN_RATIO,
                 inputs=(2.0, ROD_ANGLE, phi, share), compute=_spin, reference=_exact_spin,
             )  # fmt: skip
     for magnitude in MAGNITUDES:
         yield Case(
-            label=f"stick at m a / W = {magnitude:g}", line=5, quantity="spin_ratio", unit="1",
+            label=f"stick at m a / W = {magnitude:g}", line=5, quantity=Quantity.SPIN_RATIO,
             inputs=(2.0, ROD_ANGLE, 1.0, magnitude), compute=_stick, reference=_exact_stick,
         )  # fmt: skip

@@ -11,6 +11,7 @@ import numpy as np
 
 from planar_pushing.evidence.hard_cases.sweep import decisions, kernels
 from planar_pushing.evidence.hard_cases.sweep.adversarial import Generator
+from planar_pushing.evidence.hard_cases.sweep.decisions import Decision
 
 #: Checks of the kernels, and by how much fewer inputs each gets: roots of both effects cost more.
 KERNELS: dict[str, tuple[Callable[[Generator, int], kernels.Wrong], int]] = {
@@ -80,5 +81,9 @@ def _decided(budget: Budget, seed: int) -> dict[str, int]:
     found = Counter(
         decisions.decided(np.random.default_rng([seed, i])) for i in range(budget.decided)
     )
-    ties = {name: found[name] for name in ("tie", "undecided")}
-    return {"inputs": budget.decided, "failures": found["wrong"], **ties}
+    return {
+        "inputs": budget.decided,
+        "failures": found[Decision.WRONG],
+        "tie": found[Decision.TIE],
+        "undecided": found[Decision.UNDECIDED],
+    }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from dataclasses import replace
+from enum import Enum, auto
 
 import numpy as np
 import numpy.typing as npt
@@ -158,8 +159,17 @@ def _on_an_edge(scene: Scene, pusher: float) -> bool:
     return nearest <= 2 * COINCIDENCE
 
 
-def decided(rng: Generator) -> str:
-    """Compare one scene with the certified decisions: "same", "tie", "undecided" or "wrong".
+class Decision(Enum):
+    """How the modes found compare with the certified ones."""
+
+    SAME = auto()
+    TIE = auto()
+    UNDECIDED = auto()
+    WRONG = auto()
+
+
+def decided(rng: Generator) -> Decision:
+    """Compare one scene with the certified decisions.
 
     A tie hangs on rounding: a change of the pusher's angle by 2^-44 turns the certified modes into those
     found, or the pusher is so close to a cone's edge that the slip is below `COINCIDENCE`: a stick.
@@ -174,7 +184,7 @@ def decided(rng: Generator) -> str:
             undecided = True
             continue
         if exact == found:
-            return "tie" if nudge else "same"
+            return Decision.TIE if nudge else Decision.SAME
     if _on_an_edge(here, pusher):
-        return "tie"
-    return "undecided" if undecided else "wrong"
+        return Decision.TIE
+    return Decision.UNDECIDED if undecided else Decision.WRONG
