@@ -24,14 +24,7 @@ from planar_pushing.certified.balls import (
 )
 from planar_pushing.certified.inverse import spin_of_arm
 from planar_pushing.certified.roots import increasing_root
-from planar_pushing.certified.setting import (
-    FRICTION,
-    INERTIA,
-    Effects,
-    Heading,
-    Slider,
-    lean,
-)
+from planar_pushing.certified.setting import FRICTION, INERTIA, Effects, Heading, Slider, lean
 
 
 @lru_cache(maxsize=1 << 17)

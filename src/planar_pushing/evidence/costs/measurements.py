@@ -33,10 +33,7 @@ def wrench_times() -> Variables:
         for k in SPIN_RATIOS
     ]
     taken = seconds(calls).reshape(len(rows), SPIN_RATIOS.size, -1) / batch[:, None, None]
-    return {
-        "wrench_seconds": (("point", "spin_ratio", "repeat"), taken),
-        "batch": ("point", batch),
-    }
+    return {"wrench_seconds": (("point", "spin_ratio", "repeat"), taken), "batch": ("point", batch)}
 
 
 def cone_times() -> Variables:

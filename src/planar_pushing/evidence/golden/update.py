@@ -60,7 +60,7 @@ def golden_files(values: Study) -> dict[str, xr.Dataset]:
     """
     files = {name: job(PROCESSES) for name, job in golden_jobs(values)}
     for name, second in second_route(values, PROCESSES):
-        found = agreement(values, name, second, files[name])
+        found = agreement(values, second, files[name])
         if found.apart:
             raise InvalidResult(f"{name}: the two routes disagree on {', '.join(found.apart)}")
         files[name].attrs[CHECKED] = found.count

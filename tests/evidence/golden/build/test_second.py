@@ -31,14 +31,14 @@ def integrals(study):
 
 def test_routes_agree(study, integrals):
     stored = read_dataset(GOLDEN / f"{FILE}.nc")
-    found = second.agreement(study, FILE, integrals, stored)
+    found = second.agreement(study, integrals, stored)
     assert (found.count, found.apart) == (8, ())
 
 
 def test_a_number_off_by_its_radius_is_told(study, integrals):
     stored = read_dataset(GOLDEN / f"{FILE}.nc")
     stored["motion_cone_left_low"][2] += 1e-22
-    assert second.agreement(study, FILE, integrals, stored).apart == ("motion_cone_left",)
+    assert second.agreement(study, integrals, stored).apart == ("motion_cone_left",)
 
 
 def test_the_part_has_every_axis_and_at_least_a_thousand_numbers(study):

@@ -87,10 +87,7 @@ def center(
     parameters: Parameters, rod_angle: float, length: float, force_angle: float, share: float
 ) -> Record:
     """Acceleration centre and motion at a share of inertia."""
-    slider, force = (
-        Slider.of(length, rod_angle, **parameters),
-        heading(rational(force_angle)),
-    )
+    slider, force = (Slider.of(length, rod_angle, **parameters), heading(rational(force_angle)))
     spin = line_of_force.spin_ratio(slider, force, rational(share))
     x, y = line_of_force.motion_center(slider, force, spin)
     size = rational(parameters["radius"])

@@ -85,10 +85,7 @@ def scene_values(scene: Mapping[str, Any], push: Mapping[str, Any]) -> Values:
         "slip": (("solution",), [each["slip"] for each in solutions]),
         "twist": (("solution", "twist_component"), [each["twist"] for each in solutions]),
         "spin_ratio": (("solution",), [motion.spin_ratio for _, motion in moving]),
-        "center": (
-            vectors,
-            [_center(ring_center, size, motion) for _, motion in moving],
-        ),
+        "center": (vectors, [_center(ring_center, size, motion) for _, motion in moving]),
     }
     values |= _support(slider, effects, values)
     return values | cone_values(slider, effects, law, size, push["cone_samples"])

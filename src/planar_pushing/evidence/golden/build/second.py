@@ -7,9 +7,8 @@ of the first route is at hand. Its enclosures must overlap those of the first.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from multiprocessing import get_context
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -40,20 +39,12 @@ CONE_SAMPLES = (0, 45, 90, 180)
 FIRST = (0.0,)
 
 
-@dataclass(frozen=True, slots=True)
-class Agreement:
-    """How a golden file of the second route compares with the first.
+class Agreement(NamedTuple):
+    """How many enclosures of two routes were compared, and the variables in which they lie apart.
 
-    Attributes
-    ----------
-    name : str
-    count : int
-        Enclosures compared; exact numbers and flags come on top.
-    apart : tuple of str
-        Variables with enclosures that do not overlap, or flags that differ.
+    Exact numbers and flags come on top of the count.
     """
 
-    name: str
     count: int
     apart: tuple[str, ...]
 
@@ -87,7 +78,7 @@ def _build(job: tuple[Study, str]) -> xr.Dataset:
     return dict(golden_jobs(thinned(study)))[name](1)
 
 
-def agreement(study: Study, name: str, second: xr.Dataset, first: xr.Dataset) -> Agreement:
+def agreement(study: Study, second: xr.Dataset, first: xr.Dataset) -> Agreement:
     """Compare the enclosures of two routes at the points of the second."""
     kept = study["grid"]["friction_coefficient"]
     bare = {  # dimensions that some file has no coordinate for
@@ -104,4 +95,4 @@ def agreement(study: Study, name: str, second: xr.Dataset, first: xr.Dataset) ->
         count += int((second[f"{each}_radius"] > 0).sum()) if f"{each}_radius" in second else 0
         if disjoint(each, second, part).any():
             apart.append(each)
-    return Agreement(name, count, tuple(apart))
+    return Agreement(count, tuple(apart))
