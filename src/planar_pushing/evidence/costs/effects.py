@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
+from typing import TypeVar
 
 import numpy as np
 import xarray as xr
@@ -35,6 +37,7 @@ BUILDERS: dict[str, Callable[[StudyFile], xr.Dataset]] = {
     "contact_modes": contact_modes.build,
 }
 REPEATS = 7
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,27 +69,26 @@ def _listed(scene: Scene) -> str:
     return "+".join(name for kind, name in NAMES.items() for e in scene.effects if type(e) is kind)
 
 
+def _counted(compute: Callable[[T], object], watched: Callable[[Counter[str]], T]) -> Counter[str]:
+    """Tally of what a computation evaluates on something that counts into it."""
+    tally: Counter[str] = Counter()
+    compute(watched(tally))
+    return tally
+
+
 def _scene_case(name: str, operation: str, scene: Scene) -> Case:
-    compute = OPERATIONS[operation]
-
-    def run() -> Counter[str]:
-        tally: Counter[str] = Counter()
-        compute(counted_scene(scene, tally))
-        return tally
-
-    return Case(name, operation, _listed(scene), run, lambda: compute(scene))
+    compute, watched = OPERATIONS[operation], partial(counted_scene, scene)
+    run = partial(_counted, compute, watched)
+    return Case(name, operation, _listed(scene), run, partial(compute, scene))
 
 
 def _dataset_case(name: str, study: StudyFile) -> Case:
     build = BUILDERS[name]
     values = {field: getattr(study, field) for field in StudyFile.model_fields}
-
-    def run() -> Counter[str]:
-        tally: Counter[str] = Counter()
-        build(CountedStudy.model_construct(**values, tally=tally))
-        return tally
-
-    return Case("grid", name, study.grid.effects[0], run, lambda: build(study))
+    run = partial(
+        _counted, build, lambda tally: CountedStudy.model_construct(**values, tally=tally)
+    )
+    return Case("grid", name, study.grid.effects[0], run, partial(build, study))
 
 
 def cases(study: StudyFile) -> Iterator[Case]:

@@ -17,6 +17,7 @@ import xarray as xr
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
 from planar_pushing.study.models import Tolerance
 
+Floats = npt.NDArray[np.float64]
 #: A variable that no tolerance names must agree exactly.
 EXACT = Tolerance()
 #: Attributes that must be the same.
@@ -127,9 +128,7 @@ def _compare_variable(
     return _worst(check, wanted, computed, error, allowed)
 
 
-def _difference(
-    computed: npt.NDArray[np.float64], middle: npt.NDArray[np.float64], low: npt.NDArray[np.float64]
-) -> npt.NDArray[np.float64]:
+def _difference(computed: Floats, middle: Floats, low: Floats) -> Floats:
     """Absolute difference from ``middle + low``; 0 where both are the same infinity."""
     same = computed == middle
     with np.errstate(invalid="ignore"):
@@ -138,11 +137,7 @@ def _difference(
 
 
 def _worst(
-    check: Check,
-    wanted: xr.DataArray,
-    computed: npt.NDArray[np.float64],
-    error: npt.NDArray[np.float64],
-    allowed: npt.NDArray[np.float64],
+    check: Check, wanted: xr.DataArray, computed: Floats, error: Floats, allowed: Floats
 ) -> Check:
     failed = error > allowed
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):

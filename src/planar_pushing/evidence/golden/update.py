@@ -63,7 +63,7 @@ def golden_files(values: Study) -> dict[str, xr.Dataset]:
         found = agreement(values, second, files[name])
         if found.apart:
             raise InvalidResult(f"{name}: the two routes disagree on {', '.join(found.apart)}")
-        files[name].attrs[CHECKED] = found.count
+        files[name].attrs[CHECKED] = found.compared
     return files
 
 

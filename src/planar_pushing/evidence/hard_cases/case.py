@@ -71,7 +71,7 @@ class Measure:
     ----------
     reference : str
         40 digits.
-    high, low : float
+    reference_high, reference_low : float
         The same as the sum of two doubles.
     result : float
     error_ulp : float
@@ -81,8 +81,8 @@ class Measure:
     """
 
     reference: str
-    high: float
-    low: float
+    reference_high: float
+    reference_low: float
     result: float
     error_ulp: float
     condition: float
@@ -131,5 +131,6 @@ def measure(case: Case) -> Measure:
         text = value.mid().str(DIGITS, radius=False)
         condition = _condition(case, value)
     return Measure(
-        reference=text, high=high, low=low, result=result, error_ulp=error, condition=condition
-    )
+        reference=text, reference_high=high, reference_low=low,
+        result=result, error_ulp=error, condition=condition,
+    )  # fmt: skip

@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import fields
 
 import numpy as np
 import xarray as xr
 
-from planar_pushing.evidence.hard_cases.case import ILL_CONDITIONED, PRECISION, Case, measure
+from planar_pushing.evidence.hard_cases.case import (
+    ILL_CONDITIONED,
+    PRECISION,
+    Case,
+    Measure,
+    measure,
+)
 from planar_pushing.evidence.hard_cases.places import contact, lengths, painleve, rest, ring, shares
 from planar_pushing.study.describe import describe
 
@@ -34,12 +41,7 @@ def build() -> xr.Dataset:
         "line": np.array([case.line for case in every], np.int8),
         "quantity": [str(case.quantity) for case in every],
         "quantity_unit": [case.quantity.unit for case in every],
-        "reference": [each.reference for each in found],
-        "reference_high": [each.high for each in found],
-        "reference_low": [each.low for each in found],
-        "result": [each.result for each in found],
-        "error_ulp": [each.error_ulp for each in found],
-        "condition": [each.condition for each in found],
+        **{field.name: [getattr(each, field.name) for each in found] for field in fields(Measure)},
         "error_bound": [each.bound for each in found],
         "ill_conditioned": np.array([each.ill_conditioned for each in found], np.int8),
     }

@@ -32,7 +32,7 @@ def integrals(study):
 def test_routes_agree(study, integrals):
     stored = read_dataset(GOLDEN / f"{FILE}.nc")
     found = second.agreement(study, integrals, stored)
-    assert (found.count, found.apart) == (8, ())
+    assert (found.compared, found.apart) == (8, ())
 
 
 def test_a_number_off_by_its_radius_is_told(study, integrals):

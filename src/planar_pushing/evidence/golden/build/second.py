@@ -45,7 +45,7 @@ class Agreement(NamedTuple):
     Exact numbers and flags come on top of the count.
     """
 
-    count: int
+    compared: int
     apart: tuple[str, ...]
 
 

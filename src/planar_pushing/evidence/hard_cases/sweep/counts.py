@@ -81,9 +81,5 @@ def _decided(budget: Budget, seed: int) -> dict[str, int]:
     found = Counter(
         decisions.decided(np.random.default_rng([seed, i])) for i in range(budget.decided)
     )
-    return {
-        "inputs": budget.decided,
-        "failures": found[Decision.WRONG],
-        "tie": found[Decision.TIE],
-        "undecided": found[Decision.UNDECIDED],
-    }
+    ties = {each.name.lower(): found[each] for each in (Decision.TIE, Decision.UNDECIDED)}
+    return {"inputs": budget.decided, "failures": found[Decision.WRONG], **ties}
