@@ -11,7 +11,7 @@ import xarray as xr
 
 from planar_pushing.evidence.costs import grids, motion
 from planar_pushing.evidence.costs.methods.cones import edges, inverses, motion_angles
-from planar_pushing.evidence.costs.methods.wrench import wrench_methods
+from planar_pushing.evidence.costs.methods.wrench import batch, wrench_methods
 from planar_pushing.evidence.costs.tables import (
     SPIN_RATIOS,
     Variables,
@@ -26,29 +26,29 @@ from planar_pushing.evidence.costs.timing import seconds, stamped
 def wrench_times() -> Variables:
     """Seconds for a wrench at every setting and spin ratio, each repeat."""
     rows = [(each, setting) for each in wrench_methods() for setting in each.settings]
-    batch = np.array([each.batch(setting) for each, setting in rows])
+    count = np.array([batch(each, setting) for each, setting in rows])
     calls = [
-        partial(each.run, np.full(count, k), setting)
-        for (each, setting), count in zip(rows, batch, strict=True)
+        partial(each.run, np.full(size, k), setting)
+        for (each, setting), size in zip(rows, count, strict=True)
         for k in SPIN_RATIOS
     ]
-    taken = seconds(calls).reshape(len(rows), SPIN_RATIOS.size, -1) / batch[:, None, None]
-    return {"wrench_seconds": (("point", "spin_ratio", "repeat"), taken), "batch": ("point", batch)}
+    taken = seconds(calls).reshape(len(rows), SPIN_RATIOS.size, -1) / count[:, None, None]
+    return {"wrench_seconds": (("point", "spin_ratio", "repeat"), taken), "batch": ("point", count)}
 
 
 def cone_times() -> Variables:
     """Seconds for both edges of a motion cone at every setting, each repeat."""
     length, angle = edges()
     rows = [(each, setting) for each in inverses() for setting in each.settings]
-    batch = np.array([each.copies * length.size // 2 for each, _ in rows])
+    count = np.array([each.budget * length.size // 2 for each, _ in rows])
     calls = [
         partial(
-            motion_angles, each, setting, np.tile(length, each.copies), np.tile(angle, each.copies)
+            motion_angles, each, setting, np.tile(length, each.budget), np.tile(angle, each.budget)
         )
         for each, setting in rows
     ]
-    taken = seconds(calls) / batch[:, None]
-    return {"cone_seconds": (("point", "repeat"), taken), "batch": ("point", batch)}
+    taken = seconds(calls) / count[:, None]
+    return {"cone_seconds": (("point", "repeat"), taken), "batch": ("point", count)}
 
 
 def grid_table(sizes: tuple[int, ...] = grids.SIZES) -> xr.Dataset:

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq, elementwise
 
+from planar_pushing.evidence.costs.methods.base import BATCH, CLOSED, Method, Run
 from planar_pushing.evidence.costs.methods.models import fitted_quartic
 from planar_pushing.evidence.costs.methods.quadrature import adaptive
-from planar_pushing.evidence.costs.methods.wrench import BATCH, CLOSED
 from planar_pushing.evidence.internals import Array, contact_motion_angle, moment_arm
 from planar_pushing.mechanics.effects import RingFriction
 
@@ -25,30 +24,9 @@ ROD_ANGLE = np.pi / 4
 
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14)
 SIZES = tuple(2.0**n for n in range(4, 17, 2))
-#: Spin ratios for positive moment arms, and evaluations for each.
+#: Spin ratios for positive moment arms, and evaluations for each: of an integrand for `brentq on quad`,
+#: of the wrench for the others.
 Ratios = tuple[Array, Array]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Inverse:
-    """A way from moment arms to spin ratios.
-
-    Parameters
-    ----------
-    name : str
-    settings : tuple of float
-        Tolerances or table sizes; one entry, 0, for a method without a setting.
-    run : callable
-        Maps moment arms > 0 of shape (n,) and a setting to spin ratios and counts of evaluations:
-        of an integrand for `brentq on quad`, of the wrench for the others.
-    copies : int
-        Times that a timed call repeats the cones.
-    """
-
-    name: str
-    settings: tuple[float, ...]
-    run: Callable[[Array, float], Ratios]
-    copies: int
 
 
 def edges() -> tuple[Array, Array]:
@@ -60,7 +38,7 @@ def edges() -> tuple[Array, Array]:
 
 
 def motion_angles(
-    inverse: Inverse, setting: float, length: Array, angle: Array
+    inverse: Method, setting: float, length: Array, angle: Array
 ) -> tuple[Array, Array]:
     """Motion angles of edges, radians, and evaluations for each."""
     arm = moment_arm(length, ROD_ANGLE, angle)
@@ -110,7 +88,7 @@ def _find_root(arm: Array, tolerance: float) -> Ratios:
     return np.asarray(found.x), np.asarray(found.nfev)
 
 
-def _folded(table: Callable[[int], Callable[[Array], Array]]) -> Callable[[Array, float], Ratios]:
+def _folded(table: Callable[[int], Callable[[Array], Array]]) -> Run:
     """Look up arms in [0, 1] and, since H is self-dual, all others."""
 
     def run(arm: Array, size: float) -> Ratios:
@@ -138,25 +116,23 @@ def _cubic(size: int) -> Callable[[Array], Array]:
     return spline
 
 
-def _model(spin_ratio: Callable[[Array], Array]) -> Callable[[Array, float], Ratios]:
+def _model(spin_ratio: Callable[[Array], Array]) -> Run:
     def run(arm: Array, setting: float) -> Ratios:
         return spin_ratio(arm), np.zeros(arm.shape, dtype=int)
 
     return run
 
 
-def inverses() -> tuple[Inverse, ...]:
-    """The methods for the motion cone, our own first."""
+def inverses() -> tuple[Method, ...]:
+    """The methods for the motion cone, our own first; a budget is how often a call repeats the cones."""
     copies = max(1, BATCH // (2 * ROD_LENGTHS.size * FRICTION_COEFFICIENTS.size))
 
-    def fast(
-        name: str, run: Callable[[Array, float], Ratios], settings: tuple[float, ...] = CLOSED
-    ) -> Inverse:
-        return Inverse(name=name, settings=settings, run=run, copies=copies)
+    def fast(name: str, run: Run, settings: tuple[float, ...] = CLOSED) -> Method:
+        return Method(name=name, settings=settings, run=run, budget=copies)
 
     return (
         fast("closed form", _ours),
-        Inverse(name="brentq on quad", settings=TOLERANCES[:-1], run=_brentq, copies=1),
+        Method(name="brentq on quad", settings=TOLERANCES[:-1], run=_brentq, budget=1),
         fast("find_root", _find_root, TOLERANCES),
         fast("linear table", _folded(_linear), SIZES),
         fast("cubic table", _folded(_cubic), SIZES),

@@ -3,48 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.special import ellipe, ellipk, elliprd, hyp2f1
 
 from planar_pushing.evidence.costs.methods import quadrature
+from planar_pushing.evidence.costs.methods.base import BATCH, CLOSED, Method, Run
 from planar_pushing.evidence.costs.methods.models import ellipsoid_profile, fitted_quartic
 from planar_pushing.evidence.costs.methods.quadrature import Wrenches
 from planar_pushing.evidence.internals import Array
 from planar_pushing.mechanics.effects import RingFriction
 
 TINY = np.finfo(float).tiny
-#: Elements in a batch of a method that costs nanoseconds each.
-BATCH = 4096
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Method:
-    """A way to compute the wrench.
-
-    Parameters
-    ----------
-    name : str
-    settings : tuple of float
-        Points or tolerances; one entry, 0, for a method without a setting.
-    run : callable
-        Maps spin ratios of shape (n,) and a setting to forces, torques and counts of evaluations.
-    budget : int
-        Elements, or elements times points, that a timed call takes.
-    """
-
-    name: str
-    settings: tuple[float, ...]
-    run: Callable[[Array, float], Wrenches]
-    budget: int
-
-    def batch(self, setting: float) -> int:
-        """Number of elements that a timed call takes at a setting."""
-        return max(1, self.budget // max(1, int(setting)))
+def batch(method: Method, setting: float) -> int:
+    """Number of elements that a timed call takes, where the budget is elements times points."""
+    return max(1, method.budget // max(1, int(setting)))
 
 
-def _dual(inner: Callable[[Array], tuple[Array, Array]]) -> Callable[[Array, float], Wrenches]:
+def _dual(inner: Callable[[Array], tuple[Array, Array]]) -> Run:
     """A wrench for any k >= 0 from one for k <= 1; no integrand is evaluated."""
 
     def run(k: Array, setting: float) -> Wrenches:
@@ -56,7 +34,7 @@ def _dual(inner: Callable[[Array], tuple[Array, Array]]) -> Callable[[Array, flo
     return run
 
 
-def _whole(profile: Callable[[Array], tuple[Array, Array]]) -> Callable[[Array, float], Wrenches]:
+def _whole(profile: Callable[[Array], tuple[Array, Array]]) -> Run:
     """A wrench for any k >= 0 without a setting; no integrand is evaluated."""
 
     def run(k: Array, setting: float) -> Wrenches:
@@ -85,7 +63,6 @@ def _textbook(k: Array) -> tuple[Array, Array]:
 
 
 TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13)
-CLOSED = (0.0,)
 #: Spin ratios times points for which a rule's integrand fits a cache.
 POINTS = 2**15
 
@@ -93,7 +70,7 @@ POINTS = 2**15
 def wrench_methods() -> tuple[Method, ...]:
     """The methods for the wrench, our own first."""
 
-    def closed(name: str, run: Callable[[Array, float], Wrenches]) -> Method:
+    def closed(name: str, run: Run) -> Method:
         return Method(name=name, settings=CLOSED, run=run, budget=BATCH)
 
     return (
