@@ -10,6 +10,7 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.certified.balls import precise
+from planar_pushing.certified.setting import Effects
 from planar_pushing.evidence.golden.build import cells, motions
 from planar_pushing.evidence.golden.build.packing import Values, certified
 from planar_pushing.evidence.golden.build.plotted import (
@@ -53,9 +54,8 @@ def _scene_figure(scene: str, study: Study) -> Golden:
 
 def _figure_01(study: Study) -> Golden:
     settings = study["figures"]["figure_01"]
-    edges = cone(
-        study, "support_friction", settings["rod_length"], settings["friction_coefficient"]
-    )
+    length, mu = settings["rod_length"], settings["friction_coefficient"]
+    edges = cone(study, Effects.FRICTION, length, mu)
     edge = edges["motion_cone_left"]
     return {
         "force_angle": ((), edges["friction_cone_left"]),
@@ -73,9 +73,9 @@ def _figure_04(study: Study) -> Golden:
 def _figure_05(study: Study) -> Golden:
     lengths, psi = study["figures"]["figure_05"]["rod_length"], study["slider"]["rod_angle"]
     order = [(psi + turn) % 360 for turn in (0, 90, 180, 270)]
-    special = [[point(study, "support_friction", each, phi) for phi in order] for each in lengths]
-    ends = [point(study, "support_friction", lengths[-1], phi) for phi in (psi, (psi + 180) % 360)]
-    values = curves(study, "support_friction", lengths)
+    special = [[point(study, Effects.FRICTION, each, phi) for phi in order] for each in lengths]
+    ends = [point(study, Effects.FRICTION, lengths[-1], phi) for phi in (psi, (psi + 180) % 360)]
+    values = curves(study, Effects.FRICTION, lengths)
     dims = ("rod_length", "parallel_angle")
     values |= {
         "parallel_force": (dims, [[each["force"] for each in row] for row in special]),
@@ -93,15 +93,15 @@ def _figure_05(study: Study) -> Golden:
 def _figure_06(study: Study) -> Golden:
     settings = study["figures"]["figure_06"]
     length, mu = settings["rod_length"], settings["friction_coefficient"]
-    curve = curves(study, "support_friction", [length])
+    curve = curves(study, Effects.FRICTION, [length])
     values: Values = {name: (("force_angle",), nested[0]) for name, (_, nested) in curve.items()}
-    values |= mapping(study, "support_friction", length, mu)
+    values |= mapping(study, Effects.FRICTION, length, mu)
     return values, {"force_angle": list(map(float, study["curve_angles"]))}
 
 
 def _figure_07(study: Study) -> Golden:
     lengths = study["figures"]["figure_07"]["rod_length"]
-    cones = [cone(study, "support_friction", each, math.inf) for each in lengths]
+    cones = [cone(study, Effects.FRICTION, each, math.inf) for each in lengths]
     names = ("motion_cone_right", "motion_cone_left")
     values: Values = {name: (("rod_length",), [each[name] for each in cones]) for name in names}
     return values, {"rod_length": list(lengths)}
@@ -121,8 +121,8 @@ def _figure_09(study: Study) -> Golden:
 def _figure_10(study: Study) -> Golden:
     settings = study["figures"]["figure_10"]
     lengths, mapped = settings["rod_length"], settings["mapped_rod_length"]
-    values = curves(study, "inertia", lengths)
-    values |= mapping(study, "inertia", mapped, settings["friction_coefficient"])
+    values = curves(study, Effects.INERTIA, lengths)
+    values |= mapping(study, Effects.INERTIA, mapped, settings["friction_coefficient"])
     return values, {
         "rod_length": list(lengths),
         "force_angle": list(map(float, study["curve_angles"])),
@@ -162,7 +162,7 @@ def _figure_13(study: Study) -> Golden:
         for kind in grid["effects"]
     ]
     mus = grid["friction_coefficient"]
-    cones = [[cone(study, kind, length, mu) for mu in mus] for kind in grid["effects"]]
+    cones = [[cone(study, Effects(kind), length, mu) for mu in mus] for kind in grid["effects"]]
     values: Values = {"modes": (("effects", "contact", "pusher_angle"), sets)}
     for name in ("motion_cone_right", "motion_cone_left"):
         rows = [[each[name] for each in row] for row in cones]

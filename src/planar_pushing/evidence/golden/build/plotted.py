@@ -10,7 +10,7 @@ from typing import Any
 from flint import arb
 
 from planar_pushing.certified.balls import in_degrees, rational, sign
-from planar_pushing.certified.setting import heading, lean
+from planar_pushing.certified.setting import Effects, heading, lean
 from planar_pushing.evidence.golden.build import cells
 from planar_pushing.evidence.golden.build.packing import Values
 from planar_pushing.evidence.golden.build.scenes import Scene, slider_of
@@ -21,22 +21,17 @@ Study = Mapping[str, Any]
 
 def parameters(study: Study) -> dict[str, float]:
     """Parameters of the study's slider and effects."""
-    inertia = study["inertia"]
-    return {
-        "weight": study["support_friction"]["weight"],
-        "mass": inertia["mass"],
-        "gyration_radius": inertia["gyration_radius"],
-        "radius": study["slider"]["radius"],
-    }
+    radius = {"radius": study["slider"]["radius"]}
+    return {**study["support_friction"], **study["inertia"], **radius}
 
 
-def point(study: Study, effects: str, length: float, phi: float) -> Any:
+def point(study: Study, effects: Effects, length: float, phi: float) -> Any:
     """Point of a limit curve at the study's rod angle."""
     psi = study["slider"]["rod_angle"]
     return cells.limit_point(parameters(study), effects, length, psi, phi)
 
 
-def cone(study: Study, effects: str, length: float, mu: float) -> Any:
+def cone(study: Study, effects: Effects, length: float, mu: float) -> Any:
     """Friction cone and motion cone at the study's rod angle."""
     psi = study["slider"]["rod_angle"]
     return cells.motion_cone(parameters(study), effects, length, psi, mu)
@@ -47,7 +42,7 @@ def center(study: Study, length: float, phi: float, share: float) -> Any:
     return cells.center(parameters(study), study["slider"]["rod_angle"], length, phi, share)
 
 
-def curves(study: Study, effects: str, lengths: Sequence[float]) -> Values:
+def curves(study: Study, effects: Effects, lengths: Sequence[float]) -> Values:
     """Limit curves of several rod lengths."""
     points = [
         [point(study, effects, each, phi) for phi in study["curve_angles"]] for each in lengths
@@ -59,7 +54,7 @@ def curves(study: Study, effects: str, lengths: Sequence[float]) -> Values:
     }
 
 
-def mapping(study: Study, effects: str, length: float, mu: float) -> Values:
+def mapping(study: Study, effects: Effects, length: float, mu: float) -> Values:
     """Edges of the friction cone and the force angles 45 and 90 degrees, mapped to motions."""
     edges = cone(study, effects, length, mu)
     inner = [point(study, effects, length, phi) for phi in (45.0, 90.0)]
