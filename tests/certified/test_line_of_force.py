@@ -9,7 +9,6 @@ from planar_pushing.certified import cones, line_of_force, ring
 from planar_pushing.certified.balls import PRECISION
 from planar_pushing.certified.cones import motion_cone, pulls, slips_while_pushing
 from planar_pushing.certified.integrals import printed
-from planar_pushing.certified.inverse import spin_of_arm
 from planar_pushing.certified.setting import FRICTION, INERTIA, Effects, Slider, edge, heading
 
 HALF = fmpq(1, 2)
@@ -113,17 +112,6 @@ def test_friction_roots_are_certified_by_the_second_route(length, force_angle):
     assert t_low - arm * f_low < 0  # Eq. (7)
     assert t_high - arm * f_high > 0
     assert k.rad() < arb(10) ** -36 * k
-
-
-@pytest.mark.parametrize("share", [fmpq(1, 100), HALF, fmpq(99, 100)])
-@pytest.mark.parametrize("arm", [0.01, 0.9, 1.1, 7.0])
-def test_mixed_roots_lie_between_the_pure_ones(share, arm):
-    ends = [spin_of_arm(arb(arm), fmpq(1), each) for each in (FRICTION, INERTIA)]
-    k = spin_of_arm(arb(arm), fmpq(1), share)
-    assert min(ends, key=float) < k < max(ends, key=float)
-    force, torque = printed(k.mid())
-    residual = (1 - share) * (torque - arm * force) + share * (k.mid() - arm)
-    assert abs(residual) < arb(10) ** -28
 
 
 def test_a_tangent_line_of_force_turns_about_the_ring():

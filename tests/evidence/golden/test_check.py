@@ -10,6 +10,7 @@ from planar_pushing.figures.catalog import FIGURES
 from planar_pushing.figures.images import TOLERANCE, difference
 from planar_pushing.figures.render import picture, save, select
 from planar_pushing.figures.style import paper_style
+from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.simulation.scene_file import simulate_file
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.files import load_scene_file
@@ -72,3 +73,15 @@ def test_picture(results, tmp_path, name):
 
 def test_golden_data_are_small():
     assert sum(path.stat().st_size for path in GOLDEN.rglob("*.*")) < 5e6
+
+
+def test_a_folder_without_golden_data_is_refused(tmp_path):
+    with pytest.raises(InvalidFile, match="holds no golden data; name the folder that does"):
+        golden_names(tmp_path)
+
+
+def test_a_missing_result_fails(tmp_path):
+    write_dataset(read_dataset(GOLDEN / "motion_cones.nc"), tmp_path / "golden/motion_cones.nc")
+    (check,) = check_results(tmp_path / "results", tmp_path / "golden", {})
+    assert not check.passed
+    assert "cannot be compared" in check.problem

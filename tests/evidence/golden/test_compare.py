@@ -7,12 +7,8 @@ import pytest
 import xarray as xr
 
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
-from planar_pushing.evidence.golden.check import check_results, golden_names
 from planar_pushing.evidence.golden.compare import compare
-from planar_pushing.evidence.golden.verdict import verdict, verdict_text
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.models import Tolerance
-from planar_pushing.study.store import write_dataset
 
 VALUES = np.array([[1.0, 2.0, np.inf], [4.0, 5.0, 0.0]])
 
@@ -48,7 +44,7 @@ def test_equal_data_pass():
     checks = compare("data", result(), golden(), {})
     assert [check.name for check in checks] == ["data: size", "data: turn", "data: count"]
     assert all(check.passed for check in checks)
-    assert verdict_text(verdict(checks)).startswith("passed: 11 values of 3 variables agree")
+    assert sum(check.count for check in checks) == 11
 
 
 def test_parts_of_an_enclosure_are_no_variables():
@@ -123,26 +119,3 @@ def test_problems_fail(changed, problem):
     check = only(compare("data", changed, golden(), {"size": Tolerance(absolute=1e9)}), "size")
     assert not check.passed
     assert re.match(problem, check.problem), check.problem
-
-
-def test_verdict_puts_the_worst_first():
-    values = np.c_[VALUES, [7.0, 8.0]]
-    values[1, 0] += 1
-    changed = result(size=(("a", "x"), values, {"units": "length"})).drop_vars("count")
-    lines = verdict_text(verdict(compare("data", changed, golden(), {}))).splitlines()
-    assert lines[0] == "FAILED: 2 of 3 variables differ from the golden data"
-    assert lines[2] == "FAIL data: count is missing from the result"
-    assert lines[3].startswith("FAIL data: size: 1 of 6 differ; worst 1 (")
-    assert lines[4].startswith("ok   data: turn: 3 agree")
-
-
-def test_a_folder_without_golden_data_is_refused(tmp_path):
-    with pytest.raises(InvalidFile, match="holds no golden data; name the folder that does"):
-        golden_names(tmp_path)
-
-
-def test_a_missing_result_fails(tmp_path):
-    write_dataset(golden(), tmp_path / "golden/motion_cones.nc")
-    (check,) = check_results(tmp_path / "results", tmp_path / "golden", {})
-    assert not check.passed
-    assert "cannot be compared" in check.problem
