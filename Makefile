@@ -28,7 +28,7 @@ bench: $(READY) ## time the wrench, its inverse and a motion cone against their 
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
 golden: $(READY) ## compute the golden data anew and print the differences; WRITE=1 stores them
-	$(BIN)/python -m planar_pushing.golden.update $(if $(WRITE),--write)
+	$(BIN)/python -m planar_pushing.evidence.golden.update $(if $(WRITE),--write)
 
 images: $(READY) ## compare the figures with their stored images; WRITE=1 stores them
 	$(BIN)/python -m planar_pushing.figures.images $(if $(WRITE),--write)

@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.accuracy import tables
+from planar_pushing.evidence.costs import tables
 from planar_pushing.figures import (
     accuracy,
     accuracy_cone,
@@ -19,7 +19,7 @@ from planar_pushing.figures import (
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.store import read_dataset, write_dataset
 
-GOLDEN = Path(__file__).parents[1] / "accuracy" / "golden_accuracy.nc"
+GOLDEN = Path(__file__).parents[1] / "evidence/costs/golden_accuracy.nc"
 MODULES = {
     "accuracy_wrench": accuracy_wrench,
     "accuracy_cone": accuracy_cone,

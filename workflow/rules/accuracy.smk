@@ -1,9 +1,5 @@
 # What accuracy and each effect cost. Errors and counts are a part of `all`; times are measured on this
 # machine, by `snakemake accuracy`, outside of `all` and of the golden check.
-BUILDERS = [
-    f"study.datasets.{name}"
-    for name in ("limit_curves", "motion_cones", "contact_modes")
-]
 ACCURACY = [
     "accuracy_wrench",
     "accuracy_cone",
@@ -38,7 +34,7 @@ rule accuracy_errors:
     benchmark:
         "results/benchmarks/accuracy/accuracy_errors.tsv"
     params:
-        code=code_of("accuracy.tables", "study.store"),
+        code=code_of("evidence.costs.tables", "study.store"),
     message:
         "Computing the errors of every method"
     script:
@@ -56,7 +52,7 @@ rule evaluations:
     benchmark:
         "results/benchmarks/accuracy/evaluations.tsv"
     params:
-        code=code_of("effort.measure", "study.store", *BUILDERS),
+        code=code_of("evidence.costs.effects", "study.store"),
     message:
         "Counting the evaluations of each effect"
     script:
@@ -112,7 +108,7 @@ rule accuracy_data:
     # Nothing else may run beside a measurement.
     threads: workflow.cores
     params:
-        code=code_of("accuracy.measurements", "study.store"),
+        code=code_of("evidence.costs.measurements", "study.store"),
     message:
         "Measuring what accuracy costs"
     script:
@@ -129,7 +125,7 @@ rule effects_data:
         "results/logs/accuracy/effects.log",
     threads: workflow.cores
     params:
-        code=code_of("effort.measure", "study.store", *BUILDERS),
+        code=code_of("evidence.costs.effects", "study.store"),
     message:
         "Measuring what each effect costs"
     script:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 
 import typst
 
 from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.files import PathLike
 from planar_pushing.study.replacing import replacing
-
-PathLike = str | os.PathLike[str]
 
 
 def compiled(source: PathLike, root: PathLike) -> bytes:
