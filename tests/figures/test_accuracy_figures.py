@@ -8,8 +8,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from planar_pushing.accuracy import tables
-from planar_pushing.figures import (
-    accuracy,
+from planar_pushing.figures import accuracy
+from planar_pushing.figures.evidence import (
     accuracy_cone,
     accuracy_evaluations,
     accuracy_motion,

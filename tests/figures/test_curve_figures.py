@@ -11,8 +11,8 @@ from matplotlib.text import Text
 from numpy.testing import assert_allclose
 
 from planar_pushing.figures import render
-from planar_pushing.figures.figure_12 import sectors
-from planar_pushing.figures.figure_13 import LEFT, RIGHT, SEPARATE, STICK
+from planar_pushing.figures.paper.figure_12 import sectors
+from planar_pushing.figures.paper.figure_13 import LEFT, RIGHT, SEPARATE, STICK
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study import slices, store, study_file
 

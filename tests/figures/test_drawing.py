@@ -4,8 +4,9 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import ArrowStyle, FancyArrowPatch
 
-from planar_pushing.figures import drawing, render, style
-from planar_pushing.figures.labels import declutter
+from planar_pushing.figures import render, style
+from planar_pushing.figures.parts import drawing
+from planar_pushing.figures.parts.labels import declutter
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.models import FigureEntry
 

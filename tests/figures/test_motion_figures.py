@@ -8,11 +8,12 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
 from numpy.testing import assert_allclose
 
-from planar_pushing.figures import render, simulation
-from planar_pushing.figures.animation import resampled
-from planar_pushing.figures.motion import box, faded, last_center
+from planar_pushing.figures import render
+from planar_pushing.figures.motion import simulation
+from planar_pushing.figures.motion.animation import resampled
+from planar_pushing.figures.motion.timeline import contact, plotted, rows, runs
+from planar_pushing.figures.motion.trajectory import box, faded, last_center
 from planar_pushing.figures.style import paper_style
-from planar_pushing.figures.timeline import contact, plotted, rows, runs
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.simulation.scene_file import simulate_file

@@ -12,8 +12,8 @@ from matplotlib.patches import ArrowStyle, FancyArrowPatch
 
 from planar_pushing.figures import render, style
 from planar_pushing.figures.catalog import CAPTIONS
-from planar_pushing.figures.scene import draw_scene
-from planar_pushing.figures.sketch import Sketch, shown
+from planar_pushing.figures.parts.scene import draw_scene
+from planar_pushing.figures.parts.sketch import Sketch, shown
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.study.datasets import motion_cones, scenes
 from planar_pushing.study.models import FigureEntry, Grid, PushEntry

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from mpmath import mp, mpf
 
 import reference as straight
-from planar_pushing.figures import hard_cases
+from planar_pushing.figures.evidence import hard_cases
 from planar_pushing.hard_cases import contact, lengths, painleve, rest, ring, shares
 from planar_pushing.hard_cases.case import DIGITS, measure
 from planar_pushing.hard_cases.dataset import build

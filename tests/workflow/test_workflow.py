@@ -57,14 +57,14 @@ def test_report(built):
 @pytest.mark.parametrize(
     ("module", "stale"),
     [
-        ("figures/figure_06.py", {"figure": 1}),
+        ("figures/paper/figure_06.py", {"figure": 1}),
         ("study/datasets/contact_modes.py", {"dataset": 1, "figure": 1}),
         ("mechanics/limit_curve.py", {"dataset": 2, "figure": 6}),
         (
             "mechanics/slipping.py",
             {"dataset": 2, "figure": 10, "simulation": 3, "simulation_figure": 3},
         ),
-        ("figures/motion.py", {"figure": 2, "simulation_figure": 3}),
+        ("figures/motion/trajectory.py", {"figure": 2, "simulation_figure": 3}),
         ("cli.py", {}),
     ],
 )
@@ -83,7 +83,7 @@ def test_only_what_depends_on_a_module_reruns(built, module, stale):
 
 
 def test_an_edited_module_is_rebuilt_once(built):
-    path = built.root / "src/planar_pushing/figures/figure_06.py"
+    path = built.root / "src/planar_pushing/figures/paper/figure_06.py"
     path.write_text(path.read_text(encoding="utf-8") + "\n# an edit\n", encoding="utf-8")
     before = built.digests()
     assert jobs(built.snakemake())["figure"] == 1

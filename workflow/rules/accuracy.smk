@@ -83,7 +83,7 @@ rule evaluations_figure:
     wildcard_constraints:
         figure="accuracy_evaluations",
     params:
-        code=code_of("figures.accuracy_evaluations", "figures.accuracy"),
+        code=code_of("figures.evidence.accuracy_evaluations", "figures.accuracy"),
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -152,7 +152,7 @@ rule effects_figure:
     log:
         "results/logs/figures/effects.log",
     params:
-        code=code_of("figures.effects", "figures.render"),
+        code=code_of("figures.evidence.effects", "figures.render"),
     message:
         "Drawing effects"
     script:
@@ -178,7 +178,7 @@ rule accuracy_figure:
         figure="|".join(ACCURACY),
     params:
         code=lambda wildcards: code_of(
-            f"figures.{wildcards.figure}", "figures.accuracy"
+            f"figures.evidence.{wildcards.figure}", "figures.accuracy"
         ),
     message:
         "Drawing {wildcards.figure}"

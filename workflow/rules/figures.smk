@@ -30,7 +30,9 @@ rule figure:
         figure="|".join(DRAWN),
     priority: FIRST
     params:
-        code=lambda wildcards: code_of(f"figures.{wildcards.figure}", "figures.render"),
+        code=lambda wildcards: code_of(
+            f"figures.paper.{wildcards.figure}", "figures.render"
+        ),
         settings=figure_settings,
         caption=lambda wildcards: CAPTIONS[wildcards.figure],
         promise=lambda wildcards: PROMISES[wildcards.figure],

@@ -45,7 +45,7 @@ rule hard_cases_figure:
     benchmark:
         "results/benchmarks/figures/hard_cases.tsv"
     params:
-        code=code_of("figures.hard_cases", "figures.render"),
+        code=code_of("figures.evidence.hard_cases", "figures.render"),
     message:
         "Drawing the hard cases"
     script:

@@ -34,7 +34,9 @@ def draw_accuracy(name: str, data: PathLike, pictures: list[str]) -> None:
     pictures : list of str
         Files to write, svg, pdf or png.
     """
-    module = cast(AccuracyFigure, importlib.import_module(f"planar_pushing.figures.{name}"))
+    module = cast(
+        AccuracyFigure, importlib.import_module(f"planar_pushing.figures.evidence.{name}")
+    )
     with paper_style():
         figure = Figure(figsize=module.SIZE)
         module.draw(figure, read_dataset(data, module.SOURCE))

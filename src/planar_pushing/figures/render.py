@@ -54,7 +54,7 @@ def figure_module(name: str) -> FigureModule:
     """
     if name not in FIGURES:
         raise InvalidValue("figure", name, ", ".join(FIGURES), "name one of these figures")
-    return cast(FigureModule, importlib.import_module(f"planar_pushing.figures.{name}"))
+    return cast(FigureModule, importlib.import_module(f"planar_pushing.figures.paper.{name}"))
 
 
 def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
@@ -76,7 +76,7 @@ def render_scene(file: SceneFile, push: PushEntry, path: PathLike) -> None:
     """Draw a scene file under a push, and save it as svg, pdf or png by the end of its name."""
     # Imported by name: the figures of the paper do not depend on how a scene's dataset is built.
     scenes = importlib.import_module("planar_pushing.study.datasets.scenes")
-    scene = importlib.import_module("planar_pushing.figures.scene")
+    scene = importlib.import_module("planar_pushing.figures.parts.scene")
     with paper_style():
         figure = Figure(figsize=SCENE_SIZE)
         scene.draw_scene(figure, scenes.scene_dataset(file, push))

@@ -1,0 +1,50 @@
+"""Figure 10: the ellipses of the dynamic case, and a friction cone mapped to an acceleration cone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from planar_pushing.figures.parts.curves import (
+    cone_mapping,
+    curves,
+    family,
+    mapping_panels,
+    number,
+    rod_lengths,
+    titled,
+)
+from planar_pushing.figures.parts.drawing import declutter
+from planar_pushing.figures.settings import Settings
+
+SIZE = (7.0, 2.5)
+#: Force angles drawn between the edges of the cone, degrees.
+INSIDE = (45.0, 90.0)
+#: Where the labels of the ellipses stand, degrees.
+LABEL_ANGLE = 330.0
+
+
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+    """Select the ellipses, and the forces and accelerations of the mapping."""
+    data = curves(sources["limit_curves"], "inertia", rod_lengths(settings, (0.5, 1.0, 2.0, 5.0)))
+    mapped = 1.0 if settings.mapped_rod_length is None else settings.mapped_rod_length
+    friction = 5.0 if settings.friction_coefficient is None else settings.friction_coefficient
+    where = {"effects": "inertia", "rod_length": mapped, "friction_coefficient": friction}
+    data = data.merge(cone_mapping(sources["limit_curves"], sources["motion_cones"], where, INSIDE))
+    return titled(data, "Ellipses of the dynamic case and an acceleration cone", sources)
+
+
+def draw(figure: Figure, data: xr.Dataset) -> None:
+    """Draw the three panels, forces and accelerations numbered alike in all of them."""
+    ellipses = np.stack([data.force_x, data.force_y], axis=-1)
+    titles = (
+        rf"friction cone, $\mu = {number(float(data.friction_coefficient))}$",
+        "ellipses of several rod lengths",
+        rf"acceleration cone, $l = {number(float(data.mapped_rod_length))}$",
+    )
+    ax = mapping_panels(figure, data, list(ellipses), "a", titles)
+    family(ax, data, LABEL_ANGLE, "left", bold=float(data.mapped_rod_length))
+    declutter(ax)

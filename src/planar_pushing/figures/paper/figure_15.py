@@ -1,0 +1,21 @@
+"""Figure 15: slip with infinite friction over time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import xarray as xr
+
+from planar_pushing.figures.motion import simulation
+from planar_pushing.figures.motion.timeline import plotted
+from planar_pushing.figures.parts.curves import titled
+from planar_pushing.figures.settings import Settings
+
+SIZE = simulation.SIZE
+draw = simulation.draw
+
+
+def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+    """Select the motion over time."""
+    data = plotted(sources["simulations/figure_15"])
+    return titled(data, "Slip with infinite friction over time", sources)
