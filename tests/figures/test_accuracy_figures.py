@@ -5,27 +5,23 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
-from matplotlib.figure import Figure
 
 from planar_pushing.accuracy import tables
-from planar_pushing.figures import accuracy
+from planar_pushing.figures import render
 from planar_pushing.figures.evidence import (
-    accuracy_cone,
     accuracy_evaluations,
-    accuracy_motion,
-    accuracy_study,
     accuracy_wrench,
 )
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.store import read_dataset, write_dataset
 
 GOLDEN = Path(__file__).parents[1] / "accuracy" / "golden_accuracy.nc"
-MODULES = {
-    "accuracy_wrench": accuracy_wrench,
-    "accuracy_cone": accuracy_cone,
-    "accuracy_study": accuracy_study,
-    "accuracy_evaluations": accuracy_evaluations,
-    "accuracy_motion": accuracy_motion,
+GROUPS = {
+    "accuracy_wrench": "wrench",
+    "accuracy_cone": "cone",
+    "accuracy_study": "study",
+    "accuracy_evaluations": "wrench",
+    "accuracy_motion": "motion",
 }
 
 
@@ -63,9 +59,8 @@ def data(tmp_path_factory):
 def pictures(data):
     found = {}
     with paper_style():
-        for name, module in MODULES.items():
-            found[name] = Figure(figsize=module.SIZE)
-            module.draw(found[name], read_dataset(data, module.SOURCE))
+        for name in GROUPS:
+            found[name] = render.picture(name, read_dataset(data, GROUPS[name]))
     return found
 
 
@@ -128,7 +123,7 @@ def test_cone_markers_and_bars(pictures, data):
 @pytest.mark.parametrize("name", ["accuracy_wrench", "accuracy_cone", "accuracy_evaluations"])
 def test_the_legend_names_every_method(pictures, data, name):
     (legend,) = pictures[name].legends
-    given = set(read_dataset(data, MODULES[name].SOURCE).method.values)
+    given = set(read_dataset(data, GROUPS[name]).method.values)
     assert {text.get_text() for text in legend.get_texts()} == given
 
 
@@ -143,5 +138,5 @@ def test_time_of_a_point_is_the_time_over_the_points(pictures, data):
 def test_pictures_have_the_same_bytes_twice(data, tmp_path, name):
     first, second = ([tmp_path / f"{run}.{kind}" for kind in ("svg", "pdf", "png")] for run in "ab")
     for paths in (first, second):
-        accuracy.draw_accuracy(name, data, paths)
+        render.render_file(name, data, paths)
     assert all(a.read_bytes() == b.read_bytes() for a, b in zip(first, second, strict=True))

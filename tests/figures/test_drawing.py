@@ -66,20 +66,20 @@ def test_a_schematic_has_equal_aspect_and_shows_its_box(size):
 
 
 def test_a_cone_spans_from_its_right_to_its_left_edge(ax):
-    wedge = drawing.cone(ax, (0, 0), -20, 140, 0.5, "motion")
+    wedge = drawing.cone(ax, (0, 0), -20, 140, 0.5, style.MOTION)
     assert (wedge.theta1, wedge.theta2, wedge.r) == (-20, 140, 0.5)
     assert line_ends(ax)[1] == pytest.approx(0.5 * drawing.unit(140))
 
 
 def test_a_cone_of_one_direction_is_a_line(ax):
-    wedge = drawing.cone(ax, (0, 0), 90, 90, 0.5, "force")
+    wedge = drawing.cone(ax, (0, 0), 90, 90, 0.5, style.FORCE)
     assert np.ptp(wedge.get_path().vertices[:, 0]) == pytest.approx(0, abs=1e-12)
     assert len(ax.lines) == 2
 
 
 @pytest.mark.parametrize("left", [270, 300])
 def test_a_cone_of_every_direction_has_no_edges(ax, left):
-    wedge = drawing.cone(ax, (0, 0), -90, left, 0.5, "force")
+    wedge = drawing.cone(ax, (0, 0), -90, left, 0.5, style.FORCE)
     assert (wedge.theta1, wedge.theta2) == (0, 360)
     assert not ax.lines
 

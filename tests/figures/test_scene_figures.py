@@ -11,11 +11,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import ArrowStyle, FancyArrowPatch
 
 from planar_pushing.figures import render, style
-from planar_pushing.figures.catalog import CAPTIONS
 from planar_pushing.figures.parts.scene import draw_scene
 from planar_pushing.figures.parts.sketch import Sketch, shown
+from planar_pushing.figures.scene_picture import render_scene
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.study.datasets import motion_cones, scenes
+from planar_pushing.study.figures import FIGURES
+from planar_pushing.study.figures.base import COLUMN_WIDTH, PAGE_WIDTH
 from planar_pushing.study.models import FigureEntry, Grid, PushEntry
 from planar_pushing.study.scene_model import SceneFile
 from planar_pushing.study.store import write_dataset
@@ -110,9 +112,8 @@ def test_no_label_covers_another_or_is_clipped(picture):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_caption_and_the_size_suit_a_column_or_a_page(name):
-    module = render.figure_module(name)
-    assert module.SIZE[0] in (style.COLUMN_WIDTH, style.PAGE_WIDTH)
-    assert CAPTIONS[name].endswith(".")
+    assert FIGURES[name].size[0] in (COLUMN_WIDTH, PAGE_WIDTH)
+    assert FIGURES[name].caption.endswith(".")
 
 
 @pytest.mark.parametrize("data", ["figure_02"], indirect=True)
@@ -235,7 +236,7 @@ def test_a_scene_file_is_drawn(tmp_path, kind):
     file = SceneFile.model_validate(
         {"slider": {"rod_length": 2, "rod_angle": 45}, "contact": ROUGH, "effects": [RING]}
     )
-    render.render_scene(file, PushEntry(file="", pusher_angle=200), path)
+    render_scene(file, PushEntry(file="", pusher_angle=200), path)
     assert path.stat().st_size > 1000
 
 

@@ -11,7 +11,6 @@ import pytest
 from PIL import Image
 from scipy import special
 
-from planar_pushing.figures.catalog import FIGURES, OURS
 from planar_pushing.figures.render import select
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.report.numbers import NUMBERS
@@ -26,6 +25,7 @@ from planar_pushing.report.tables import (
 )
 from planar_pushing.report.writing import write_text
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.figures import FIGURES, OURS
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import write_dataset

@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import pytest
 
-from planar_pushing.figures.catalog import FIGURES, PROMISES, SECTIONS
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.store import read_dataset, write_dataset
 
 
@@ -49,8 +49,9 @@ def test_report(built):
     built.snakemake("--report", "report.html")
     text = (built.root / "report.html").read_text(encoding="utf-8")
     assert all(name in text for name in FIGURES)
-    assert all(f'"{section}": ' in text for section in SECTIONS.values())
-    assert text.count("The paper's caption promises: ") == sum(map(bool, PROMISES.values()))
+    assert all(f'"{figure.section}": ' in text for figure in FIGURES.values())
+    promised = [name for name, figure in FIGURES.items() if figure.promise]
+    assert text.count("The paper's caption promises: ") == len(promised)
     assert "Replication of Lynch and Mason" in text
 
 

@@ -4,12 +4,7 @@ BUILDERS = [
     f"study.datasets.{name}"
     for name in ("limit_curves", "motion_cones", "contact_modes")
 ]
-ACCURACY = [
-    "accuracy_wrench",
-    "accuracy_cone",
-    "accuracy_study",
-    "accuracy_motion",
-]
+ACCURACY = [name for name, figure in SUPPLEMENT.items() if figure.groups("accuracy")]
 
 
 #: Like the report, built with the study that the golden data certify.
@@ -83,11 +78,11 @@ rule evaluations_figure:
     wildcard_constraints:
         figure="accuracy_evaluations",
     params:
-        code=code_of("figures.evidence.accuracy_evaluations", "figures.accuracy"),
+        code=code_of(*OURS["accuracy_evaluations"].modules),
     message:
         "Drawing {wildcards.figure}"
     script:
-        "../scripts/accuracy_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule accuracy:
@@ -96,7 +91,7 @@ rule accuracy:
         "results/data/effects.nc",
         expand(
             "results/figures/{figure}.{kind}",
-            figure=[*ACCURACY, "effects"],
+            figure=list(SUPPLEMENT),
             kind=["svg", "pdf", "png"],
         ),
         ["results/accuracy.pdf"] if STUDY.golden else [],
@@ -152,11 +147,11 @@ rule effects_figure:
     log:
         "results/logs/figures/effects.log",
     params:
-        code=code_of("figures.evidence.effects", "figures.render"),
+        code=code_of(*SUPPLEMENT["effects"].modules),
     message:
         "Drawing effects"
     script:
-        "../scripts/effects_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule accuracy_figure:
@@ -177,13 +172,11 @@ rule accuracy_figure:
     wildcard_constraints:
         figure="|".join(ACCURACY),
     params:
-        code=lambda wildcards: code_of(
-            f"figures.evidence.{wildcards.figure}", "figures.accuracy"
-        ),
+        code=lambda wildcards: code_of(*SUPPLEMENT[wildcards.figure].modules),
     message:
         "Drawing {wildcards.figure}"
     script:
-        "../scripts/accuracy_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule supplement_tables:
@@ -213,7 +206,7 @@ rule supplement_tables:
 rule supplement_pdf:
     input:
         rules.supplement_tables.output,
-        figures=expand("results/figures/{figure}.svg", figure=[*ACCURACY, "effects"]),
+        figures=expand("results/figures/{figure}.svg", figure=list(SUPPLEMENT)),
         source="paper/supplement.typ",
         parts=SOURCES,
     output:

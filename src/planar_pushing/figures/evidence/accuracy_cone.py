@@ -16,8 +16,6 @@ from planar_pushing.figures.evidence.work_precision import (
 )
 from planar_pushing.figures.style import GREY, NOTE_SIZE
 
-SOURCE = "cone"
-SIZE = (7.0, 3.7)
 LIMITS = (1e-15, 1e2)
 
 

@@ -12,8 +12,6 @@ from planar_pushing.figures.evidence.work_precision import curves, handles, meth
 from planar_pushing.figures.style import GREY, NOTE_SIZE
 from planar_pushing.mechanics.planar import Array
 
-SOURCE = "wrench"
-SIZE = (7.0, 2.7)
 #: Places of the spin ratios among those of the dataset: regular, next to the ring, on it, a spin.
 SHOWN = (1, 4, 5, 8)
 #: Abscissas: formulas evaluate no integrand and stand side by side in a strip of their own.

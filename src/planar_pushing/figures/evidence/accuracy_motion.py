@@ -10,8 +10,6 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.evidence.work_precision import handles, methods, work_precision
 from planar_pushing.figures.style import GREY, NOTE_SIZE
 
-SOURCE = "motion"
-SIZE = (7.0, 3.3)
 LIMITS = (1e-14, 1e1)
 TITLES = {
     "slipping": "slipping with infinite friction, one mode",

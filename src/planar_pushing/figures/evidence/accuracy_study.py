@@ -10,8 +10,6 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.evidence.work_precision import best, note
 from planar_pushing.figures.style import BLUE, GREEN, GREY, VERMILION
 
-SOURCE = "study"
-SIZE = (7.0, 4.6)
 #: Bytes of the two numbers that a point of the grid has.
 STORED = 16
 

@@ -9,8 +9,6 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.evidence.work_precision import handles, methods, work_precision
 from planar_pushing.figures.style import GREY, NOTE_SIZE
 
-SOURCE = "wrench"
-SIZE = (7.0, 7.4)
 LIMITS = (1e-17, 1e2)
 TIMES = (6e-9, 2e-2)
 TITLES = (

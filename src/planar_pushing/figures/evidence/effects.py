@@ -9,7 +9,6 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.style import DARK, NOTE_SIZE
 
-SIZE = (7.0, 3.0)
 NAMES = {
     "support_friction": ("support friction", "#0072B2"),
     "inertia": ("inertia", "#E69F00"),

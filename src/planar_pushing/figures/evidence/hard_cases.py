@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -11,12 +10,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.render import PathLike, save
-from planar_pushing.figures.style import BLUE, GREY, PAGE_WIDTH, VERMILION, paper_style
-from planar_pushing.study.store import read_dataset
+from planar_pushing.figures.style import BLUE, GREY, VERMILION
 
 Array = npt.NDArray[Any]
-SIZE = (PAGE_WIDTH, 3.1)
 #: The hard places, in order of `line`.
 PLACES = (
     "centre on\nthe ring",
@@ -71,12 +67,3 @@ def _decorate(ax: Axes, lines: Array, at: Array) -> None:
     )
     ax.minorticks_off()
     ax.set_ylabel("units in the last place")
-
-
-def render(data: PathLike, outputs: Iterable[PathLike]) -> None:
-    """Draw the dataset of hard cases and save it under each name."""
-    with paper_style():
-        figure = Figure(figsize=SIZE)
-        draw(figure, read_dataset(data))
-        for output in outputs:
-            save(figure, output)

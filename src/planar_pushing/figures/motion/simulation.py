@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 
 import numpy as np
@@ -11,12 +10,10 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.motion.timeline import plotted
 from planar_pushing.figures.motion.trajectory import box, ribbon, series, snapshots
-from planar_pushing.figures.render import save
-from planar_pushing.figures.style import PAGE_WIDTH, paper_style
+from planar_pushing.figures.render import PathLike, draw_to_files
+from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.store import read_dataset
 
-PathLike = str | os.PathLike[str]
-SIZE = (PAGE_WIDTH, 2.9)
 #: Instants at which slider and fence are drawn.
 COUNT = 5
 #: Variables over time that are shown where they vary, and their labels.
@@ -43,9 +40,4 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
 
 def render(log: PathLike, outputs: Sequence[PathLike]) -> None:
     """Draw a log and save the picture as every file that is named; errors as in `save`."""
-    data = plotted(read_dataset(log))
-    with paper_style():
-        figure = Figure(figsize=SIZE)
-        draw(figure, data)
-        for path in outputs:
-            save(figure, path)
+    draw_to_files(draw, FIGURES["figure_15"].size, plotted(read_dataset(log)), outputs)

@@ -16,9 +16,8 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.parts import drawing
 from planar_pushing.figures.parts.curves import number, radius, rod_angle
 from planar_pushing.figures.settings import Settings
-from planar_pushing.figures.style import COLUMN_WIDTH, DARK, FORCE, GUIDE, MOTION, NOTE_SIZE, PUSHER
+from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE, PUSHER
 
-SIZE = (COLUMN_WIDTH, 2.45)
 ROD_LENGTH = 3.0
 FRICTION_COEFFICIENT = 0.5
 SPEED = 2.9

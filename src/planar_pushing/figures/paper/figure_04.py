@@ -11,9 +11,7 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.parts import drawing
 from planar_pushing.figures.parts.sketch import shown
 from planar_pushing.figures.settings import Settings
-from planar_pushing.figures.style import CENTER, COLUMN_WIDTH, DARK, FORCE
-
-SIZE = (COLUMN_WIDTH, 3.0)
+from planar_pushing.figures.style import CENTER, DARK, FORCE
 
 
 def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:

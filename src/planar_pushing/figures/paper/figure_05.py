@@ -23,7 +23,6 @@ from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK
 from planar_pushing.mechanics.planar import Array, direction
 
-SIZE = (3.4, 3.4)
 #: Force angles from the rod at which force and velocity are parallel, degrees.
 PARALLEL = (0.0, 90.0, 180.0, 270.0)
 

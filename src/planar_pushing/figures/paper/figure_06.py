@@ -21,7 +21,6 @@ from planar_pushing.figures.parts.drawing import declutter
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK
 
-SIZE = (7.0, 2.5)
 #: Force angles drawn between the edges of the cone, degrees.
 INSIDE = (45.0, 90.0)
 

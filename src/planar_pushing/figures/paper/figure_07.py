@@ -30,7 +30,6 @@ from planar_pushing.figures.parts.drawing import (
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, MOTION, NOTE_SIZE, SLIP
 
-SIZE = (7.0, 1.7)
 #: Sectors are named where the cone leaves this much room, degrees.
 WIDE = 155.0
 
@@ -72,8 +71,8 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
 def _cone(ax: Axes, one: xr.Dataset, reach: float) -> None:
     """Velocity cone, and the pushes to its left that make the contact slip."""
     right, left = float(one.motion_cone_right), float(one.motion_cone_left)
-    cone(ax, (0, 0), left, 180.0, 0.8 * reach, "motion", color=SLIP, alpha=0.35, zorder=0.3)
-    cone(ax, (0, 0), right, left, reach, "motion")
+    cone(ax, (0, 0), left, 180.0, 0.8 * reach, SLIP, alpha=0.35, zorder=0.3)
+    cone(ax, (0, 0), right, left, reach, MOTION)
     note: dict[str, Any] = {"color": MOTION, "size": NOTE_SIZE}
     label(ax, reach * unit(left), degrees(left), offset=(-8.0, 8.0), **note)
     # Below the edge that it names: without an offset declutter leaves it there.

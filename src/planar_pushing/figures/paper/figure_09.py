@@ -11,9 +11,8 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import drawing
 from planar_pushing.figures.settings import Settings
-from planar_pushing.figures.style import CENTER, PAGE_WIDTH
+from planar_pushing.figures.style import CENTER, FORCE, MOTION
 
-SIZE = (PAGE_WIDTH, 3.2)
 PANELS = ("a", "b")
 BOX = (-2.0, 4.1, -1.0, 4.3)
 
@@ -64,8 +63,8 @@ def _slider_and_cones(ax: Axes, panel: xr.Dataset) -> None:
     drawing.slider(ax, panel["ring_center"].values, float(panel["radius"]))
     force = [float(panel[f"friction_cone_{side}"]) for side in ("right", "left")]
     motion = [float(panel[f"motion_cone_{side}"]) for side in ("right", "left")]
-    drawing.cone(ax, (0, 0), force[0], force[1], 0.8, "force")
-    drawing.cone(ax, (0, 0), motion[0], motion[1], 1.1, "motion")
+    drawing.cone(ax, (0, 0), force[0], force[1], 0.8, FORCE)
+    drawing.cone(ax, (0, 0), motion[0], motion[1], 1.1, MOTION)
     for right_or_left, angle in zip("rl", force, strict=True):
         drawing.force_arrow(
             ax, (0, 0), 1.4 * drawing.unit(angle), rf"$\mathbf{{f}}_{right_or_left}$"

@@ -20,7 +20,6 @@ from planar_pushing.figures.parts.curves import (
 from planar_pushing.figures.parts.drawing import declutter
 from planar_pushing.figures.settings import Settings
 
-SIZE = (7.0, 2.5)
 #: Force angles drawn between the edges of the cone, degrees.
 INSIDE = (45.0, 90.0)
 #: Where the labels of the ellipses stand, degrees.

@@ -27,7 +27,6 @@ from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
 from planar_pushing.mechanics.planar import moment_arm
 
-SIZE = (7.0, 3.2)
 SCENE = (
     "rod_length rod_angle radius ring_center pusher_angle pusher_motion contact_motion force "
     "friction_cone_right friction_cone_left"
@@ -117,7 +116,8 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     low, size = center - DETAIL * ring, 2 * DETAIL * ring
     _frame(scene, Rectangle(tuple(low), size, size))
     declutter(scene)
-    side = 0.34 * SIZE[0] / SIZE[1]
+    width, height = figure.get_size_inches()
+    side = 0.34 * width / height
     box = (low[0], low[0] + size, low[1], low[1] + size)
     detail = schematic(figure, box, rect=(0.655, 0.985 - side, 0.34, side), pad=0)
     _frame(detail, Rectangle((0, 0), 1, 1, transform=detail.transAxes))
@@ -162,9 +162,9 @@ def _accelerations(ax: Axes, data: xr.Dataset) -> None:
         (float(data[f"{kind}_cone_right"]), float(data[f"{kind}_cone_left"]))
         for kind in ("conservative", "exact")
     )
-    cone(ax, (0, 0), *bound, REACH, "motion", alpha=0.12)
-    cone(ax, (0, 0), *exact, 0.86 * REACH, "motion", alpha=0.25)
-    cone(ax, (0, 0), bound[1], 180.0, 0.86 * REACH, "motion", color=SLIP, alpha=0.25, zorder=0.3)
+    cone(ax, (0, 0), *bound, REACH, MOTION, alpha=0.12)
+    cone(ax, (0, 0), *exact, 0.86 * REACH, MOTION, alpha=0.25)
+    cone(ax, (0, 0), bound[1], 180.0, 0.86 * REACH, SLIP, alpha=0.25, zorder=0.3)
     for outer, inner in zip(bound, exact, strict=True):
         text = f"bound {degrees(outer)}\nexact {degrees(inner)}"
         shift = (-13.0 if outer > 90 else 6.0, 9.0 if outer > 90 else -10.0)

@@ -17,7 +17,6 @@ from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, LIGHT, NOTE_SIZE
 from planar_pushing.mechanics.contact import ContactMode
 
-SIZE = (7.0, 3.6)
 #: Each set of consistent modes: its name, colour and hatch; hatched where the solutions are several.
 SEPARATE, STICK, RIGHT, LEFT = (1 << mode for mode in ContactMode)
 STYLES: dict[int, tuple[str, str, str]] = {

@@ -12,9 +12,7 @@ from planar_pushing.figures.motion.timeline import plotted
 from planar_pushing.figures.motion.trajectory import Box, box, ribbon, series, snapshots
 from planar_pushing.figures.parts.curves import titled
 from planar_pushing.figures.settings import Settings
-from planar_pushing.figures.style import PAGE_WIDTH
 
-SIZE = (PAGE_WIDTH, 2.6)
 COUNT = 4
 NAMES = ("simulations/figure_14a", "simulations/figure_14b")
 TITLES = {

@@ -11,7 +11,6 @@ from planar_pushing.figures.motion.timeline import plotted
 from planar_pushing.figures.parts.curves import titled
 from planar_pushing.figures.settings import Settings
 
-SIZE = simulation.SIZE
 draw = simulation.draw
 
 

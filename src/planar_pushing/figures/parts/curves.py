@@ -25,7 +25,7 @@ from planar_pushing.figures.parts.drawing import (
     unit,
 )
 from planar_pushing.figures.settings import Settings
-from planar_pushing.figures.style import DARK, GUIDE, KIND_COLORS, NOTE_SIZE
+from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE
 from planar_pushing.mechanics.planar import Array, direction
 
 #: Ends of curves that close on themselves.
@@ -182,7 +182,7 @@ def _cone_panel(
     angles: Array,
 ) -> None:
     """Slider and fence with a cone at the contact, its edges' angles and the numbered arrows."""
-    kind, draw = ("force", force_arrow) if name == "f" else ("motion", motion_arrow)
+    color, draw = (FORCE, force_arrow) if name == "f" else (MOTION, motion_arrow)
     rod, ring = float(data.mapped_rod_length), float(data.radius)
     center, reach = rod * unit(float(data.rod_angle)), 0.62 * (rod + ring)
     right = max(center[0] + ring, reach)
@@ -190,11 +190,10 @@ def _cone_panel(
     ax = schematic(figure, box, rect=rect, pad=14)
     slider(ax, center, ring, width=1.6)
     fence(ax, -reach, right)
-    cone(ax, (0, 0), angles[0], angles[-1], reach, kind)
+    cone(ax, (0, 0), angles[0], angles[-1], reach, color)
     for edge in (angles[0], angles[-1]):
         tip = unit(edge)
         shift = (14.0 * tip[0], 8.0 * tip[1])
-        color = KIND_COLORS[kind]
         label(ax, reach * tip, degrees(edge), offset=shift, color=color, size=NOTE_SIZE)
     for index, angle in enumerate(angles):
         text = rf"$\mathbf{{{name}}}_{{{index + 1}}}$"
@@ -208,7 +207,7 @@ def _curve_panel(figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbo
     ax = schematic(figure, (-span, span, -span, span), rect=(0.33, 0.0, 0.34, 0.9), pad=6)
     coordinate_axes(ax, (0, 0), 0.0, 1.05 * span, ("$f_x$", "$f_y$"), color=GUIDE)
     angle = data.mapped_force_angle.values
-    cone(ax, (0, 0), angle[0], angle[-1], 1.12 * span / 1.3, "force", alpha=0.1)
+    cone(ax, (0, 0), angle[0], angle[-1], 1.12 * span / 1.3, FORCE, alpha=0.1)
     tips = np.stack([data.mapped_force_x, data.mapped_force_y], axis=-1)
     for index, (tip, motion) in enumerate(zip(tips, data.mapped_motion_angle.values, strict=True)):
         force_arrow(ax, (0, 0), tip, head=8, width=1.0)

@@ -24,7 +24,7 @@ from planar_pushing.figures.parts.arrows import (
     unit,
 )
 from planar_pushing.figures.parts.labels import declutter, label
-from planar_pushing.figures.style import ABOVE, CENTER, FENCE, GUIDE, KIND_COLORS, SLIDER
+from planar_pushing.figures.style import ABOVE, CENTER, FENCE, GUIDE, SLIDER
 
 __all__ = [
     "angle_arc",
@@ -126,27 +126,22 @@ def cone(
     right_deg: float,
     left_deg: float,
     radius: float,
-    kind: str,
+    color: str,
     *,
-    color: str | None = None,
     alpha: float = 0.16,
     zorder: float = 0.5,
 ) -> Wedge:
-    """Cone of directions from `right_deg` counter-clockwise to `left_deg`.
-
-    `kind` is "force", "motion" or "center" and gives the colour; a cone of one direction is a line.
-    """
-    paint = color or KIND_COLORS[kind]
+    """Cone of directions counter-clockwise from right to left; a single direction is a line."""
     origin = np.asarray(apex, dtype=float)
     whole = left_deg - right_deg >= 360
     ends = (0.0, 360.0) if whole else (right_deg, left_deg)
-    wedge = Wedge(tuple(origin), radius, *ends, facecolor=paint, alpha=alpha, linewidth=0)
+    wedge = Wedge(tuple(origin), radius, *ends, facecolor=color, alpha=alpha, linewidth=0)
     wedge.set_zorder(zorder)
     ax.add_patch(wedge)
     if not whole:
         for edge in (right_deg, left_deg):
             line = np.stack([origin, origin + radius * unit(edge)], axis=1)
-            ax.plot(*line, color=paint, linewidth=0.7, zorder=zorder + 0.1)
+            ax.plot(*line, color=color, linewidth=0.7, zorder=zorder + 0.1)
     return wedge
 
 

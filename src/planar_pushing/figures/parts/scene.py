@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 import xarray as xr
@@ -12,11 +13,18 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.parts import drawing
 from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch, shown
 from planar_pushing.figures.settings import Settings
-from planar_pushing.figures.style import ABOVE, CENTER, FORCE, GUIDE, NOTE_SIZE, PUSHER, SLIP
+from planar_pushing.figures.style import (
+    ABOVE,
+    CENTER,
+    FORCE,
+    GUIDE,
+    MOTION,
+    NOTE_SIZE,
+    PUSHER,
+    SLIP,
+)
 
 Layer = Callable[[Axes, Sketch], None]
-Select = Callable[[Mapping[str, xr.Dataset], Settings], xr.Dataset]
-Draw = Callable[[Figure, xr.Dataset], None]
 
 
 def body(ax: Axes, sketch: Sketch) -> None:
@@ -29,13 +37,13 @@ def body(ax: Axes, sketch: Sketch) -> None:
 def friction_cone(ax: Axes, sketch: Sketch) -> None:
     """Directions that the force can take."""
     right, left = (float(sketch.data[f"friction_cone_{side}"]) for side in ("right", "left"))
-    drawing.cone(ax, (0, 0), right, left, 0.5 * sketch.reach, "force")
+    drawing.cone(ax, (0, 0), right, left, 0.5 * sketch.reach, FORCE)
 
 
 def motion_cone(ax: Axes, sketch: Sketch) -> None:
     """Directions that the slider's contact can move in."""
     right, left = (float(sketch.data[f"motion_cone_{side}"]) for side in ("right", "left"))
-    drawing.cone(ax, (0, 0), right, left, CONE * sketch.reach, "motion")
+    drawing.cone(ax, (0, 0), right, left, CONE * sketch.reach, MOTION)
 
 
 def force(ax: Axes, sketch: Sketch) -> None:
@@ -134,16 +142,20 @@ LAYERS: tuple[Layer, ...] = (
 )
 
 
-def scene_figure(name: str, layers: tuple[Layer, ...]) -> tuple[Select, Draw]:
-    """Select and draw of a figure that shows one solution of a scene."""
+@dataclass(frozen=True, slots=True)
+class SceneFigure:
+    """Figure of one solution of a scene, by the layers that it shows."""
 
-    def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
-        return shown(sources[f"scenes/{name}"])
+    layers: tuple[Layer, ...]
 
-    def draw(figure: Figure, data: xr.Dataset) -> None:
-        draw_scene(figure, data, layers)
+    def select(self, sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+        """Select the solution to draw."""
+        (scene,) = sources.values()
+        return shown(scene)
 
-    return select, draw
+    def draw(self, figure: Figure, data: xr.Dataset) -> None:
+        """Draw the layers."""
+        draw_scene(figure, data, self.layers)
 
 
 def points_per_unit(ax: Axes) -> float:
