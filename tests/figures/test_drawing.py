@@ -5,7 +5,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import ArrowStyle, FancyArrowPatch
 
 from planar_pushing.figures import render, style
-from planar_pushing.figures.parts import drawing
+from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.labels import declutter
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.models import FigureEntry
@@ -25,31 +25,31 @@ def line_ends(ax, number=-1):
 
 
 def test_a_force_has_a_filled_head(ax):
-    patch = drawing.force_arrow(ax, (0, 0), (1, 1), "f")
+    patch = arrows.force_arrow(ax, (0, 0), (1, 1), "f")
     assert isinstance(patch.get_arrowstyle(), ArrowStyle.get_styles()["-|>"])
     assert matplotlib.colors.same_color(patch.get_facecolor(), style.FORCE)
 
 
 def test_motions_have_open_heads(ax):
-    drawing.motion_arrow(ax, (0, 0), (1, 1), "v")
-    drawing.turning(ax, (0, 0), 1, 0.5)
-    drawing.coordinate_axes(ax, (0, 0), 0, 1, ("x", "y"))
+    arrows.motion_arrow(ax, (0, 0), (1, 1), "v")
+    arrows.turning(ax, (0, 0), 1, 0.5)
+    arrows.coordinate_axes(ax, (0, 0), 0, 1, ("x", "y"))
     assert heads(ax) == 4 * [ArrowStyle.get_styles()["->"]]
 
 
 @pytest.mark.parametrize("angle", [-170.0, -90.0, 0.0, 33.0, 180.0])
-@pytest.mark.parametrize("arrow", [drawing.force_arrow, drawing.motion_arrow])
+@pytest.mark.parametrize("arrow", [arrows.force_arrow, arrows.motion_arrow])
 def test_an_arrow_keeps_its_direction_exactly(ax, arrow, angle):
-    patch = arrow(ax, (0.3, 0.2), 1.5 * drawing.unit(angle))
+    patch = arrow(ax, (0.3, 0.2), 1.5 * arrows.unit(angle))
     ends = patch.get_path().vertices[:2]
     along = ends[1] - ends[0]
     assert ends[0] == pytest.approx([0.3, 0.2])
-    assert np.hypot(*along) * drawing.unit(angle) == pytest.approx(along)
+    assert np.hypot(*along) * arrows.unit(angle) == pytest.approx(along)
 
 
 @pytest.mark.parametrize(("sense", "side"), [(1.0, -1.0), (-1.0, 1.0)])
 def test_a_turn_to_the_left_ends_on_the_left(ax, sense, side):
-    shaft = drawing.turning(ax, (0, 0), sense, 0.5).get_path().vertices
+    shaft = arrows.turning(ax, (0, 0), sense, 0.5).get_path().vertices
     assert np.sign(shaft[0, 0]) == -side
 
 
@@ -68,7 +68,7 @@ def test_a_schematic_has_equal_aspect_and_shows_its_box(size):
 def test_a_cone_spans_from_its_right_to_its_left_edge(ax):
     wedge = drawing.cone(ax, (0, 0), -20, 140, 0.5, style.MOTION)
     assert (wedge.theta1, wedge.theta2, wedge.r) == (-20, 140, 0.5)
-    assert line_ends(ax)[1] == pytest.approx(0.5 * drawing.unit(140))
+    assert line_ends(ax)[1] == pytest.approx(0.5 * arrows.unit(140))
 
 
 def test_a_cone_of_one_direction_is_a_line(ax):
@@ -88,7 +88,7 @@ def test_a_cone_of_every_direction_has_no_edges(ax, left):
 def test_an_arc_joins_its_two_angles(ax, start, stop):
     drawing.angle_arc(ax, (1, 1), start, stop, 0.5, "a")
     assert line_ends(ax) == pytest.approx(
-        np.array([1 + 0.5 * drawing.unit(start), 1 + 0.5 * drawing.unit(stop)])
+        np.array([1 + 0.5 * arrows.unit(start), 1 + 0.5 * arrows.unit(stop)])
     )
 
 
@@ -114,16 +114,16 @@ def boxes(ax):
 
 def test_decluttering_parts_labels_that_cover_each_other(ax):
     for _ in range(4):
-        drawing.label(ax, (0, 0), "label", offset=(9, 0))
+        labels.label(ax, (0, 0), "label", offset=(9, 0))
     declutter(ax)
     found = boxes(ax)
     assert not any(a.overlaps(b) for i, a in enumerate(found) for b in found[:i])
 
 
 def test_decluttering_moves_a_label_off_an_arrow_and_into_the_frame(ax):
-    drawing.force_arrow(ax, (0, 0), (0, 2))
-    text = drawing.label(ax, (0, 1), "on the shaft", offset=(0, 9))
-    edge = drawing.label(ax, (ax.get_xlim()[1], 1), "edge", offset=(9, 0))
+    arrows.force_arrow(ax, (0, 0), (0, 2))
+    text = labels.label(ax, (0, 1), "on the shaft", offset=(0, 9))
+    edge = labels.label(ax, (ax.get_xlim()[1], 1), "edge", offset=(9, 0))
     declutter(ax)
     low, high = (
         ax.transData.inverted().transform(p) for p in text.get_window_extent().get_points()
@@ -133,8 +133,8 @@ def test_decluttering_moves_a_label_off_an_arrow_and_into_the_frame(ax):
 
 
 def test_decluttering_leaves_labels_without_an_offset_and_free_ones(ax):
-    fixed = drawing.label(ax, (0, 0), "a")
-    free = drawing.label(ax, (1, 1), "b", offset=(0, 9))
+    fixed = labels.label(ax, (0, 0), "a")
+    free = labels.label(ax, (1, 1), "b", offset=(0, 9))
     declutter(ax)
     assert fixed.xyann == (0, 0)
     assert free.xyann == pytest.approx((0, 9))
@@ -172,7 +172,7 @@ def test_a_picture_is_saved_with_the_same_bytes_and_without_a_date(tmp_path, kin
     for name in ("one", "two"):
         with style.paper_style():
             figure = Figure(figsize=(2, 2))
-            drawing.force_arrow(drawing.schematic(figure, (0, 1, 0, 1)), (0, 0), (1, 1), "$f$")
+            arrows.force_arrow(drawing.schematic(figure, (0, 1, 0, 1)), (0, 0), (1, 1), "$f$")
             render.save(figure, tmp_path / f"{name}.{kind}")
     first, second = ((tmp_path / f"{name}.{kind}").read_bytes() for name in ("one", "two"))
     assert first == second

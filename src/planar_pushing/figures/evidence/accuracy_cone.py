@@ -11,10 +11,10 @@ from planar_pushing.figures.evidence.work_precision import (
     LOOKS,
     handles,
     methods,
+    name_ends,
     note,
     work_precision,
 )
-from planar_pushing.figures.style import GREY, NOTE_SIZE
 
 LIMITS = (1e-15, 1e2)
 
@@ -26,7 +26,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     work_precision(left, data.method.values, data.cone_seconds, data.cone_error.values, LIMITS)
     left.set(xlim=(1e-8, 3e-1), yticks=10.0 ** np.arange(-14, 3, 4))
     left.set(xlabel="time for both edges of a cone, seconds", ylabel="largest error, degrees")
-    _settings(left, data)
+    name_ends(left, data, "cone", NAMED)
     _rim(right, data)
     figure.legend(
         handles=handles(methods(data)), loc="upper left", ncols=4, bbox_to_anchor=(0.075, 1.0),
@@ -34,29 +34,13 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     )  # fmt: skip
 
 
-#: Which settings of a method are named, and on which side of their markers.
+#: How the settings of a method are written, and aligned beside their markers.
 NAMED = {
-    "linear table": ("{:g} entries", (0, -1), "right"),
-    "cubic table": ("{:g} entries", (0, -1), "left"),
-    "find_root": ("tolerance {:g}", (0, -1), "left"),
-    "brentq on quad": ("tolerance {:g}", (0, -1), "left"),
+    "linear table": ("{:g} entries", "right"),
+    "cubic table": ("{:g} entries", "left"),
+    "find_root": ("tolerance {:g}", "left"),
+    "brentq on quad": ("tolerance {:g}", "left"),
 }
-
-
-def _settings(ax: Axes, data: xr.Dataset) -> None:
-    """Name the ends of each line by their settings."""
-    for name, (text, which, side) in NAMED.items():
-        rows = np.flatnonzero(data.method.values == name)
-        away = 8 if side == "left" else -8
-        for row in rows[list(which)]:
-            times = data.cone_seconds[row]
-            beside = times.min() if side == "right" else times.median()
-            at = float(beside), float(data.cone_error[row])
-            words = text.format(float(data.setting[row]))
-            ax.annotate(
-                words, at, (away, 0), textcoords="offset points", ha=side, va="center",
-                color=GREY, fontsize=NOTE_SIZE - 1,
-            )  # fmt: skip
 
 
 def _rim(ax: Axes, data: xr.Dataset) -> None:

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.evidence.work_precision import handles, methods, work_precision
-from planar_pushing.figures.style import GREY, NOTE_SIZE
+from planar_pushing.figures.evidence.work_precision import (
+    handles,
+    methods,
+    name_ends,
+    work_precision,
+)
 
 LIMITS = (1e-14, 1e1)
 TITLES = {
     "slipping": "slipping with infinite friction, one mode",
     "pulling": "pulling, the fence turns on its way",
 }
-#: What a setting is, and on which side of the markers it stands.
-NAMED = {"event-driven": ("tolerance {:g}", -1), "time-stepping": ("{:g} steps", 1)}
+#: How the settings of a method are written, and aligned beside their markers.
+NAMED = {"event-driven": ("tolerance {:g}", "right"), "time-stepping": ("{:g} steps", "left")}
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:
@@ -28,21 +31,6 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         work_precision(ax, one.method.values, one.motion_seconds, one.motion_error.values, LIMITS)
         ax.set(xlim=(3e-4, 3e0), yticks=10.0 ** np.arange(-14, 2, 4), title=TITLES[str(scene)])
         ax.set_xlabel("time for a run, seconds")
-        _settings(ax, one)
+        name_ends(ax, one, "motion", NAMED)
     axes[0].set_ylabel("error of the last rod angle, degrees")
     figure.legend(handles=handles(methods(data)), loc="upper center", ncols=2, fontsize=8)
-
-
-def _settings(ax: Axes, data: xr.Dataset) -> None:
-    """Name the ends of each line by their settings."""
-    for name, (text, side) in NAMED.items():
-        rows = np.flatnonzero(data.method.values == name)
-        for row in rows[[0, -1]]:
-            times = data.motion_seconds[row]
-            beside = times.median() if side > 0 else times.min()
-            at = float(beside), float(data.motion_error[row])
-            words = text.format(float(data.setting[row]))
-            ax.annotate(
-                words, at, (8 * side, 0), textcoords="offset points", va="center",
-                ha="left" if side > 0 else "right", color=GREY, fontsize=NOTE_SIZE - 1,
-            )  # fmt: skip

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-import numpy.typing as npt
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.style import BLUE, GREY, VERMILION
+from planar_pushing.mechanics.planar import Array
 
-Array = npt.NDArray[Any]
 #: The hard places, in order of `line`.
 PLACES = (
     "centre on\nthe ring",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -81,6 +82,24 @@ def handles(names: list[str]) -> list[Line2D]:
     """Entries of a legend."""
     options = {"markersize": 4.5, "linewidth": 0.9}
     return [Line2D([], [], label=name, **{**options, **LOOKS[name]}) for name in names]
+
+
+def name_ends(
+    ax: Axes, data: xr.Dataset, quantity: str, named: Mapping[str, tuple[str, str]]
+) -> None:
+    """Write the first and the last setting of some methods beside their markers.
+
+    `named` holds, for each method, how a setting is written and the text's horizontal alignment.
+    """
+    for name, (words, side) in named.items():
+        for row in np.flatnonzero(data.method.values == name)[[0, -1]]:
+            times = data[f"{quantity}_seconds"][row]
+            place, away = (times.min(), -8) if side == "right" else (times.median(), 8)
+            ax.annotate(
+                words.format(float(data.setting[row])),
+                (float(place), float(data[f"{quantity}_error"][row])), (away, 0),
+                textcoords="offset points", ha=side, va="center", color=GREY, fontsize=NOTE_SIZE - 1,
+            )  # fmt: skip
 
 
 def note(ax: Axes, x: float, y: float, text: str, **options: Any) -> None:

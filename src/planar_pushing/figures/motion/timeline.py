@@ -7,27 +7,15 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.figures.style import BLUE, DARK, GREY, SLIP
+from planar_pushing.figures.style import BLUE, DARK, GREY
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.mechanics.planar import Array
 
-Array = npt.NDArray[np.float64]
-
-#: Variables of a picture by those of the log that they are.
-PLOTTED = {
-    "path_position": "position",
-    "path_fence": "fence",
-    "path_rod_angle": "rod_angle",
-    "path_slip": "slip",
-    "path_gap": "gap",
-    "path_force": "force",
-    "path_spin_ratio": "spin_ratio",
-    "path_mode": "mode",
-    "path_solutions": "solutions",
-}
+#: Variables of a log that a picture shows; in the picture's data they are named path_*.
+PATH = ("position", "fence", "rod_angle", "slip", "gap", "force", "spin_ratio", "mode", "solutions")
 #: Colour and name of a contact mode; -1 is none.
 MODES: dict[int, tuple[str, str]] = {
     -1: (DARK, "no mode"),
@@ -36,7 +24,6 @@ MODES: dict[int, tuple[str, str]] = {
     ContactMode.SLIP_RIGHT: ("#E69F00", "slip right"),
     ContactMode.SLIP_LEFT: ("#CC79A7", "slip left"),
 }
-SLIP_COLOR = SLIP
 
 
 class Run(NamedTuple):
@@ -56,7 +43,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     InvalidFile
         Where the dataset is no log of a scene that scene files have names for.
     """
-    missing = [name for name in (*PLOTTED.values(), "twist") if name not in log]
+    missing = [name for name in (*PATH, "twist") if name not in log]
     try:
         slider = json.loads(log.attrs.get("scene", ""))["slider"]
     except (ValueError, TypeError, KeyError):
@@ -66,7 +53,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
             f"the dataset lacks {', '.join(missing)}; allowed: a log of planar-pushing simulate; "
             "name another file"
         )
-    data = log[list(PLOTTED.values())].rename({old: new for new, old in PLOTTED.items()})
+    data = log[list(PATH)].rename({name: f"path_{name}" for name in PATH})
     data["path_center"] = motion_center(log, slider["radius"])
     for name in ("radius", "rod_length"):
         data[name] = ((), float(slider[name]), {"units": "length", "long_name": name})

@@ -12,9 +12,10 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from planar_pushing.figures.motion.timeline import MODES, SLIP_COLOR, Array, contact, rows, runs
-from planar_pushing.figures.parts import drawing
-from planar_pushing.figures.style import CENTER, DARK, FENCE, FORCE, MOTION, NOTE_SIZE, SLIDER
+from planar_pushing.figures.motion.timeline import MODES, contact, rows, runs
+from planar_pushing.figures.parts import arrows, drawing
+from planar_pushing.figures.style import CENTER, DARK, FENCE, FORCE, MOTION, NOTE_SIZE, SLIDER, SLIP
+from planar_pushing.mechanics.planar import Array
 
 Box = tuple[float, float, float, float]
 Rect = tuple[float, float, float, float]
@@ -70,7 +71,7 @@ def scene(ax: Axes, data: xr.Dataset, row: int, strength: float = 1.0) -> None:
     force = data["path_force"].values[row]
     if np.any(force):
         along = FORCE_LENGTH * span(data) * force / np.hypot(*force)
-        drawing.force_arrow(ax, touch, along, color=faded(FORCE, strength), head=9.0, width=1.0)
+        arrows.force_arrow(ax, touch, along, color=faded(FORCE, strength), head=9.0, width=1.0)
 
 
 def fence(ax: Axes, middle: Array, half: float, color: str, *, hatch: bool) -> None:
@@ -109,7 +110,7 @@ def snapshots(figure: Figure, data: xr.Dataset, rect: Rect, limits: Box, count: 
 
 def series(ax: Axes, data: xr.Dataset, name: str, text: str, **style: Any) -> None:
     """One variable over time, its axis in the variable's colour."""
-    color = {"path_rod_angle": MOTION, "path_slip": SLIP_COLOR}.get(name, DARK)
+    color = {"path_rod_angle": MOTION, "path_slip": SLIP}.get(name, DARK)
     ax.plot(data["time"], data[name], color=color, **style)
     ax.set_ylabel(text, color=color)
     ax.set_xlim(float(data["time"][0]), float(data["time"][-1]))

@@ -13,8 +13,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.parts import drawing
-from planar_pushing.figures.parts.curves import number, radius, rod_angle
+from planar_pushing.figures.parts import arrows, drawing, labels
+from planar_pushing.figures.parts.curves import chosen, number, radius, rod_angle, rod_lengths
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE, PUSHER
 
@@ -30,13 +30,12 @@ LONG_NAMES = {
 
 def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select one slipping contact: its force angle and the two velocity angles."""
-    length, mu = settings.rod_length, settings.friction_coefficient
     cones = sources["motion_cones"]
     row = cones.sel(
         effects="support_friction",
         rod_angle=rod_angle(cones),
-        rod_length=ROD_LENGTH if length is None else length,
-        friction_coefficient=FRICTION_COEFFICIENT if mu is None else mu,
+        rod_length=rod_lengths(settings, (ROD_LENGTH,))[0],
+        friction_coefficient=chosen(settings.friction_coefficient, FRICTION_COEFFICIENT),
     )
     edge = row["motion_cone_left"].variable
     data = xr.Dataset(
@@ -58,23 +57,23 @@ def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
 def draw(figure: Figure, data: xr.Dataset) -> None:
     """Draw slider and fence with their lengths, vectors and angles."""
     psi, length = float(data["rod_angle"]), float(data["rod_length"])
-    ring, size = length * drawing.unit(psi), float(data["radius"])
+    ring, size = length * arrows.unit(psi), float(data["radius"])
     ax = drawing.schematic(figure, (-SPEED - 0.2, ring[0] + size, -0.45, ring[1] + size), pad=8.0)
     drawing.fence(ax, -SPEED - 0.2, ring[0] + size, depth=0.16)
     drawing.slider(ax, ring, size)
     _vectors(ax, data)
     _angles(ax, data)
     _lengths(ax, ring, psi, size)
-    drawing.declutter(ax)
+    labels.declutter(ax)
 
 
 def _vectors(ax: Axes, data: xr.Dataset) -> None:
     pusher, slider = (float(data[f"{name}_angle"]) for name in ("pusher", "slider"))
     speed = SPEED * np.sin(np.deg2rad(pusher)) / np.sin(np.deg2rad(slider))
-    force = 2.3 * drawing.unit(float(data["force_angle"]))
-    drawing.force_arrow(ax, (0, 0), force, r"$\mathbf{f}$")
-    drawing.motion_arrow(ax, (0, 0), speed * drawing.unit(slider), r"$\mathbf{v}_s$")
-    drawing.motion_arrow(ax, (0, 0), SPEED * drawing.unit(pusher), r"$\mathbf{v}_p$", color=PUSHER)
+    force = 2.3 * arrows.unit(float(data["force_angle"]))
+    arrows.force_arrow(ax, (0, 0), force, r"$\mathbf{f}$")
+    arrows.motion_arrow(ax, (0, 0), speed * arrows.unit(slider), r"$\mathbf{v}_s$")
+    arrows.motion_arrow(ax, (0, 0), SPEED * arrows.unit(pusher), r"$\mathbf{v}_p$", color=PUSHER)
 
 
 def _angles(ax: Axes, data: xr.Dataset) -> None:
@@ -88,12 +87,12 @@ def _angles(ax: Axes, data: xr.Dataset) -> None:
 
 
 def _lengths(ax: Axes, ring: np.ndarray, psi: float, size: float) -> None:
-    aside = drawing.unit(psi - 90)
-    drawing.label(ax, 0.55 * ring, "$l$", offset=(8 * aside[0], 8 * aside[1]))
-    drawing.guide(ax, ring, ring + size * drawing.unit(0), color=DARK, style="-")
-    drawing.label(ax, ring + 0.5 * size * drawing.unit(0), f"${number(size)}$", offset=(0.0, 7.0))
-    drawing.label(ax, (0, 0), r"$\mu$", offset=(0.0, -13.0))
-    drawing.label(ax, ring + size * drawing.unit(90), "slider", offset=(0.0, -12.0), size=NOTE_SIZE)
-    drawing.label(ax, (-1.6, 0), "pusher", offset=(0.0, -13.0), size=NOTE_SIZE)
+    aside = arrows.unit(psi - 90)
+    labels.label(ax, 0.55 * ring, "$l$", offset=(8 * aside[0], 8 * aside[1]))
+    drawing.guide(ax, ring, ring + size * arrows.unit(0), color=DARK, style="-")
+    labels.label(ax, ring + 0.5 * size * arrows.unit(0), f"${number(size)}$", offset=(0.0, 7.0))
+    labels.label(ax, (0, 0), r"$\mu$", offset=(0.0, -13.0))
+    labels.label(ax, ring + size * arrows.unit(90), "slider", offset=(0.0, -12.0), size=NOTE_SIZE)
+    labels.label(ax, (-1.6, 0), "pusher", offset=(0.0, -13.0), size=NOTE_SIZE)
     corner = (ring[0] + 0.1, 0.0)
-    drawing.coordinate_axes(ax, corner, 0, 0.6, ("$x$", "$y$"), color=GUIDE)
+    arrows.coordinate_axes(ax, corner, 0, 0.6, ("$x$", "$y$"), color=GUIDE)

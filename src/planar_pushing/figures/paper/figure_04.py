@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.parts import drawing
+from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.sketch import shown
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import CENTER, DARK, FORCE
@@ -30,13 +30,13 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     ax = drawing.schematic(figure, (-0.9, ring[0] + long, -0.2, top), pad=10.0)
     drawing.fence(ax, -0.9, 0.8 * long, depth=0.14 * radius)
     drawing.slider(ax, ring, radius)
-    drawing.coordinate_axes(ax, (0, 0), 0, 1.2 * long, ("$x$", "$y$"), color=DARK)
-    drawing.coordinate_axes(ax, ring, phi - 90, long, ("$x$\N{PRIME}", "$y$\N{PRIME}"), color=DARK)
-    drawing.force_arrow(ax, (0, 0), 1.6 * drawing.unit(phi), r"$\mathbf{f}$")
+    arrows.coordinate_axes(ax, (0, 0), 0, 1.2 * long, ("$x$", "$y$"), color=DARK)
+    arrows.coordinate_axes(ax, ring, phi - 90, long, ("$x$\N{PRIME}", "$y$\N{PRIME}"), color=DARK)
+    arrows.force_arrow(ax, (0, 0), 1.6 * arrows.unit(phi), r"$\mathbf{f}$")
     drawing.angle_arc(ax, (0, 0), 0, phi, 0.7, r"$\phi$", color=FORCE, at=0.3)
-    aside = drawing.unit(phi)
+    aside = arrows.unit(phi)
     drawing.center_mark(
         ax, center, r"$-v/\omega$", offset=(-12 * aside[0], -12 * aside[1]), color=CENTER
     )
-    drawing.label(ax, 0.5 * ring, "$l$", offset=(6.0, -6.0))
-    drawing.declutter(ax)
+    labels.label(ax, 0.5 * ring, "$l$", offset=(6.0, -6.0))
+    labels.declutter(ax)

@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.curves import (
     curves,
     family,
@@ -18,7 +19,6 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
-from planar_pushing.figures.parts.drawing import declutter, guide, motion_arrow, unit
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK
 from planar_pushing.mechanics.planar import Array, direction
@@ -46,12 +46,9 @@ def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     ends = np.array([psi, (psi + 180) % 360])
     force = special.force.sel(parallel_angle=ends).isel(rod_length=-1).values
     tips = force[:, None] * direction(np.deg2rad(ends))
-    data["infinite_rod_x"] = named(
-        "end", tips[:, 0], "force", "force along the fence, infinite rod"
-    )
-    data["infinite_rod_y"] = named(
-        "end", tips[:, 1], "force", "force normal to the fence, infinite rod"
-    )
+    for xy, values, words in zip("xy", tips.T, ("along", "normal to"), strict=True):
+        long_name = f"force {words} the fence, infinite rod"
+        data[f"infinite_rod_{xy}"] = named("end", values, "force", long_name)
     return titled(data, "Limit curves for several rod lengths", sources)
 
 
@@ -68,12 +65,14 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     ax.set_xlabel("force along the fence, $f_x / W$")
     ax.set_ylabel("force normal to the fence, $f_y / W$")
     for angle in data.parallel_angle.values[:2]:
-        guide(ax, -SPAN * 0.75 * unit(angle), SPAN * 0.75 * unit(angle), style=":")
+        drawing.guide(
+            ax, -SPAN * 0.75 * arrows.unit(angle), SPAN * 0.75 * arrows.unit(angle), style=":"
+        )
     family(ax, data, LABEL_ANGLE, "right")
     ax.plot(data.infinite_rod_x, data.infinite_rod_y, color=DARK, zorder=3)
     _velocities(ax, data)
     on_curve(ax, 0.62 * _far_end(data), r"$\infty$", DARK)
-    declutter(ax)
+    labels.declutter(ax)
 
 
 def _far_end(data: xr.Dataset) -> Array:
@@ -87,8 +86,10 @@ def _velocities(ax: Axes, data: xr.Dataset) -> None:
         here = data.sel(parallel_angle=angle)
         feet = np.round(here.parallel_force.values, 9)
         for index in np.unique(feet, return_index=True)[1]:
-            foot = float(here.parallel_force[index]) * unit(angle)
-            along = unit(float(here.parallel_motion_angle[index]))
+            foot = float(here.parallel_force[index]) * arrows.unit(angle)
+            along = arrows.unit(float(here.parallel_motion_angle[index]))
             shared = np.ptp(feet) == 0
             text = r"$\mathbf{v}_s$" if feet[index] == feet.max() else ""
-            motion_arrow(ax, foot, (0.3 if shared else 0.15) * along, text, head=8, width=1.0)
+            arrows.motion_arrow(
+                ax, foot, (0.3 if shared else 0.15) * along, text, head=8, width=1.0
+            )

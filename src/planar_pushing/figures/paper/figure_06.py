@@ -8,8 +8,10 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from planar_pushing.figures.parts import labels
 from planar_pushing.figures.parts.curves import (
     BUTT,
+    chosen,
     cone_mapping,
     curves,
     mapping_panels,
@@ -17,25 +19,16 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
-from planar_pushing.figures.parts.drawing import declutter
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK
-
-#: Force angles drawn between the edges of the cone, degrees.
-INSIDE = (45.0, 90.0)
 
 
 def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the limit curve and the forces and velocities of the mapping."""
     length = rod_lengths(settings, (2.0,))[0]
     data = curves(sources["limit_curves"], "support_friction", (length,)).squeeze("rod_length")
-    friction = 2.0 if settings.friction_coefficient is None else settings.friction_coefficient
-    where = {
-        "effects": "support_friction",
-        "rod_length": length,
-        "friction_coefficient": friction,
-    }
-    data = data.merge(cone_mapping(sources["limit_curves"], sources["motion_cones"], where, INSIDE))
+    friction = chosen(settings.friction_coefficient, 2.0)
+    data = data.merge(cone_mapping(sources, "support_friction", length, friction))
     return titled(data, "Friction cone, limit curve and velocity cone", sources)
 
 
@@ -49,4 +42,4 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     )
     ax = mapping_panels(figure, data, [curve], "v", titles)
     ax.plot(*curve.T, color=DARK, **BUTT)
-    declutter(ax)
+    labels.declutter(ax)

@@ -10,6 +10,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.curves import (
     degrees,
     number,
@@ -17,15 +18,6 @@ from planar_pushing.figures.parts.curves import (
     rod_angle,
     rod_lengths,
     titled,
-)
-from planar_pushing.figures.parts.drawing import (
-    cone,
-    declutter,
-    fence,
-    label,
-    schematic,
-    slider,
-    unit,
 )
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, MOTION, NOTE_SIZE, SLIP
@@ -55,15 +47,15 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     count = data.sizes["rod_length"]
     for index in range(count):
         one = data.isel(rod_length=index)
-        center, ring = float(one.rod_length) * unit(float(one.rod_angle)), float(one.radius)
+        center, ring = float(one.rod_length) * arrows.unit(float(one.rod_angle)), float(one.radius)
         reach = 0.6 * (float(one.rod_length) + ring)
         right = max(center[0] + ring, 1.1 * reach)
         box = (-1.1 * reach, right, min(-0.7 * reach, center[1] - ring), center[1] + ring)
-        ax = schematic(figure, box, rect=(index / count, 0.0, 1 / count, 0.95), pad=15)
-        slider(ax, center, ring, width=1.6)
-        fence(ax, -1.1 * reach, right)
+        ax = drawing.schematic(figure, box, rect=(index / count, 0.0, 1 / count, 0.95), pad=15)
+        drawing.slider(ax, center, ring, width=1.6)
+        drawing.fence(ax, -1.1 * reach, right)
         _cone(ax, one, reach)
-        declutter(ax)
+        labels.declutter(ax)
         text = f"$l = {number(float(one.rod_length))}$"
         figure.text((index + 0.5) / count, 0.97, text, ha="center", va="top", color=DARK)
 
@@ -71,14 +63,14 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
 def _cone(ax: Axes, one: xr.Dataset, reach: float) -> None:
     """Velocity cone, and the pushes to its left that make the contact slip."""
     right, left = float(one.motion_cone_right), float(one.motion_cone_left)
-    cone(ax, (0, 0), left, 180.0, 0.8 * reach, SLIP, alpha=0.35, zorder=0.3)
-    cone(ax, (0, 0), right, left, reach, MOTION)
+    drawing.cone(ax, (0, 0), left, 180.0, 0.8 * reach, SLIP, alpha=0.35, zorder=0.3)
+    drawing.cone(ax, (0, 0), right, left, reach, MOTION)
     note: dict[str, Any] = {"color": MOTION, "size": NOTE_SIZE}
-    label(ax, reach * unit(left), degrees(left), offset=(-8.0, 8.0), **note)
+    labels.label(ax, reach * arrows.unit(left), degrees(left), offset=(-8.0, 8.0), **note)
     # Below the edge that it names: without an offset declutter leaves it there.
-    below = reach * unit(right) - [0.0, 0.04 * reach]
-    label(ax, below, degrees(right), ha="right", va="top", **note)
+    below = reach * arrows.unit(right) - [0.0, 0.04 * reach]
+    labels.label(ax, below, degrees(right), ha="right", va="top", **note)
     if left < WIDE:
-        at = 0.52 * reach * unit((left + 180) / 2)
-        label(ax, at, "slip", size=NOTE_SIZE)
-        label(ax, 0.62 * reach * unit(0.55 * right), "pull", size=NOTE_SIZE)
+        at = 0.52 * reach * arrows.unit((left + 180) / 2)
+        labels.label(ax, at, "slip", size=NOTE_SIZE)
+        labels.label(ax, 0.62 * reach * arrows.unit(0.55 * right), "pull", size=NOTE_SIZE)

@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.parts import drawing
+from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import CENTER, FORCE, MOTION
 
@@ -52,7 +52,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         panel = data.sel(panel=name)
         _slider_and_cones(ax, panel)
         _line_of_centers(ax, panel)
-        drawing.declutter(ax)
+        labels.declutter(ax)
         mu = float(panel["friction_coefficient"])
         value = f"{mu:.4g}" if np.isfinite(mu) else r"\infty"
         ax.text(0.5, -0.03, rf"({name})  $\mu = {value}$", transform=ax.transAxes, ha="center")
@@ -66,12 +66,10 @@ def _slider_and_cones(ax: Axes, panel: xr.Dataset) -> None:
     drawing.cone(ax, (0, 0), force[0], force[1], 0.8, FORCE)
     drawing.cone(ax, (0, 0), motion[0], motion[1], 1.1, MOTION)
     for right_or_left, angle in zip("rl", force, strict=True):
-        drawing.force_arrow(
-            ax, (0, 0), 1.4 * drawing.unit(angle), rf"$\mathbf{{f}}_{right_or_left}$"
-        )
+        arrows.force_arrow(ax, (0, 0), 1.4 * arrows.unit(angle), rf"$\mathbf{{f}}_{right_or_left}$")
     for right_or_left, angle in zip("rl", motion, strict=True):
-        drawing.motion_arrow(
-            ax, (0, 0), 1.55 * drawing.unit(angle), rf"$\mathbf{{a}}_{right_or_left}$"
+        arrows.motion_arrow(
+            ax, (0, 0), 1.55 * arrows.unit(angle), rf"$\mathbf{{a}}_{right_or_left}$"
         )
 
 
@@ -79,7 +77,7 @@ def _line_of_centers(ax: Axes, panel: xr.Dataset) -> None:
     """Draw the line of centres, and on it what lies between the duals of the cone's edges."""
     right, left = panel["center_right"].values, panel["center_left"].values
     psi = float(panel["rod_angle"])
-    along = drawing.unit(psi + 90)
+    along = arrows.unit(psi + 90)
     ends = [right + reach * along for reach in _reaches(right, along)]
     drawing.guide(ax, *ends, color=CENTER)
     if not float(panel["friction_cone_right"]) < psi < float(panel["friction_cone_left"]):
@@ -89,8 +87,8 @@ def _line_of_centers(ax: Axes, panel: xr.Dataset) -> None:
         for start, stop, sign in ((right, ends[1], 1.0), (left, ends[0], -1.0)):
             _allowed(ax, start, stop)
             at = 0.3 * start + 0.7 * stop
-            drawing.turning(ax, at, sign, 0.22)
-            drawing.label(ax, at, "$+$" if sign > 0 else "$-$", offset=(12.0, 12.0), color=CENTER)
+            arrows.turning(ax, at, sign, 0.22)
+            labels.label(ax, at, "$+$" if sign > 0 else "$-$", offset=(12.0, 12.0), color=CENTER)
     _marks(ax, right, left)
 
 

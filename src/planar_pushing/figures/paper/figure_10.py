@@ -8,7 +8,9 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from planar_pushing.figures.parts import labels
 from planar_pushing.figures.parts.curves import (
+    chosen,
     cone_mapping,
     curves,
     family,
@@ -17,11 +19,8 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
-from planar_pushing.figures.parts.drawing import declutter
 from planar_pushing.figures.settings import Settings
 
-#: Force angles drawn between the edges of the cone, degrees.
-INSIDE = (45.0, 90.0)
 #: Where the labels of the ellipses stand, degrees.
 LABEL_ANGLE = 330.0
 
@@ -29,10 +28,9 @@ LABEL_ANGLE = 330.0
 def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the ellipses, and the forces and accelerations of the mapping."""
     data = curves(sources["limit_curves"], "inertia", rod_lengths(settings, (0.5, 1.0, 2.0, 5.0)))
-    mapped = 1.0 if settings.mapped_rod_length is None else settings.mapped_rod_length
-    friction = 5.0 if settings.friction_coefficient is None else settings.friction_coefficient
-    where = {"effects": "inertia", "rod_length": mapped, "friction_coefficient": friction}
-    data = data.merge(cone_mapping(sources["limit_curves"], sources["motion_cones"], where, INSIDE))
+    mapped = chosen(settings.mapped_rod_length, 1.0)
+    friction = chosen(settings.friction_coefficient, 5.0)
+    data = data.merge(cone_mapping(sources, "inertia", mapped, friction))
     return titled(data, "Ellipses of the dynamic case and an acceleration cone", sources)
 
 
@@ -46,4 +44,4 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     )
     ax = mapping_panels(figure, data, list(ellipses), "a", titles)
     family(ax, data, LABEL_ANGLE, "left", bold=float(data.mapped_rod_length))
-    declutter(ax)
+    labels.declutter(ax)

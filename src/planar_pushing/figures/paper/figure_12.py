@@ -11,18 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Polygon, Rectangle, Wedge
 
+from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.curves import degrees, named, rod_lengths, titled
-from planar_pushing.figures.parts.drawing import (
-    cone,
-    declutter,
-    fence,
-    force_arrow,
-    label,
-    motion_arrow,
-    schematic,
-    slider,
-    unit,
-)
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
 from planar_pushing.mechanics.planar import moment_arm
@@ -47,20 +37,16 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
     middle = np.deg2rad((edges[:-1] + edges[1:]) / 2)
     arm = moment_arm(rod_length, np.deg2rad(rod_angle), middle)
     turn = np.where(arm > 0, 90.0, -90.0)
+    outside = (np.abs(arm) < radius).astype(np.int8)
+    parts = (
+        ("start", edges[:-1] + turn, "degree", "right end of the sector of centres"),
+        ("stop", edges[1:] + turn, "degree", "left end of the sector of centres"),
+        ("outside", outside, "1", "whether the sector is outside the ring"),
+    )
     return xr.Dataset(
         {
-            "sector_start": named(
-                "sector", edges[:-1] + turn, "degree", "right end of the sector of centres"
-            ),
-            "sector_stop": named(
-                "sector", edges[1:] + turn, "degree", "left end of the sector of centres"
-            ),
-            "sector_outside": named(
-                "sector",
-                (np.abs(arm) < radius).astype(np.int8),
-                "1",
-                "whether the sector is outside the ring",
-            ),
+            f"sector_{name}": named("sector", values, unit, words)
+            for name, values, unit, words in parts
         }
     )
 
@@ -104,25 +90,25 @@ VIEW, DETAIL = (-3.6, 7.8, -2.35, 5.4), 1.55
 def draw(figure: Figure, data: xr.Dataset) -> None:
     """Draw the scene with both regions and both cones, and the ring again, larger."""
     center, ring = data.ring_center.values, float(data.radius)
-    scene = schematic(figure, VIEW, rect=(0.0, 0.0, 0.65, 1.0), pad=2)
+    scene = drawing.schematic(figure, VIEW, rect=(0.0, 0.0, 0.65, 1.0), pad=2)
     _centers(scene, data)
-    slider(scene, center, ring, width=1.4)
-    fence(scene, *VIEW[:2], depth=0.2)
+    drawing.slider(scene, center, ring, width=1.4)
+    drawing.fence(scene, *VIEW[:2], depth=0.2)
     _accelerations(scene, data)
-    for along in (unit(float(data.rod_angle) + turn) for turn in (90, -90)):
+    for along in (arrows.unit(float(data.rod_angle) + turn) for turn in (90, -90)):
         far = np.min(np.abs((np.where(along > 0, VIEW[1::2], VIEW[::2]) - center) / along))
         end = center + 0.9 * far * along
-        label(scene, end, r"$\infty$", offset=(-9.0, -7.0), color=CENTER)
+        labels.label(scene, end, r"$\infty$", offset=(-9.0, -7.0), color=CENTER)
     low, size = center - DETAIL * ring, 2 * DETAIL * ring
     _frame(scene, Rectangle(tuple(low), size, size))
-    declutter(scene)
+    labels.declutter(scene)
     width, height = figure.get_size_inches()
     side = 0.34 * width / height
     box = (low[0], low[0] + size, low[1], low[1] + size)
-    detail = schematic(figure, box, rect=(0.655, 0.985 - side, 0.34, side), pad=0)
+    detail = drawing.schematic(figure, box, rect=(0.655, 0.985 - side, 0.34, side), pad=0)
     _frame(detail, Rectangle((0, 0), 1, 1, transform=detail.transAxes))
     _centers(detail, data)
-    slider(detail, center, ring, width=1.4)
+    drawing.slider(detail, center, ring, width=1.4)
     handles = [Patch(facecolor=CENTER, alpha=each, linewidth=0) for each in (BOUND, EXACT)]
     names = ["the paper's bound", "exact set"]
     where: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.02), "ncols": 2}
@@ -162,17 +148,19 @@ def _accelerations(ax: Axes, data: xr.Dataset) -> None:
         (float(data[f"{kind}_cone_right"]), float(data[f"{kind}_cone_left"]))
         for kind in ("conservative", "exact")
     )
-    cone(ax, (0, 0), *bound, REACH, MOTION, alpha=0.12)
-    cone(ax, (0, 0), *exact, 0.86 * REACH, MOTION, alpha=0.25)
-    cone(ax, (0, 0), bound[1], 180.0, 0.86 * REACH, SLIP, alpha=0.25, zorder=0.3)
+    drawing.cone(ax, (0, 0), *bound, REACH, MOTION, alpha=0.12)
+    drawing.cone(ax, (0, 0), *exact, 0.86 * REACH, MOTION, alpha=0.25)
+    drawing.cone(ax, (0, 0), bound[1], 180.0, 0.86 * REACH, SLIP, alpha=0.25, zorder=0.3)
     for outer, inner in zip(bound, exact, strict=True):
         text = f"bound {degrees(outer)}\nexact {degrees(inner)}"
         shift = (-13.0 if outer > 90 else 6.0, 9.0 if outer > 90 else -10.0)
-        label(ax, REACH * unit(outer), text, offset=shift, color=MOTION, size=NOTE_SIZE)
+        labels.label(
+            ax, REACH * arrows.unit(outer), text, offset=shift, color=MOTION, size=NOTE_SIZE
+        )
     pusher, contact = data.pusher_motion.values, data.contact_motion.values
     scale = 0.8 * REACH / float(np.hypot(*pusher))
-    motion_arrow(ax, (0, 0), scale * pusher, r"$\mathbf{a}_p$", color=PUSHER)
-    motion_arrow(ax, (0, 0), scale * contact, r"$\mathbf{a}_s$", head=9)
+    arrows.motion_arrow(ax, (0, 0), scale * pusher, r"$\mathbf{a}_p$", color=PUSHER)
+    arrows.motion_arrow(ax, (0, 0), scale * contact, r"$\mathbf{a}_s$", head=9)
     slip: dict[str, Any] = {
         "color": SLIP,
         "head": 9.0,
@@ -180,6 +168,6 @@ def _accelerations(ax: Axes, data: xr.Dataset) -> None:
         "at": 0.45,
         "offset": (0.0, 7.0),
     }
-    motion_arrow(ax, scale * pusher, scale * (contact - pusher), "slip", **slip)
+    arrows.motion_arrow(ax, scale * pusher, scale * (contact - pusher), "slip", **slip)
     force = data.force.values / float(np.hypot(*data.force.values))
-    force_arrow(ax, (0, 0), 0.5 * REACH * force, r"$\mathbf{f}$", offset=(0.0, -9.0))
+    arrows.force_arrow(ax, (0, 0), 0.5 * REACH * force, r"$\mathbf{f}$", offset=(0.0, -9.0))

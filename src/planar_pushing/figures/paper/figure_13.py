@@ -12,7 +12,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
-from planar_pushing.figures.parts.curves import named, number, rod_angle, rod_lengths, titled
+from planar_pushing.figures.parts.curves import (
+    chosen,
+    named,
+    number,
+    rod_angle,
+    rod_lengths,
+    titled,
+)
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, LIGHT, NOTE_SIZE
 from planar_pushing.mechanics.contact import ContactMode
@@ -78,7 +85,7 @@ def mode_sets(consistent: xr.DataArray) -> xr.DataArray:
 def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
     """Select the sets of consistent modes and the edges of the motion cones."""
     length = rod_lengths(settings, (2.0,))[0]
-    magnitude = settings.pusher_magnitude or 1.0
+    magnitude = chosen(settings.pusher_magnitude, 1.0)
     modes = sources["contact_modes"].sel(rod_length=length, pusher_magnitude=magnitude)
     cones = sources["motion_cones"]
     cones = cones.sel(rod_length=length, rod_angle=rod_angle(cones))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from functools import partial
 
 import numpy as np
 import numpy.typing as npt
@@ -13,8 +13,7 @@ from matplotlib.transforms import Affine2D
 
 from planar_pushing.figures.parts.labels import label
 from planar_pushing.figures.style import ABOVE, CENTER, FORCE, GUIDE, MOTION
-
-Array = npt.NDArray[np.float64]
+from planar_pushing.mechanics.planar import Array
 
 FILLED_HEAD = "-|>,head_length=0.42,head_width=0.17"
 OPEN_HEAD = "->,head_length=0.42,head_width=0.22"
@@ -23,32 +22,6 @@ OPEN_HEAD = "->,head_length=0.42,head_width=0.22"
 def unit(angle: float) -> Array:
     """Return the unit vector at an angle in degrees."""
     return np.array([np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle))])
-
-
-def force_arrow(
-    ax: Axes,
-    tail: npt.ArrayLike,
-    vector: npt.ArrayLike,
-    text: str = "",
-    *,
-    color: str = FORCE,
-    **options: Any,
-) -> FancyArrowPatch:
-    """Arrow with a filled head; options as in `arrow`."""
-    return arrow(ax, tail, vector, text, style=FILLED_HEAD, color=color, **options)
-
-
-def motion_arrow(
-    ax: Axes,
-    tail: npt.ArrayLike,
-    vector: npt.ArrayLike,
-    text: str = "",
-    *,
-    color: str = MOTION,
-    **options: Any,
-) -> FancyArrowPatch:
-    """Arrow with an open head; options as in `arrow`."""
-    return arrow(ax, tail, vector, text, style=OPEN_HEAD, color=color, **options)
 
 
 def arrow(
@@ -96,6 +69,11 @@ def arrow(
         ahead = (9.0 * along[0] / length, 8.0 * along[1] / length)
         label(ax, start + at * along, text, offset=offset or ahead, color=color)
     return patch
+
+
+#: Arrow of a force, with a filled head, and of a velocity or acceleration, with an open one.
+force_arrow = partial(arrow, style=FILLED_HEAD, color=FORCE)
+motion_arrow = partial(arrow, style=OPEN_HEAD, color=MOTION)
 
 
 def coordinate_axes(

@@ -12,24 +12,20 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.parts.drawing import (
-    cone,
-    coordinate_axes,
-    declutter,
-    fence,
-    force_arrow,
-    label,
-    motion_arrow,
-    schematic,
-    slider,
-    unit,
-)
+from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE
 from planar_pushing.mechanics.planar import Array, direction
 
 #: Ends of curves that close on themselves.
 BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}
+#: Force angles of a mapping that are drawn between the edges of its cone, degrees.
+INSIDE = (45.0, 90.0)
+
+
+def chosen(given: float | None, default: float) -> float:
+    """Value of a figure: the study's, or the module's own."""
+    return default if given is None else given
 
 
 def rod_lengths(settings: Settings, default: tuple[float, ...]) -> tuple[float, ...]:
@@ -80,21 +76,15 @@ def curves(limit_curves: xr.Dataset, effects: str, lengths: tuple[float, ...]) -
 
 
 def cone_mapping(
-    limit_curves: xr.Dataset,
-    motion_cones: xr.Dataset,
-    where: Mapping[str, object],
-    inside: tuple[float, ...],
+    sources: Mapping[str, xr.Dataset], effects: str, length: float, friction: float
 ) -> xr.Dataset:
-    """Forces of a friction cone and the motions they map to: its edges, and angles inside it.
-
-    `where` names effects, rod length and friction coefficient.
-    """
-    psi = rod_angle(motion_cones)
-    edges = motion_cones.sel({"rod_angle": psi, **where})
-    on = {name: value for name, value in where.items() if name != "friction_coefficient"}
-    curve = limit_curves.sel({"rod_angle": psi, **on})
+    """Forces of a friction cone and the motions they map to: its edges, and angles inside it."""
+    cones = sources["motion_cones"]
+    where = {"effects": effects, "rod_angle": rod_angle(cones), "rod_length": length}
+    edges = cones.sel(where | {"friction_coefficient": friction})
+    curve = sources["limit_curves"].sel(where)
     right, left = float(edges.friction_cone_right), float(edges.friction_cone_left)
-    between = [angle for angle in inside if right < angle < left]
+    between = [angle for angle in INSIDE if right < angle < left]
     angle = np.array([right, *between, left])
     within = curve.sel(force_angle=between)
     motion = [edges.motion_cone_right, *within.motion_angle, edges.motion_cone_left]
@@ -108,11 +98,9 @@ def cone_mapping(
             "mapped_motion_angle": named(
                 "map", np.array(motion), "degree", "angle of the motion it causes"
             ),
-            "mapped_rod_length": named(
-                (), where["rod_length"], "length", "rod length of the mapping"
-            ),
+            "mapped_rod_length": named((), length, "length", "rod length of the mapping"),
             "friction_coefficient": edges.friction_coefficient.variable,
-            "radius": radius(motion_cones),
+            "radius": radius(cones),
         }
     )
 
@@ -135,7 +123,7 @@ def degrees(angle: float) -> str:
 def on_curve(ax: Axes, xy: Array, text: str, color: Any, side: str = "center") -> None:
     """Label that interrupts the curve it names; `side` is its horizontal alignment."""
     box = {"boxstyle": "round,pad=0.12", "facecolor": "white", "edgecolor": "none"}
-    label(ax, xy, text, color=color, size=NOTE_SIZE, bbox=box, zorder=4, ha=side)
+    labels.label(ax, xy, text, color=color, size=NOTE_SIZE, bbox=box, zorder=4, ha=side)
 
 
 def family(ax: Axes, data: xr.Dataset, place: float, side: str, bold: float | None = None) -> None:
@@ -182,35 +170,37 @@ def _cone_panel(
     angles: Array,
 ) -> None:
     """Slider and fence with a cone at the contact, its edges' angles and the numbered arrows."""
-    color, draw = (FORCE, force_arrow) if name == "f" else (MOTION, motion_arrow)
+    color, draw = (FORCE, arrows.force_arrow) if name == "f" else (MOTION, arrows.motion_arrow)
     rod, ring = float(data.mapped_rod_length), float(data.radius)
-    center, reach = rod * unit(float(data.rod_angle)), 0.62 * (rod + ring)
+    center, reach = rod * arrows.unit(float(data.rod_angle)), 0.62 * (rod + ring)
     right = max(center[0] + ring, reach)
     box = (-reach, right, min(center[1] - ring, -0.4 * reach), max(center[1] + ring, reach))
-    ax = schematic(figure, box, rect=rect, pad=14)
-    slider(ax, center, ring, width=1.6)
-    fence(ax, -reach, right)
-    cone(ax, (0, 0), angles[0], angles[-1], reach, color)
+    ax = drawing.schematic(figure, box, rect=rect, pad=14)
+    drawing.slider(ax, center, ring, width=1.6)
+    drawing.fence(ax, -reach, right)
+    drawing.cone(ax, (0, 0), angles[0], angles[-1], reach, color)
     for edge in (angles[0], angles[-1]):
-        tip = unit(edge)
+        tip = arrows.unit(edge)
         shift = (14.0 * tip[0], 8.0 * tip[1])
-        label(ax, reach * tip, degrees(edge), offset=shift, color=color, size=NOTE_SIZE)
+        labels.label(ax, reach * tip, degrees(edge), offset=shift, color=color, size=NOTE_SIZE)
     for index, angle in enumerate(angles):
         text = rf"$\mathbf{{{name}}}_{{{index + 1}}}$"
-        draw(ax, (0, 0), 0.76 * reach * unit(angle), text, head=10, width=1.1)
-    declutter(ax)
+        draw(ax, (0, 0), 0.76 * reach * arrows.unit(angle), text, head=10, width=1.1)
+    labels.declutter(ax)
 
 
 def _curve_panel(figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbol: str) -> Axes:
     """Forces from the origin to the curve, and the motions normal to it there."""
     span = 1.3 * float(np.abs(lines).max())
-    ax = schematic(figure, (-span, span, -span, span), rect=(0.33, 0.0, 0.34, 0.9), pad=6)
-    coordinate_axes(ax, (0, 0), 0.0, 1.05 * span, ("$f_x$", "$f_y$"), color=GUIDE)
+    ax = drawing.schematic(figure, (-span, span, -span, span), rect=(0.33, 0.0, 0.34, 0.9), pad=6)
+    arrows.coordinate_axes(ax, (0, 0), 0.0, 1.05 * span, ("$f_x$", "$f_y$"), color=GUIDE)
     angle = data.mapped_force_angle.values
-    cone(ax, (0, 0), angle[0], angle[-1], 1.12 * span / 1.3, FORCE, alpha=0.1)
+    drawing.cone(ax, (0, 0), angle[0], angle[-1], 1.12 * span / 1.3, FORCE, alpha=0.1)
     tips = np.stack([data.mapped_force_x, data.mapped_force_y], axis=-1)
     for index, (tip, motion) in enumerate(zip(tips, data.mapped_motion_angle.values, strict=True)):
-        force_arrow(ax, (0, 0), tip, head=8, width=1.0)
+        arrows.force_arrow(ax, (0, 0), tip, head=8, width=1.0)
         text = rf"$\mathbf{{{symbol}}}_{{{index + 1}}}$"
-        motion_arrow(ax, tip, 0.36 * span * unit(float(motion)), text, head=8, width=1.0)
+        arrows.motion_arrow(
+            ax, tip, 0.36 * span * arrows.unit(float(motion)), text, head=8, width=1.0
+        )
     return ax

@@ -1,4 +1,4 @@
-"""Drawing primitives: slider, fence, cones, angles and centres, with the arrows beside them.
+"""Drawing primitives: slider, fence, cones, angles and centres.
 
 Positions and vectors are in data coordinates, angles in degrees from +x, offsets and widths in
 points.
@@ -15,36 +15,9 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Wedge
 
-from planar_pushing.figures.parts.arrows import (
-    arrow,
-    coordinate_axes,
-    force_arrow,
-    motion_arrow,
-    turning,
-    unit,
-)
-from planar_pushing.figures.parts.labels import declutter, label
+from planar_pushing.figures.parts.arrows import unit
+from planar_pushing.figures.parts.labels import label
 from planar_pushing.figures.style import ABOVE, CENTER, FENCE, GUIDE, SLIDER
-
-__all__ = [
-    "angle_arc",
-    "arrow",
-    "center_mark",
-    "cone",
-    "coordinate_axes",
-    "declutter",
-    "dot",
-    "fence",
-    "fit",
-    "force_arrow",
-    "guide",
-    "label",
-    "motion_arrow",
-    "schematic",
-    "slider",
-    "turning",
-    "unit",
-]
 
 
 def schematic(

@@ -15,8 +15,7 @@ from matplotlib.path import Path
 from matplotlib.text import Annotation
 
 from planar_pushing.figures.style import DARK, SYMBOL_SIZE
-
-Array = npt.NDArray[np.float64]
+from planar_pushing.mechanics.planar import Array
 
 #: Directions around the wanted place, and distances from the point in units of the wanted one.
 TURNS = np.deg2rad([0, 25, -25, 50, -50, 80, -80, 115, -115, 150, -150, 180])
@@ -115,7 +114,9 @@ def pixels_per_point(text: Annotation) -> float:
 def _line_points(ax: Axes) -> Array:
     """Points along all that is drawn as a line, in display coordinates, about two pixels apart."""
     shapes: list[Line2D | Patch] = [*ax.lines]
-    shapes += [each for each in ax.patches if not each.get_fill() or _is_arrow(each)]
+    shapes += [
+        each for each in ax.patches if not each.get_fill() or isinstance(each, FancyArrowPatch)
+    ]
     paths = [each.get_transform().transform_path(each.get_path()) for each in shapes]
     for strokes in ax.collections:
         if isinstance(strokes, LineCollection):
@@ -123,10 +124,6 @@ def _line_points(ax: Axes) -> Array:
             paths += [onto.transform_path(path) for path in strokes.get_paths()]
     points = [_sampled(path) for path in paths]
     return np.concatenate([np.empty((0, 2)), *points])
-
-
-def _is_arrow(patch: object) -> bool:
-    return isinstance(patch, FancyArrowPatch)
 
 
 def _sampled(path: Path) -> Array:

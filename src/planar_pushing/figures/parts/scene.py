@@ -10,7 +10,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.parts import drawing
+from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch, shown
 from planar_pushing.figures.settings import Settings
 from planar_pushing.figures.style import (
@@ -50,7 +50,7 @@ def force(ax: Axes, sketch: Sketch) -> None:
     """Force of the pusher on the slider."""
     if sketch.moves:
         name = r"$\mathbf{f}$ (adhesive)" if sketch.adhesive else r"$\mathbf{f}$"
-        drawing.force_arrow(ax, (0, 0), sketch.drawn_force, name, width=1.6)
+        arrows.force_arrow(ax, (0, 0), sketch.drawn_force, name, width=1.6)
 
 
 def line_of_force(ax: Axes, sketch: Sketch) -> None:
@@ -65,12 +65,12 @@ def motions(ax: Axes, sketch: Sketch) -> None:
     bold = rf"\mathbf{{{sketch.symbol}}}"
     if sketch.sticks:
         wide = 18.0 * slider[0] / sketch.reach, 9.0 * slider[1] / sketch.reach
-        drawing.motion_arrow(ax, (0, 0), slider, rf"${bold}_s = {bold}_p$", offset=wide)
+        arrows.motion_arrow(ax, (0, 0), slider, rf"${bold}_s = {bold}_p$", offset=wide)
         return
-    drawing.motion_arrow(ax, (0, 0), pusher, rf"${bold}_p$", color=PUSHER)
+    arrows.motion_arrow(ax, (0, 0), pusher, rf"${bold}_p$", color=PUSHER)
     if sketch.moves:
-        drawing.motion_arrow(ax, (0, 0), slider, rf"${bold}_s$")
-        drawing.motion_arrow(
+        arrows.motion_arrow(ax, (0, 0), slider, rf"${bold}_s$")
+        arrows.motion_arrow(
             ax,
             pusher,
             slider - pusher,
@@ -97,9 +97,7 @@ def center(ax: Axes, sketch: Sketch) -> None:
         drawing.guide(ax, sketch.ring, sketch.far_center, color=CENTER)
         far = sketch.center_distance / sketch.radius
         words = f"centre\n{far:,.0f} radii away" if far < 1e6 else "centre\nalmost at infinity"
-        drawing.label(
-            ax, sketch.far_center, words, offset=(0.0, 12.0), color=CENTER, size=NOTE_SIZE
-        )
+        labels.label(ax, sketch.far_center, words, offset=(0.0, 12.0), color=CENTER, size=NOTE_SIZE)
 
 
 def moment_arm(ax: Axes, sketch: Sketch) -> None:
@@ -120,8 +118,8 @@ def support_friction(ax: Axes, sketch: Sketch) -> None:
     head = min(7.0, 0.9 * length * points_per_unit(ax))
     for angle, pull in zip(angles, pulls, strict=True):
         if np.any(pull):
-            tail = sketch.ring + sketch.radius * drawing.unit(angle)
-            drawing.force_arrow(ax, tail, length * pull / largest, width=0.7, head=head)
+            tail = sketch.ring + sketch.radius * arrows.unit(angle)
+            arrows.force_arrow(ax, tail, length * pull / largest, width=0.7, head=head)
 
 
 def status(ax: Axes, sketch: Sketch) -> None:
@@ -186,5 +184,5 @@ def draw_scene(
     drawing.fit(ax, sketch.box(), pad=20.0)
     for layer in layers:
         layer(ax, sketch)
-    drawing.declutter(ax)
+    labels.declutter(ax)
     return ax

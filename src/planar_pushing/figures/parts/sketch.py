@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.figures.parts.arrows import unit
 from planar_pushing.mechanics.contact import ContactMode, Outcome
-
-Array = npt.NDArray[np.float64]
+from planar_pushing.mechanics.planar import Array
 
 #: Variables of a scene dataset that its picture shows.
 PLOTTED = (

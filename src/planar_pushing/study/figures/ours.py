@@ -79,34 +79,19 @@ OURS = by_name(
 
 #: Figures of times, measured on one machine, in the order of the supplement; it holds their captions.
 SUPPLEMENT = by_name(
-    Figure(
-        name="accuracy_wrench",
-        drawing="figures.evidence.accuracy_wrench",
-        datasets=("accuracy/wrench",),
-        size=(PAGE_WIDTH, 7.4),
-    ),
-    Figure(
-        name="accuracy_cone",
-        drawing="figures.evidence.accuracy_cone",
-        datasets=("accuracy/cone",),
-        size=(PAGE_WIDTH, 3.7),
-    ),
-    Figure(
-        name="accuracy_study",
-        drawing="figures.evidence.accuracy_study",
-        datasets=("accuracy/study",),
-        size=(PAGE_WIDTH, 4.6),
-    ),
-    Figure(
-        name="accuracy_motion",
-        drawing="figures.evidence.accuracy_motion",
-        datasets=("accuracy/motion",),
-        size=(PAGE_WIDTH, 3.3),
-    ),
-    Figure(
-        name="effects",
-        drawing="figures.evidence.effects",
-        datasets=("effects",),
-        size=(PAGE_WIDTH, 3.0),
-    ),
+    *(
+        Figure(
+            name=name,
+            drawing=f"figures.evidence.{name}",
+            datasets=(dataset,),
+            size=(PAGE_WIDTH, height),
+        )
+        for name, dataset, height in (
+            ("accuracy_wrench", "accuracy/wrench", 7.4),
+            ("accuracy_cone", "accuracy/cone", 3.7),
+            ("accuracy_study", "accuracy/study", 4.6),
+            ("accuracy_motion", "accuracy/motion", 3.3),
+            ("effects", "effects", 3.0),
+        )
+    )
 )
