@@ -7,7 +7,6 @@ import pytest
 
 from planar_pushing import InvalidFile, InvalidValue
 from planar_pushing.simulation.scene_file import arguments, simulate_file, velocity
-from planar_pushing.study.figures import computes
 from planar_pushing.study.files import load_scene_file, save_scene_file
 from planar_pushing.study.simulate_model import PieceEntry, SimulateEntry
 from planar_pushing.study.study_file import load_study
@@ -142,11 +141,3 @@ def test_study_error(tmp_path, written, instead, said):
     with pytest.raises(InvalidFile) as caught:
         load_study(path)
     assert str(caught.value) == f"{path}: {said}"
-
-
-def test_a_study_without_simulations_does_not_draw_their_figures():
-    study = load_study("workflow/config/smoke.yaml")
-    assert computes(study, "figure_14")
-    bare = study.model_copy(update={"simulations": {"figure_15": "x"}})
-    assert (computes(bare, "figure_14"), computes(bare, "figure_15")) == (False, True)
-    assert computes(bare, "figure_13")
