@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 import pkgutil
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, Protocol, cast
 
 import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import paper_style
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.figures import ALL
@@ -32,7 +32,7 @@ SAVING: dict[str, dict[str, Any]] = {
 class Drawing(Protocol):
     """What draws a figure; one of a single dataset needs no `select`."""
 
-    def select(self, sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset: ...
+    def select(self, sources: Sources, settings: Settings) -> xr.Dataset: ...
 
     def draw(self, figure: Figure, data: xr.Dataset) -> None: ...
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 
-@pytest.mark.parametrize("data", ["figure_09"], indirect=True)
-def test_figure_09_has_the_duals_of_the_edges_on_one_line_of_centers(data):
+def test_figure_09_has_the_duals_of_the_edges_on_one_line_of_centers(plotted):
+    data = plotted["figure_09"]
     rod = np.array([np.cos(np.pi / 4), np.sin(np.pi / 4)])
     beyond = 2 + 1 / 2  # rod length, and squared radius of gyration over rod length
     for side in ("right", "left"):

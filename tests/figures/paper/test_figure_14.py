@@ -6,15 +6,15 @@ from numpy.testing import assert_allclose
 from planar_pushing.mechanics.contact import ContactMode
 
 
-def test_only_a_slider_at_rest_has_no_motion_centre(motions):
-    kept, lost = (motions["figure_14"].isel(policy=number) for number in (0, 1))
+def test_only_a_slider_at_rest_has_no_motion_centre(plotted):
+    kept, lost = (plotted["figure_14"].isel(policy=number) for number in (0, 1))
     assert np.isfinite(kept.path_center).all()
     gone = lost.path_mode.values == ContactMode.SEPARATE
     assert (np.isnan(lost.path_center.values).all(axis=-1) == gone).all()
 
 
-def test_the_contact_is_kept_and_lost(motions):
-    kept, lost = (motions["figure_14"].isel(policy=number) for number in (0, 1))
+def test_the_contact_is_kept_and_lost(plotted):
+    kept, lost = (plotted["figure_14"].isel(policy=number) for number in (0, 1))
     before = kept.time.values < 0.5
     assert (kept.path_mode == ContactMode.STICK).all()
     assert (kept.path_gap == 0).all()

@@ -6,8 +6,6 @@ left edge of the velocity cone, and v_p half way between that edge and the fence
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -15,7 +13,7 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.curves import chosen, number, radius, rod_angle, rod_lengths
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE, PUSHER
 
 ROD_LENGTH = 3.0
@@ -28,7 +26,7 @@ LONG_NAMES = {
 }
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select one slipping contact: its force angle and the two velocity angles."""
     cones = sources["motion_cones"]
     row = cones.sel(

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.sketch import shown
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import CENTER, DARK, FORCE
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the force and the velocity centre of quasi-static pushing."""
     scene = shown(sources["scenes/figure_02"]).isel(solution=0)
     names = ["rod_length", "rod_angle", "radius", "ring_center", "force", "center"]

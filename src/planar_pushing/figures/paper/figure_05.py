@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -19,7 +17,7 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK
 from planar_pushing.mechanics.planar import Array, direction
 
@@ -27,7 +25,7 @@ from planar_pushing.mechanics.planar import Array, direction
 PARALLEL = (0.0, 90.0, 180.0, 270.0)
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the curves, the limit of an infinite rod, and the velocities at the special angles."""
     grid = sources["limit_curves"]
     psi = rod_angle(grid)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -19,11 +17,11 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the limit curve and the forces and velocities of the mapping."""
     length = rod_lengths(settings, (2.0,))[0]
     data = curves(sources["limit_curves"], "support_friction", (length,)).squeeze("rod_length")

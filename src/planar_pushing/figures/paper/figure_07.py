@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -19,14 +18,14 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK, MOTION, NOTE_SIZE, SLIP
 
 #: Sectors are named where the cone leaves this much room, degrees.
 WIDE = 155.0
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the cones' edges and the rings of their sliders."""
     grid = sources["motion_cones"]
     cut = grid.sel(

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, drawing, labels
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import CENTER, FORCE, MOTION
 
 PANELS = ("a", "b")
 BOX = (-2.0, 4.1, -1.0, 4.3)
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select geometry, cones, and the centres dual to the edges of the friction cone."""
     panels = [_panel(sources[name]) for name in sorted(sources)]
     data = xr.concat(panels, xr.DataArray(list(PANELS), dims="panel", name="panel"), join="exact")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -19,13 +17,13 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 
 #: Where the labels of the ellipses stand, degrees.
 LABEL_ANGLE = 330.0
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the ellipses, and the forces and accelerations of the mapping."""
     data = curves(sources["limit_curves"], "inertia", rod_lengths(settings, (0.5, 1.0, 2.0, 5.0)))
     mapped = chosen(settings.mapped_rod_length, 1.0)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from matplotlib.patches import Patch, Polygon, Rectangle, Wedge
 
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.curves import degrees, named, rod_lengths, titled
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
 from planar_pushing.mechanics.planar import moment_arm
 
@@ -65,7 +64,7 @@ def exact_centers(grid: xr.Dataset, ring_center: xr.DataArray) -> xr.Dataset:
     return xr.Dataset({"exact_center_x": x, "exact_center_y": y})
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the scene, both sets of centres and both cones."""
     scene = sources["scenes/figure_12"]
     length = rod_lengths(settings, (float(scene.rod_length),))[0]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK, LIGHT, NOTE_SIZE
 from planar_pushing.mechanics.contact import ContactMode
 
@@ -82,7 +82,7 @@ def mode_sets(consistent: xr.DataArray) -> xr.DataArray:
     return code
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the sets of consistent modes and the edges of the motion cones."""
     length = rod_lengths(settings, (2.0,))[0]
     magnitude = chosen(settings.pusher_magnitude, 1.0)

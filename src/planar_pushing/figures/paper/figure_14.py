@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -11,7 +9,7 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.motion.timeline import plotted
 from planar_pushing.figures.motion.trajectory import Box, box, ribbon, series, snapshots
 from planar_pushing.figures.parts.curves import titled
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 
 COUNT = 4
 NAMES = ("simulations/figure_14a", "simulations/figure_14b")
@@ -23,7 +21,7 @@ TITLES = {
 STYLES = ("-", "--")
 
 
-def select(sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the motion under both policies, at the instants that both logs have."""
     logs = [sources[name] for name in NAMES]
     policies = xr.Variable("policy", [str(log.attrs["on_ambiguity"]) for log in logs])

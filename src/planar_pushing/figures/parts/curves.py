@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import matplotlib
@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, drawing, labels
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE
 from planar_pushing.mechanics.planar import Array, direction
 
@@ -60,7 +60,7 @@ def named(dims: Iterable[str] | str, values: object, units: str, long_name: str)
     )
 
 
-def titled(dataset: xr.Dataset, title: str, sources: Mapping[str, xr.Dataset]) -> xr.Dataset:
+def titled(dataset: xr.Dataset, title: str, sources: Sources) -> xr.Dataset:
     """Give the plotted numbers a title, and the sources of the datasets that they come from."""
     origins = dict.fromkeys(str(each.attrs["source"]) for each in sources.values())
     dataset.attrs = {"title": title, "source": "; ".join(origins)}
@@ -75,9 +75,7 @@ def curves(limit_curves: xr.Dataset, effects: str, lengths: tuple[float, ...]) -
     return cut[["force_x", "force_y"]].drop_vars("effects")
 
 
-def cone_mapping(
-    sources: Mapping[str, xr.Dataset], effects: str, length: float, friction: float
-) -> xr.Dataset:
+def cone_mapping(sources: Sources, effects: str, length: float, friction: float) -> xr.Dataset:
     """Forces of a friction cone and the motions they map to: its edges, and angles inside it."""
     cones = sources["motion_cones"]
     where = {"effects": effects, "rod_angle": rod_angle(cones), "rod_length": length}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch, shown
-from planar_pushing.figures.settings import Settings
+from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import (
     ABOVE,
     CENTER,
@@ -146,7 +146,7 @@ class SceneFigure:
 
     layers: tuple[Layer, ...]
 
-    def select(self, sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset:
+    def select(self, sources: Sources, settings: Settings) -> xr.Dataset:
         """Select the solution to draw."""
         (scene,) = sources.values()
         return shown(scene)
