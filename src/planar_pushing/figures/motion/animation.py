@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -17,11 +16,11 @@ from PIL import Image
 from planar_pushing.figures.motion.timeline import MODES, plotted
 from planar_pushing.figures.motion.trajectory import box, paths, scene
 from planar_pushing.figures.parts import drawing
+from planar_pushing.figures.render import PathLike
 from planar_pushing.figures.style import GUIDE, NOTE_SIZE, paper_style
 from planar_pushing.mechanics.errors import InvalidValue, require_number
 from planar_pushing.study.replacing import replacing
 
-PathLike = str | os.PathLike[str]
 #: Size of a picture, inches, and its pixels per inch.
 SIZE = (4.2, 3.2)
 DPI = 120
