@@ -111,7 +111,7 @@ def _table(found: xr.Dataset) -> str:
 
 
 def _draw(args: argparse.Namespace) -> dict[str, Any]:
-    from planar_pushing.figures.render import render_scene
+    from planar_pushing.figures.scene_picture import render_scene
 
     angles = args.pusher_angle, args.force_angle
     if angles == (None, None):

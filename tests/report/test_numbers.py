@@ -15,7 +15,6 @@ from scipy import special
 from planar_pushing.evidence.golden.compare import Check
 from planar_pushing.evidence.golden.verdict import verdict
 from planar_pushing.evidence.writing import json_text, write_text
-from planar_pushing.figures.catalog import FIGURES, OURS
 from planar_pushing.figures.render import select
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.report.numbers import NUMBERS
@@ -29,6 +28,7 @@ from planar_pushing.report.tables import (
     verdict_text,
 )
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.figures import FIGURES, OURS
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import build_dataset, study_slice
 from planar_pushing.study.store import write_dataset

@@ -141,11 +141,3 @@ def test_study_error(tmp_path, written, instead, said):
     with pytest.raises(InvalidFile) as caught:
         load_study(path)
     assert str(caught.value) == f"{path}: {said}"
-
-
-def test_a_study_without_simulations_does_not_draw_their_figures():
-    study = load_study("workflow/config/smoke.yaml")
-    assert study.computes("figure_14")
-    bare = study.model_copy(update={"simulations": {"figure_15": "x"}})
-    assert (bare.computes("figure_14"), bare.computes("figure_15")) == (False, True)
-    assert bare.computes("figure_13")

@@ -1,11 +1,6 @@
 # What accuracy and each effect cost. Errors and counts are a part of `all`; times are measured on this
 # machine, by `snakemake accuracy`, outside of `all` and of the golden check.
-ACCURACY = [
-    "accuracy_wrench",
-    "accuracy_cone",
-    "accuracy_study",
-    "accuracy_motion",
-]
+ACCURACY = [name for name, figure in SUPPLEMENT.items() if figure.groups("accuracy")]
 
 
 #: Like the report, built with the study that the golden data certify.
@@ -79,11 +74,11 @@ rule evaluations_figure:
     wildcard_constraints:
         figure="accuracy_evaluations",
     params:
-        code=code_of("figures.accuracy_evaluations", "figures.accuracy"),
+        code=code_of(*OURS["accuracy_evaluations"].modules),
     message:
         "Drawing {wildcards.figure}"
     script:
-        "../scripts/accuracy_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule accuracy:
@@ -92,7 +87,7 @@ rule accuracy:
         "results/data/effects.nc",
         expand(
             "results/figures/{figure}.{kind}",
-            figure=[*ACCURACY, "effects"],
+            figure=list(SUPPLEMENT),
             kind=["svg", "pdf", "png"],
         ),
         ["results/accuracy.pdf"] if STUDY.golden else [],
@@ -148,11 +143,11 @@ rule effects_figure:
     log:
         "results/logs/figures/effects.log",
     params:
-        code=code_of("figures.effects", "figures.render"),
+        code=code_of(*SUPPLEMENT["effects"].modules),
     message:
         "Drawing effects"
     script:
-        "../scripts/effects_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule accuracy_figure:
@@ -173,13 +168,11 @@ rule accuracy_figure:
     wildcard_constraints:
         figure="|".join(ACCURACY),
     params:
-        code=lambda wildcards: code_of(
-            f"figures.{wildcards.figure}", "figures.accuracy"
-        ),
+        code=lambda wildcards: code_of(*SUPPLEMENT[wildcards.figure].modules),
     message:
         "Drawing {wildcards.figure}"
     script:
-        "../scripts/accuracy_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule supplement_tables:
@@ -209,7 +202,7 @@ rule supplement_tables:
 rule supplement_pdf:
     input:
         rules.supplement_tables.output,
-        figures=expand("results/figures/{figure}.svg", figure=[*ACCURACY, "effects"]),
+        figures=expand("results/figures/{figure}.svg", figure=list(SUPPLEMENT)),
         source="paper/supplement.typ",
         parts=SOURCES,
     output:

@@ -45,11 +45,11 @@ rule hard_cases_figure:
     benchmark:
         "results/benchmarks/figures/hard_cases.tsv"
     params:
-        code=code_of("figures.hard_cases", "figures.render"),
+        code=code_of(*OURS["hard_cases"].modules),
     message:
         "Drawing the hard cases"
     script:
-        "../scripts/hard_cases_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule sweep:

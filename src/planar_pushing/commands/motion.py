@@ -117,7 +117,7 @@ def _changes(log: xr.Dataset) -> list[tuple[float, str, int]]:
 
 
 def _animate(args: argparse.Namespace) -> dict[str, Any]:
-    from planar_pushing.figures.animation import animate
+    from planar_pushing.figures.motion.animation import animate
     from planar_pushing.study.store import read_dataset
 
     log, rate = read_dataset(args.log), args.frames_per_second

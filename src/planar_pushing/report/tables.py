@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 
 from planar_pushing.evidence.writing import csv_text, json_text
-from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.margins import margins
@@ -19,6 +18,7 @@ from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, Results
 from planar_pushing.report.verdict import verdict_rows
 from planar_pushing.study.files import PathLike
+from planar_pushing.study.figures import FIGURES, OURS
 
 #: Packages that the results and the report are made with.
 PACKAGES = (
@@ -53,15 +53,15 @@ def figures_text(results: Results) -> str:
 
     found: dict[str, dict[str, object]] = {
         name: {
-            "caption": CAPTIONS[name],
-            "promise": PROMISES[name],
-            "section": SECTIONS[name],
+            "caption": figure.caption,
+            "promise": figure.promise,
+            "section": figure.section,
             "margins": white(name),
         }
-        for name in FIGURES
+        for name, figure in FIGURES.items()
     }
-    for number, (name, caption) in enumerate(OURS.items(), len(FIGURES) + 1):
-        found[name] = {"caption": caption, "number": str(number), "margins": white(name)}
+    for number, (name, figure) in enumerate(OURS.items(), len(FIGURES) + 1):
+        found[name] = {"caption": figure.caption, "number": str(number), "margins": white(name)}
     return json_text(found)
 
 

@@ -125,37 +125,6 @@ class Tolerance(FileModel):
     absolute: NonNegative = 0.0
 
 
-#: Values that each figure takes from the study; the other figures show the scene of their name.
-FIGURE_KEYS: dict[str, tuple[str, ...]] = {
-    "figure_01": ("rod_length", "friction_coefficient"),
-    "figure_05": ("rod_length",),
-    "figure_06": ("rod_length", "friction_coefficient"),
-    "figure_07": ("rod_length",),
-    "figure_10": ("rod_length", "mapped_rod_length", "friction_coefficient"),
-    "figure_12": ("rod_length",),
-    "figure_13": ("rod_length", "pusher_magnitude"),
-}
-SCENES = tuple(f"figure_{name}" for name in ("02", "03", "08", "09a", "09b", "11", "12"))
-
-_FRICTION: EffectsName = "support_friction"
-_INERTIA: EffectsName = "inertia"
-_BOTH: EffectsName = "support_friction+inertia"
-#: Effects without which a dataset, scene or figure is not computed; the others take what there is.
-NEEDS: dict[str, EffectsName] = {
-    **dict.fromkeys((f"figure_{n}" for n in ("01", "02", "03", "04", "05", "06")), _FRICTION),
-    **dict.fromkeys(("figure_07", "figure_08"), _FRICTION),
-    **dict.fromkeys(("figure_09", "figure_09a", "figure_09b", "figure_10"), _INERTIA),
-    **dict.fromkeys(("figure_11", "figure_12", "acceleration_centers"), _BOTH),
-}
-
-
-#: Simulations that a figure shows; a study without them does not draw it.
-SIMULATIONS: dict[str, tuple[str, ...]] = {
-    "figure_14": ("figure_14a", "figure_14b"),
-    "figure_15": ("figure_15",),
-}
-
-
 class StudyFile(FileModel):
     """The grid of every dataset, the scenes, and the values that the paper leaves open.
 
@@ -181,11 +150,6 @@ class StudyFile(FileModel):
         yield "friction_coefficient", grid.friction_coefficient, (math.inf,)
         yield "force_angle", grid.force_angle, (*turns, 45.0, 90.0)
         yield "inertia_share", grid.inertia_share, (0.0, 1.0)
-
-    def computes(self, name: str) -> bool:
-        """Whether a dataset, scene or figure has the effects and simulations that it needs."""
-        simulated = set(SIMULATIONS.get(name, ())) <= set(self.simulations)
-        return simulated and NEEDS.get(name, self.grid.effects[0]) in self.grid.effects
 
     @property
     def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:

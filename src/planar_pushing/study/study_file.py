@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.figures import FIGURES, SCENES, computes
 from planar_pushing.study.files import PathLike, load_model, load_scene_file
-from planar_pushing.study.models import FIGURE_KEYS, SCENES, FigureEntry, Grid, StudyFile
+from planar_pushing.study.models import FigureEntry, Grid, StudyFile
 
 #: Effects of a study by the types of a scene file.
 EFFECTS = {"ring_friction": "support_friction", "inertia": "inertia"}
@@ -37,10 +38,10 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
             )
     yield from _simulation_problems(study)
     for kind, given, known in (
-        ("scenes", study.scenes, SCENES),
-        ("figures", study.figures, tuple(FIGURE_KEYS)),
+        ("scenes", study.scenes, list(SCENES)),
+        ("figures", study.figures, [name for name, figure in FIGURES.items() if figure.takes]),
     ):
-        needed = [name for name in known if study.computes(name)]
+        needed = [name for name in known if computes(study, name)]
         for name in needed:
             if name not in given:
                 yield f"{kind}.{name}: missing; allowed: an entry for each of {', '.join(needed)}; add it"
@@ -96,7 +97,7 @@ def _effects_problems(study: StudyFile) -> Iterator[str]:
 
 def _figure_problems(name: str, figure: FigureEntry, grid: Grid) -> Iterator[str]:
     """Values of a figure that are missing, or not on the grid."""
-    for key in FIGURE_KEYS[name]:
+    for key in FIGURES[name].takes:
         if getattr(figure, key) is None:
             yield f"figures.{name}.{key}: missing; allowed: values of the grid; add it"
     for key, values, allowed in figure.grid_values(grid):

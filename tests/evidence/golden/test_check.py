@@ -6,13 +6,13 @@ import pytest
 
 from planar_pushing.evidence.golden.check import check_results, golden_names
 from planar_pushing.evidence.golden.verdict import verdict, verdict_text
-from planar_pushing.figures.catalog import FIGURES
 from planar_pushing.figures.images import TOLERANCE, difference
 from planar_pushing.figures.render import picture, save, select
 from planar_pushing.figures.style import paper_style
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.simulation.scene_file import simulate_file
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.models import FigureEntry
 from planar_pushing.study.slices import build_dataset, study_slice

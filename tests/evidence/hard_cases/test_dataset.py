@@ -11,8 +11,9 @@ import reference as straight
 from planar_pushing.evidence.hard_cases.case import DIGITS, measure
 from planar_pushing.evidence.hard_cases.dataset import build
 from planar_pushing.evidence.hard_cases.places import contact, lengths, painleve, rest, ring, shares
-from planar_pushing.figures import hard_cases
+from planar_pushing.figures.evidence import hard_cases
 from planar_pushing.study.describe import VARIABLES
+from planar_pushing.study.figures import OURS
 
 FAMILIES = {"ring": ring, "lengths": lengths, "contact": contact, "shares": shares, "rest": rest,
             "painleve": painleve}  # fmt: skip
@@ -85,7 +86,7 @@ def test_dataset_is_described():
 
 
 def test_figure_shows_every_case():
-    data, figure = build(), Figure(figsize=hard_cases.SIZE)
+    data, figure = build(), Figure(figsize=OURS["hard_cases"].size)
     hard_cases.draw(figure, data)
     (ax,) = figure.axes
     strokes, fine, ill = (line.get_xdata().size for line in ax.lines[:3])
