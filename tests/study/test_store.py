@@ -86,11 +86,11 @@ def test_of_a_large_variable_only_what_is_used_is_read(path, tmp_path, monkeypat
     xr.testing.assert_identical(found.load(), large)
 
 
-def test_a_chunk_holds_whole_trailing_axes_and_fits_a_cache(path):
-    large = xr.Dataset({"grid": (("a", "b", "c"), np.zeros((3, 1000, 500)))})
+def test_a_large_dataset_takes_less_room_in_its_file(path):
+    steps = np.repeat(np.arange(1500.0), 1000).reshape(3, 1000, 500)
+    large = xr.Dataset({"grid": (("a", "b", "c"), steps)})
     write_dataset(large, path)
-    with h5py.File(path) as file:
-        assert file["grid"].chunks == (1, 524, 500)
+    assert path.stat().st_size < large.nbytes / 20
     xr.testing.assert_identical(read_dataset(path), large)
 
 
@@ -119,7 +119,9 @@ def test_a_group_that_is_none_is_named(path, group):
 def test_a_file_that_names_no_dimensions_is_read(path):
     with h5py.File(path, "w") as file:
         file["square"] = np.eye(3)
-    assert read_dataset(path)["square"].dims == ("square_0", "square_1")
+    square = read_dataset(path)["square"]
+    assert len(set(square.dims)) == 2
+    np.testing.assert_array_equal(square, np.eye(3))
 
 
 def test_a_file_read_and_written_again_has_the_same_bytes(path, tmp_path):
