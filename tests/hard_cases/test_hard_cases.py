@@ -12,7 +12,7 @@ from planar_pushing.figures import hard_cases
 from planar_pushing.hard_cases import contact, lengths, painleve, rest, ring, shares
 from planar_pushing.hard_cases.case import DIGITS, measure
 from planar_pushing.hard_cases.dataset import build
-from planar_pushing.study.describe import VARIABLES
+from planar_pushing.mechanics.quantities import DATASET as VARIABLES
 
 FAMILIES = {"ring": ring, "lengths": lengths, "contact": contact, "shares": shares, "rest": rest,
             "painleve": painleve}  # fmt: skip

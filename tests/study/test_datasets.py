@@ -8,9 +8,9 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
+from planar_pushing.mechanics.quantities import DATASET
 from planar_pushing.simulation.scene_file import simulate_file
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.describe import VARIABLES
 from planar_pushing.study.dictionary import dictionary_text
 from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.slices import build_dataset, study_slice
@@ -74,7 +74,7 @@ def test_every_variable_has_its_unit_and_name(results):
     for name, dataset in every(results):
         for key, variable in dataset.variables.items():
             described = variable.attrs["units"], variable.attrs["long_name"]
-            assert described == VARIABLES[key], f"{name}: {key}"
+            assert described == DATASET[key], f"{name}: {key}"
 
 
 def test_no_nan(results):

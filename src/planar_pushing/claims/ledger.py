@@ -13,7 +13,8 @@ from planar_pushing.claims.registry import CHECKS, numbers_of
 from planar_pushing.claims.verdicts import Verdict
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.fields import FileModel, NotEmpty, Number, refuse
-from planar_pushing.study.files import PathLike, load_model
+from planar_pushing.study.files import load_model
+from planar_pushing.study.replacing import PathLike
 
 __all__ = ["NO_CHECK", "Claim", "Ledger", "checks", "load_ledger"]
 

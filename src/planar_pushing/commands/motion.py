@@ -14,6 +14,7 @@ from pydantic import ValidationError
 
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
+from planar_pushing.mechanics.options import Method, Policy
 from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.scene_model import SceneFile
 from planar_pushing.study.simulate_model import SimulateEntry
@@ -37,8 +38,8 @@ def add_commands(command: Command) -> None:
     ):
         sub.add_argument(f"--{name}", type=float, metavar=unit)
     sub.add_argument("--samples", type=int, metavar="NUMBER")
-    sub.add_argument("--method", metavar="NAME", help="event-driven, time-stepping")
-    sub.add_argument("--on-ambiguity", metavar="NAME", help="keep-contact, separate, stay-in-mode")
+    sub.add_argument("--method", metavar="NAME", help=", ".join(Method))
+    sub.add_argument("--on-ambiguity", metavar="NAME", help=", ".join(Policy))
     sub.add_argument(
         "--progress", action=argparse.BooleanOptionalAction, default=sys.stderr.isatty()
     )

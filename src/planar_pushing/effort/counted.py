@@ -14,7 +14,8 @@ from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.effects.base import IsotropicEffect
 from planar_pushing.mechanics.planar import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.models import EffectsName, StudyFile
+from planar_pushing.study.fields import EffectsName
+from planar_pushing.study.models import StudyFile
 
 #: Names of the effects in the datasets.
 NAMES: dict[type, str] = {RingFriction: "support_friction", Inertia: "inertia"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal, Self
+from typing import Annotated, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -12,10 +12,12 @@ from pydantic import Field, model_validator
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction
 from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.effects.base import IsotropicEffect
+from planar_pushing.mechanics.options import EffectKind, EffectSet
 from planar_pushing.mechanics.scene import Slider
 from planar_pushing.study.fields import (
     Angles,
     Degrees,
+    EffectsName,
     FileModel,
     FiniteFrictionCoefficients,
     FrictionCoefficient,
@@ -33,7 +35,6 @@ from planar_pushing.study.fields import (
 )
 
 Axis = tuple[float, ...]
-EffectsName = Literal["support_friction", "inertia", "support_friction+inertia"]
 
 
 class RingEntry(FileModel):
@@ -136,17 +137,12 @@ FIGURE_KEYS: dict[str, tuple[str, ...]] = {
 }
 SCENES = tuple(f"figure_{name}" for name in ("02", "03", "08", "09a", "09b", "11", "12"))
 
-_FRICTION: EffectsName = "support_friction"
-_INERTIA: EffectsName = "inertia"
-_BOTH: EffectsName = "support_friction+inertia"
 #: Effects without which a dataset, scene or figure is not computed; the others take what there is.
-NEEDS: dict[str, EffectsName] = {
-    **dict.fromkeys((f"figure_{n}" for n in ("01", "02", "03", "04", "05", "06")), _FRICTION),
-    **dict.fromkeys(("figure_07", "figure_08"), _FRICTION),
-    **dict.fromkeys(("figure_09", "figure_09a", "figure_09b", "figure_10"), _INERTIA),
-    **dict.fromkeys(("figure_11", "figure_12", "acceleration_centers"), _BOTH),
+NEEDS: dict[str, str] = {
+    **dict.fromkeys((f"figure_{n:02d}" for n in range(1, 9)), EffectSet.SUPPORT_FRICTION),
+    **dict.fromkeys(("figure_09", "figure_09a", "figure_09b", "figure_10"), EffectSet.INERTIA),
+    **dict.fromkeys(("figure_11", "figure_12", "acceleration_centers"), EffectSet.BOTH),
 }
-
 
 #: Simulations that a figure shows; a study without them does not draw it.
 SIMULATIONS: dict[str, tuple[str, ...]] = {
@@ -189,7 +185,7 @@ class StudyFile(FileModel):
     @property
     def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:
         """Parameters of the effects that the study lists, by name."""
-        known = {"support_friction": self.support_friction, "inertia": self.inertia}
+        known = {str(kind): getattr(self, kind) for kind in EffectKind}
         return {name: part for name, part in known.items() if part is not None}
 
     def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:

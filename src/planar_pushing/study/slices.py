@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import TypeAdapter
 
+from planar_pushing.mechanics.options import EffectKind
 from planar_pushing.study.catalog import AXES
 from planar_pushing.study.models import Grid, PushEntry, StudyFile
 
 if TYPE_CHECKING:  # a look-up of a slice does not import xarray
     import xarray as xr
 
-COMMON = ("slider", "support_friction", "inertia")
+COMMON = ("slider", *map(str, EffectKind))
 
 
 def study_slice(study: StudyFile, name: str) -> dict[str, Any]:

@@ -13,9 +13,8 @@ import xarray as xr
 
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.study.catalog import DATASETS, SIMULATIONS, dataset_file
-from planar_pushing.study.replacing import replacing
+from planar_pushing.study.replacing import PathLike, replacing
 
-PathLike = str | os.PathLike[str]
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
 #: A variable of fewer bytes, a page, gains nothing from compression.
 SMALL = 4096

@@ -6,11 +6,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.files import PathLike, load_model, load_scene_file
+from planar_pushing.mechanics.options import EFFECT_TYPES
+from planar_pushing.study.files import load_model, load_scene_file
 from planar_pushing.study.models import FIGURE_KEYS, SCENES, FigureEntry, Grid, StudyFile
-
-#: Effects of a study by the types of a scene file.
-EFFECTS = {"ring_friction": "support_friction", "inertia": "inertia"}
+from planar_pushing.study.replacing import PathLike
 
 
 def load_study(path: PathLike) -> StudyFile:
@@ -26,7 +25,7 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
     yield from _effects_problems(study)
     for name, push in study.scenes.items():
         try:
-            kinds = {EFFECTS[effect.type] for effect in load_scene_file(push.file).effects}
+            kinds = {EFFECT_TYPES[effect.type] for effect in load_scene_file(push.file).effects}
         except InvalidFile as error:
             yield f"scenes.{name}.file: {error}"
             continue
