@@ -11,10 +11,11 @@ from planar_pushing.figures.style import paper_style
 from planar_pushing.golden.check import check_results, golden_names
 from planar_pushing.golden.compare import verdict
 from planar_pushing.simulation.scene_file import simulate_file
+from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.models import FigureEntry
-from planar_pushing.study.slices import build_dataset, study_slice
+from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 

@@ -25,9 +25,10 @@ from planar_pushing.report.tables import (
     verdict_text,
 )
 from planar_pushing.report.writing import write_text
+from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.models import FigureEntry
-from planar_pushing.study.slices import build_dataset, study_slice
+from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from report.costs import write_costs

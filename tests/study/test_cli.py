@@ -9,7 +9,8 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.cli import main
-from planar_pushing.study.slices import build_dataset, study_slice
+from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 

@@ -10,10 +10,12 @@ import xarray as xr
 import planar_pushing as pp
 from planar_pushing.mechanics.quantities import DATASET
 from planar_pushing.simulation.scene_file import simulate_file
+from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.datasets.contact_modes import contacts
 from planar_pushing.study.dictionary import dictionary_text
 from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.slices import build_dataset, study_slice
+from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import group_names, write_dataset
 from planar_pushing.study.study_file import load_study
 
@@ -122,6 +124,13 @@ def test_modes_agree_with_solve(results):
                 for mode in pp.ContactMode:
                     count = int(here.consistent.sel(mode=mode.name))
                     assert count == found.modes.count(mode)
+
+
+def test_laws_of_close_coefficients_have_labels_of_their_own():
+    study = load_study("workflow/config/smoke.yaml")
+    grid = study.grid.model_copy(update={"contact_friction_coefficient": (1.4, 1.4000001, 2.0)})
+    labels = list(contacts(study.model_copy(update={"grid": grid})))
+    assert labels[:3] == ["coulomb_1.4", "coulomb_1.4000001", "coulomb_2"]
 
 
 @pytest.mark.parametrize("name", DATASETS)

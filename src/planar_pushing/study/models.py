@@ -107,14 +107,9 @@ class FigureEntry(FileModel):
 
     def grid_values(self, grid: Grid) -> Iterator[tuple[str, Axis, Axis]]:
         """Key, given values and allowed values of what the figure takes from the grid."""
-        for key, allowed in (
-            ("rod_length", grid.rod_length),
-            ("mapped_rod_length", grid.rod_length),
-            ("friction_coefficient", grid.friction_coefficient),
-            ("pusher_magnitude", grid.pusher_magnitude),
-        ):
-            given = getattr(self, key)
+        for key, given in self:
             if given is not None:
+                allowed = getattr(grid, key.removeprefix("mapped_"))
                 yield key, given if isinstance(given, tuple) else (given,), allowed
 
 

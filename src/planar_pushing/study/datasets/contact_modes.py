@@ -20,11 +20,12 @@ from planar_pushing.mechanics.contact import (
 from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.planar import Array, direction
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study import catalog
 from planar_pushing.study.datasets.base import parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
-DIMS = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode")
+DIMS = catalog.DIMS["contact_modes"]
 MOVING = [mode for mode in ContactMode if mode is not ContactMode.SEPARATE]
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
 
@@ -32,7 +33,7 @@ VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
 def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
     """Label: (type, law) along the contact axis; the label holds the coefficient of friction."""
     coulomb = {
-        f"coulomb_{mu:g}": ("coulomb", Coulomb(mu))
+        f"coulomb_{catalog.number_label(mu)}": ("coulomb", Coulomb(mu))
         for mu in study.grid.contact_friction_coefficient
     }
     return coulomb | {
