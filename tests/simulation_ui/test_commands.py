@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from planar_pushing.cli import main
+from planar_pushing.commands import main
 from planar_pushing.study.store import read_dataset
 
 PULLING = "workflow/scenes/figure_14a.yaml"

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.cli import main
+from planar_pushing.commands import main
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
@@ -162,7 +162,7 @@ def test_unknown_option(capsys):
 
 def test_installed_command():
     done = subprocess.run(
-        [sys.executable, "-m", "planar_pushing.cli", "--help"],
+        [sys.executable, "-m", "planar_pushing.commands", "--help"],
         capture_output=True, text=True, check=True,
     )  # fmt: skip
     assert "solve" in done.stdout

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from planar_pushing.cli import main
+from planar_pushing.commands import main
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
