@@ -14,7 +14,7 @@ from planar_pushing.figures import render
 from planar_pushing.figures.figure_12 import sectors
 from planar_pushing.figures.figure_13 import LEFT, RIGHT, SEPARATE, STICK
 from planar_pushing.figures.style import paper_style
-from planar_pushing.study import slices, store, study_file
+from planar_pushing.study import builders, slices, store, study_file
 
 ROOT = Path(__file__).parents[2]
 NAMES = [f"figure_{number}" for number in ("05", "06", "07", "10", "12", "13")]
@@ -33,7 +33,7 @@ def results(study, tmp_path_factory):
     (folder / "data").mkdir()
     with contextlib.chdir(ROOT):
         for name in DATASETS:
-            built = slices.build_dataset(name, slices.study_slice(study, name))
+            built = builders.build_dataset(name, slices.study_slice(study, name))
             store.write_dataset(built, folder / "data" / f"{name}.nc")
     return folder
 
