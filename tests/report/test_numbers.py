@@ -27,10 +27,11 @@ from planar_pushing.report.tables import (
     provenance_text,
     verdict_text,
 )
+from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES, OURS
 from planar_pushing.study.models import FigureEntry
-from planar_pushing.study.slices import build_dataset, study_slice
+from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from report.costs import write_costs

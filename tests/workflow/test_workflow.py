@@ -66,7 +66,7 @@ def test_report(built):
             {"dataset": 2, "figure": 10, "simulation": 3, "simulation_figure": 3},
         ),
         ("figures/motion/trajectory.py", {"figure": 2, "simulation_figure": 3}),
-        ("cli.py", {}),
+        ("commands/query.py", {}),
     ],
 )
 def test_only_what_depends_on_a_module_reruns(built, module, stale):

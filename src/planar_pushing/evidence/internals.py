@@ -14,10 +14,10 @@ from planar_pushing.mechanics.contact.laws import friction_coefficient as fricti
 from planar_pushing.mechanics.effects.base import IsotropicEffect as IsotropicEffect
 from planar_pushing.mechanics.effects.ring_inverse import ring_spin_ratio as ring_spin_ratio
 from planar_pushing.mechanics.effects.ring_profile import ring_profile as ring_profile
-from planar_pushing.mechanics.planar import LONGEST as LONGEST
-from planar_pushing.mechanics.planar import Array as Array
-from planar_pushing.mechanics.planar import contact_motion_angle as contact_motion_angle
-from planar_pushing.mechanics.planar import direction as direction
-from planar_pushing.mechanics.planar import moment_arm as moment_arm
+from planar_pushing.mechanics.plane import LONGEST as LONGEST
+from planar_pushing.mechanics.plane import Array as Array
+from planar_pushing.mechanics.plane import contact_motion_angle as contact_motion_angle
+from planar_pushing.mechanics.plane import direction as direction
+from planar_pushing.mechanics.plane import moment_arm as moment_arm
 from planar_pushing.mechanics.response import is_homogeneous as is_homogeneous
 from planar_pushing.mechanics.response import spin_ratio as spin_ratio

@@ -7,7 +7,7 @@ import io
 import json
 from collections.abc import Mapping, Sequence
 
-from planar_pushing.study.files import PathLike
+from planar_pushing.study.replacing import PathLike
 from planar_pushing.study.replacing import replacing
 
 Rows = Sequence[Mapping[str, object]]

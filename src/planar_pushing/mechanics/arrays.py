@@ -17,6 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.quantities import MECHANICS, attributes
 
 #: Rows of a block: a few milliseconds to some tens of work, so that Ctrl-C is heard.
 BLOCK = 8192
@@ -121,8 +122,6 @@ def _labelled(
 ) -> list[Any]:
     import xarray as xr
 
-    from planar_pushing.mechanics.quantities import attributes
-
     found = xr.apply_ufunc(
         lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
         *arguments,
@@ -134,6 +133,6 @@ def _labelled(
     )
     arrays = found if isinstance(found, tuple) else (found,)
     return [
-        array.rename(output.name).assign_attrs(attributes(output.name))
+        array.rename(output.name).assign_attrs(attributes(MECHANICS, output.name))
         for array, output in zip(arrays, outputs, strict=True)
     ]

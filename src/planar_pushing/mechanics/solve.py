@@ -14,6 +14,7 @@ from planar_pushing.mechanics.arrays import elementwise, is_labelled
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.domain import Number
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.quantities import MECHANICS, attributes
 from planar_pushing.mechanics.push import outputs, solve_arrays
 from planar_pushing.mechanics.scene import Scene
 
@@ -164,11 +165,9 @@ def _solutions(solutions: Any, mode: Any, **values: Array) -> Solutions:
 def _dataset(found: list[Any]) -> Any:
     import xarray as xr
 
-    from planar_pushing.mechanics.quantities import attributes
-
     dataset = xr.merge(found)
     dataset["consistent"] = dataset.mode >= 0
     dataset["outcome"] = np.minimum(dataset.solutions, Outcome.AMBIGUOUS).astype(np.int8)
     for name in ("consistent", "outcome"):
-        dataset[name].attrs = attributes(name)
+        dataset[name].attrs = attributes(MECHANICS, name)
     return dataset.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

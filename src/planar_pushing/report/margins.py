@@ -8,7 +8,7 @@ import numpy as np
 from PIL import Image
 
 from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.files import PathLike
+from planar_pushing.study.replacing import PathLike
 
 #: White that stays around a picture, points.
 KEPT = 2.0

@@ -11,7 +11,7 @@ from typing import Any, get_args
 import xarray as xr
 
 from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.models import EffectsName
+from planar_pushing.study.fields import EffectsName
 from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
 
 #: What resists the motion, as the datasets name it.

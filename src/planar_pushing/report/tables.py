@@ -17,7 +17,7 @@ from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, Results
 from planar_pushing.report.verdict import verdict_rows
-from planar_pushing.study.files import PathLike
+from planar_pushing.study.replacing import PathLike
 from planar_pushing.study.figures import FIGURES, OURS
 
 #: Packages that the results and the report are made with.

@@ -13,7 +13,8 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.options import Policy
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation import lockstep
 from planar_pushing.simulation.lanes import (
     Index,
@@ -39,10 +40,10 @@ NO_MODE = -1
 Modes = npt.NDArray[np.int64]
 Found = npt.NDArray[np.bool_]
 CONTACT = (ContactMode.STICK, ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
-PREFERENCES = {
-    "keep-contact": (*CONTACT, ContactMode.SEPARATE),
-    "stay-in-mode": (*CONTACT, ContactMode.SEPARATE),
-    "separate": (ContactMode.SEPARATE, *CONTACT),
+PREFERENCES: dict[str, tuple[ContactMode, ...]] = {
+    Policy.KEEP_CONTACT: (*CONTACT, ContactMode.SEPARATE),
+    Policy.STAY_IN_MODE: (*CONTACT, ContactMode.SEPARATE),
+    Policy.SEPARATE: (ContactMode.SEPARATE, *CONTACT),
 }
 
 

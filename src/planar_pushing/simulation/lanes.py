@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.planar import QUARTER_TURN, Array, direction, moment_arm
+from planar_pushing.mechanics.plane import QUARTER_TURN, Array, direction, moment_arm
 from planar_pushing.simulation.ring_lanes import ring_kernel
 
 Index = npt.NDArray[np.intp]

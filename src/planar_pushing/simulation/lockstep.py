@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.integrate import DOP853
 
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.lanes import Motion
 
 #: A margin this far below zero ends a mode; rounding stays above it.

@@ -11,21 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.errors import InvalidValue, require_number, require_positive
+from planar_pushing.mechanics.options import TOLERANCE, Policy
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.pusher import Pusher
-
-
-class Policy(StrEnum):
-    """Which mode is taken where several are consistent."""
-
-    KEEP_CONTACT = "keep-contact"
-    SEPARATE = "separate"
-    STAY_IN_MODE = "stay-in-mode"
-
 
 _KEEP = (ContactMode.STICK, ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT, ContactMode.SEPARATE)
 _LEAVE = (ContactMode.SEPARATE, ContactMode.STICK, ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
@@ -84,7 +75,7 @@ class Problem:
             "start on the fence or above it",
         )  # fmt: skip
         require_number(
-            "rtol", self.rtol, lambda x: 1e-13 <= x <= 1e-2, "a number in [1e-13, 1e-2]",
+            "rtol", self.rtol, TOLERANCE.holds, TOLERANCE.allowed,
             "choose a tolerance that double precision can hold",
         )  # fmt: skip
         object.__setattr__(self, "twist", _twist(self.twist))

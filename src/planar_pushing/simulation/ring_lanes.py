@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.special import ellipe, ellipkm1
 
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 SERIES_BELOW = 0.1
 TERMS = np.arange(8)

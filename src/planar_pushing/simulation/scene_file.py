@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from typing import Any
 
 import xarray as xr
@@ -11,10 +10,9 @@ import xarray as xr
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
+from planar_pushing.study.replacing import PathLike
 from planar_pushing.study.scene_model import SceneFile
 from planar_pushing.study.simulate_model import PieceEntry, SimulateEntry
-
-PathLike = str | os.PathLike[str]
 
 
 def simulate_file(

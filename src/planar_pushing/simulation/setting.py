@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from planar_pushing.mechanics import response
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.planar import direction
+from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 
 Vector = tuple[float, float]

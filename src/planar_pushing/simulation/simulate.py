@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Sequence
 from typing import cast
 
@@ -12,14 +11,14 @@ import xarray as xr
 from tqdm import tqdm
 
 from planar_pushing.mechanics.errors import InvalidValue, require_number
+from planar_pushing.mechanics.options import Method, Policy
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation import event_driven, log, time_stepping
-from planar_pushing.simulation.problem import Policy, Problem
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.record import Records
 from planar_pushing.simulation.stream import streaming
-
-METHODS = ("event-driven", "time-stepping")
+from planar_pushing.study.replacing import PathLike
 
 
 def simulate(
@@ -27,14 +26,14 @@ def simulate(
     *,
     pusher: Pusher,
     duration: float,
-    method: str = "event-driven",
+    method: str = Method.EVENT_DRIVEN,
     rtol: float = 1e-10,
     on_ambiguity: str = Policy.KEEP_CONTACT,
     twist: Sequence[float] = (0.0, 0.0, 0.0),
     gap: float = 0.0,
     samples: int = 101,
     step: float | None = None,
-    path: str | os.PathLike[str] | None = None,
+    path: PathLike | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
     """Simulate the slider under a moving fence, and log its motion.
@@ -86,8 +85,8 @@ def simulate(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=cast(Policy, on_ambiguity), rtol=rtol,
     )  # fmt: skip
-    if method not in METHODS:
-        raise InvalidValue("method", method, ", ".join(METHODS), "name one of these methods")
+    if method not in list(Method):
+        raise InvalidValue("method", method, ", ".join(Method), "name one of these methods")
     count = require_number(
         "samples", samples, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
         "ask at least for the first and the last instant",
@@ -105,7 +104,7 @@ def simulate(
 
 
 def _integrate(problem: Problem, method: str, times: list[float], step: float | None) -> Records:
-    if method == "time-stepping":
+    if method == Method.TIME_STEPPING:
         return time_stepping.integrate(problem, times, step)
     if step is not None:
         raise InvalidValue(

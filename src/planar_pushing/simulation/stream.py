@@ -6,7 +6,6 @@ leaves what it has logged so far, with the attribute `finished` at 0.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,8 +17,8 @@ from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.simulation import log
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.record import Record
+from planar_pushing.study.replacing import PathLike
 
-PathLike = str | os.PathLike[str]
 #: Instants in a chunk of the file.
 CHUNK = 256
 
@@ -76,11 +75,11 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
     file.attrs.update(log.attributes(problem, method) | {"finished": 0})
     time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
-    time.attrs.update(log.TIME)
+    time.attrs.update(log.variable_attributes("time"))
     for name, labels in coordinates.items():
         label = file.create_variable(name, (name,), h5py.string_dtype())
         label[:] = labels
-        label.attrs.update({"units": "1", "long_name": log.COORDINATES[name]})
+        label.attrs.update(log.variable_attributes(name))
     for name, variable in log.VARIABLES.items():
         dims = "time", *variable.dims
         chunks = CHUNK, *(len(coordinates[dim]) for dim in variable.dims)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import os
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -18,11 +17,10 @@ from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.fields import FileModel
-from planar_pushing.study.replacing import replacing
+from planar_pushing.study.replacing import PathLike, replacing
 from planar_pushing.study.scene_model import SceneFile
 
 Model = TypeVar("Model", bound=FileModel)
-PathLike = str | os.PathLike[str]
 
 
 def load_scene(path: PathLike) -> Scene:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal, Self
+from typing import Annotated, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -13,10 +13,12 @@ from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFricti
 from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.domain import Number
 from planar_pushing.mechanics.effects import Effect
+from planar_pushing.mechanics.options import EffectKind
 from planar_pushing.mechanics.scene import Slider
 from planar_pushing.study.fields import (
     Angles,
     Degrees,
+    EffectsName,
     FileModel,
     FiniteFrictionCoefficients,
     FrictionCoefficient,
@@ -34,7 +36,6 @@ from planar_pushing.study.fields import (
 )
 
 Axis = tuple[float, ...]
-EffectsName = Literal["support_friction", "inertia", "support_friction+inertia"]
 
 
 class RingEntry(FileModel):
@@ -107,14 +108,9 @@ class FigureEntry(FileModel):
 
     def grid_values(self, grid: Grid) -> Iterator[tuple[str, Axis, Axis]]:
         """Key, given values and allowed values of what the figure takes from the grid."""
-        for key, allowed in (
-            ("rod_length", grid.rod_length),
-            ("mapped_rod_length", grid.rod_length),
-            ("friction_coefficient", grid.friction_coefficient),
-            ("pusher_magnitude", grid.pusher_magnitude),
-        ):
-            given = getattr(self, key)
+        for key, given in self:
             if given is not None:
+                allowed = getattr(grid, key.removeprefix("mapped_"))
                 yield key, given if isinstance(given, tuple) else (given,), allowed
 
 
@@ -154,7 +150,7 @@ class StudyFile(FileModel):
     @property
     def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:
         """Parameters of the effects that the study lists, by name."""
-        known = {"support_friction": self.support_friction, "inertia": self.inertia}
+        known = {str(kind): getattr(self, kind) for kind in EffectKind}
         return {name: part for name, part in known.items() if part is not None}
 
     def effects(self, name: EffectsName) -> tuple[Effect, ...]:

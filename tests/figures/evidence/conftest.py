@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from planar_pushing.accuracy import tables
+from planar_pushing.evidence.costs import tables
 from planar_pushing.figures import render
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.figures import OURS, SUPPLEMENT

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from figures.evidence.conftest import markers
-from planar_pushing.accuracy import tables
+from planar_pushing.evidence.costs import tables
 from planar_pushing.figures.evidence import (
     accuracy_wrench,
 )

@@ -13,7 +13,8 @@ from planar_pushing.evidence.claims.proofs.registry import CHECKS, numbers_of
 from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.fields import FileModel, NotEmpty, Number, refuse
-from planar_pushing.study.files import PathLike, load_model
+from planar_pushing.study.files import load_model
+from planar_pushing.study.replacing import PathLike
 
 #: Check of a claim that nothing can decide; its entry gives the reason.
 NO_CHECK = "not-reproducible"

@@ -13,7 +13,8 @@ from pydantic import Field
 from planar_pushing.evidence.internals import Array, IsotropicEffect
 from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.models import EffectsName, StudyFile
+from planar_pushing.study.fields import EffectsName
+from planar_pushing.study.models import StudyFile
 
 #: Names of the effects in the datasets.
 NAMES: dict[type, str] = {RingFriction: "support_friction", Inertia: "inertia"}

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.evidence.accuracy_wrench import LIMITS, TITLES
 from planar_pushing.figures.evidence.work_precision import curves, handles, methods
 from planar_pushing.figures.style import GREY, NOTE_SIZE
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 #: Places of the spin ratios among those of the dataset: regular, next to the ring, on it, a spin.
 SHOWN = (1, 4, 5, 8)

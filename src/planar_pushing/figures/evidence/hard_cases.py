@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.style import BLUE, GREY, VERMILION
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 #: The hard places, in order of `line`.
 PLACES = (

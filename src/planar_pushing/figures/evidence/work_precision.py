@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from planar_pushing.figures.style import DARK, GREY, NOTE_SIZE
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 #: Marker, colour and filling of each method; ours is the largest.
 LOOKS: dict[str, dict[str, Any]] = {

@@ -15,7 +15,7 @@ from matplotlib.patches import Rectangle
 from planar_pushing.figures.motion.timeline import MODES, contact, rows, runs
 from planar_pushing.figures.parts import arrows, drawing
 from planar_pushing.figures.style import CENTER, DARK, FENCE, FORCE, MOTION, NOTE_SIZE, SLIDER, SLIP
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 Box = tuple[float, float, float, float]
 Rect = tuple[float, float, float, float]

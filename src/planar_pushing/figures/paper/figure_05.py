@@ -19,7 +19,7 @@ from planar_pushing.figures.parts.curves import (
 )
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK
-from planar_pushing.mechanics.planar import Array, direction
+from planar_pushing.mechanics.plane import Array, direction
 
 #: Force angles from the rod at which force and velocity are parallel, degrees.
 PARALLEL = (0.0, 90.0, 180.0, 270.0)

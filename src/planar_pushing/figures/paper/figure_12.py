@@ -14,7 +14,7 @@ from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.curves import degrees, named, rod_lengths, titled
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
-from planar_pushing.mechanics.planar import moment_arm
+from planar_pushing.mechanics.plane import moment_arm
 
 SCENE = (
     "rod_length rod_angle radius ring_center pusher_angle pusher_motion contact_motion force "

@@ -13,7 +13,7 @@ from matplotlib.transforms import Affine2D
 
 from planar_pushing.figures.parts.labels import label
 from planar_pushing.figures.style import ABOVE, CENTER, FORCE, GUIDE, MOTION
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 FILLED_HEAD = "-|>,head_length=0.42,head_width=0.17"
 OPEN_HEAD = "->,head_length=0.42,head_width=0.22"

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE
-from planar_pushing.mechanics.planar import Array, direction
+from planar_pushing.mechanics.plane import Array, direction
 
 #: Ends of curves that close on themselves.
 BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}

@@ -15,7 +15,7 @@ from matplotlib.path import Path
 from matplotlib.text import Annotation
 
 from planar_pushing.figures.style import DARK, SYMBOL_SIZE
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 #: Directions around the wanted place, and distances from the point in units of the wanted one.
 TURNS = np.deg2rad([0, 25, -25, 50, -50, 80, -80, 115, -115, 150, -150, 180])

@@ -10,7 +10,7 @@ import xarray as xr
 
 from planar_pushing.figures.parts.arrows import unit
 from planar_pushing.mechanics.contact import ContactMode, Outcome
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 #: Variables of a scene dataset that its picture shows.
 PLOTTED = (

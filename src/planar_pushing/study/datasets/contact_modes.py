@@ -20,18 +20,18 @@ from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.study import catalog
 from planar_pushing.study.datasets.base import axis, law_axis, over_effects, parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
-MOVING = [mode for mode in ContactMode if mode is not ContactMode.SEPARATE]
 INNER = ("contact", "rod_length", "pusher_magnitude", "pusher_angle")
 
 
 def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
     """Label: (type, law) along the contact axis; the label holds the coefficient of friction."""
     coulomb = {
-        f"coulomb_{mu:g}": ("coulomb", Coulomb(mu))
+        f"coulomb_{catalog.number_label(mu)}": ("coulomb", Coulomb(mu))
         for mu in study.grid.contact_friction_coefficient
     }
     return coulomb | {

@@ -5,7 +5,7 @@ import pytest
 
 import planar_pushing as pp
 from evidence.claims.ledgers import judged
-from planar_pushing.mechanics.planar import direction
+from planar_pushing.mechanics.plane import direction
 from unit.builders import BOTH, PSI, make_scene
 
 VALUES = {each.claim.id: each.evidence.value for each in judged()}

@@ -20,7 +20,7 @@ from planar_pushing.evidence.hard_cases.sweep.counts import (
 )
 from planar_pushing.evidence.writing import json_text
 from planar_pushing.mechanics.candidates import candidates
-from planar_pushing.mechanics.planar import direction
+from planar_pushing.mechanics.plane import direction
 
 SEED = 7
 FEW = Budget(kernels=20_000, scenes=40, pushers=200, scalar=80, decided=150)

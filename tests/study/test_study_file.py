@@ -1,120 +1,24 @@
-"""Each mistake in a scene or study file ends in one message: file, key, value, allowed, remedy."""
+"""Each mistake in a study file ends in one message: file, key, value, allowed, remedy."""
 
 from pathlib import Path
 
 import pytest
 
-from planar_pushing import InvalidFile, load_scene
+from planar_pushing import InvalidFile
 from planar_pushing.study.study_file import load_study
 
-SCENE = """\
-title: A scene
-slider: {rod_length: 5, rod_angle: 45, radius: 1}
-contact: {law: coulomb, friction_coefficient: 2}
-effects:
-  - {type: ring_friction, weight: 1}
-  - {type: inertia, mass: 1, gyration_radius: 1}
-"""
 STUDY = Path("workflow/config/smoke.yaml").read_text(encoding="utf-8")
 
+AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
 
-def message(load, tmp_path, text):
+
+def message(tmp_path, text):
     path = tmp_path / "file.yaml"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InvalidFile) as caught:
-        load(path)
+        load_study(path)
     assert str(caught.value).startswith(f"{path}: ")
     return str(caught.value).removeprefix(f"{path}: ")
-
-
-@pytest.mark.parametrize(
-    ("written", "instead", "said"),
-    [
-        ("friction_coefficient: 2", "friction_coefficient: -1",
-         "contact.friction_coefficient: -1 given; allowed: a finite number >= 0; infinite friction is "
-         "a law of its own, law: infinite_friction; change the value"),
-        ("friction_coefficient: 2", "friction_coefficient: inf",
-         "contact.friction_coefficient: 'inf' given; allowed: a finite number >= 0; infinite friction "
-         "is a law of its own, law: infinite_friction; change the value"),
-        ("mass: 1", "mass: -1",
-         "effects[1].mass: -1 given; allowed: a finite number > 0; change the value"),
-        ("mass: 1", "mass: heavy",
-         "effects[1].mass: 'heavy' given; allowed: a finite number > 0; change the value"),
-        ("weight: 1", "weight: true",
-         "effects[0].weight: True given; allowed: a finite number > 0; change the value"),
-        ("weight: 1", "weight: .nan",
-         "effects[0].weight: nan given; allowed: a finite number > 0; change the value"),
-        ("rod_angle: 45", "rod_angle: 180",
-         "slider.rod_angle: 180 given; allowed: degrees in the open interval (0, 180); "
-         "change the value"),
-        ("rod_length: 5", "rod_length: -5",
-         "slider.rod_length: -5 given; allowed: a finite number >= 0; change the value"),
-        ("rod_length", "rod_lenght",
-         "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius; "
-         "did you mean rod_length?"),
-        ("title", "colour",
-         "colour: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate; "
-         "remove the key"),
-        ("rod_length: 5, ", "",
-         "slider.rod_length: missing; allowed: a value for this key; add it"),
-        ("law: coulomb", "law: glue",
-         "contact: {'law': 'glue', 'friction_coefficient': 2} given; allowed: 'law' one of 'coulomb', "
-         "'infinite_friction', 'perfectly_rough'; change the value"),
-        ("law: coulomb, ", "",
-         "contact: {'friction_coefficient': 2} given; allowed: a mapping with the key 'law'; "
-         "change the value"),
-        ("law: coulomb, friction_coefficient: 2", "law: infinite_friction, at_zero_normal: some",
-         "contact.at_zero_normal: 'some' given; allowed: 'free' or 'none'; change the value"),
-        ("slider: {rod_length: 5, rod_angle: 45, radius: 1}", "slider: 5",
-         "slider: 5 given; allowed: a mapping with the keys rod_length, rod_angle, radius; "
-         "change the value"),
-        ("contact: {law: coulomb, friction_coefficient: 2}", "contact: rough",
-         "contact: 'rough' given; allowed: a mapping; change the value"),
-        ("title: A scene", "title: 3", "title: 3 given; allowed: text; change the value"),
-        ("weight: 1", "weight: " + 400 * "1",
-         f"effects[0].weight: {400 * '1'} given; allowed: a finite number > 0; change the value"),
-        ("radius: 1}\ncontact", "radius: 1, radius: 2}\ncontact",
-         "not YAML: line 2, column 51: found duplicate key \"radius\" with value \"2\" "
-         "(original value: \"1\"); mend the line"),
-        ("title: A scene", "title: [",
-         "not YAML: line 3, column 1: expected ',' or ']', but got '<scalar>'; mend the line"),
-    ],
-)  # fmt: skip
-def test_scene_error(tmp_path, written, instead, said):
-    assert written in SCENE
-    assert message(load_scene, tmp_path, SCENE.replace(written, instead, 1)) == said
-
-
-def test_empty_effects(tmp_path):
-    text = SCENE[: SCENE.index("effects:")] + "effects: []\n"
-    said = "effects: [] given; allowed: a list with at least one entry; change the value"
-    assert message(load_scene, tmp_path, text) == said
-
-
-@pytest.mark.parametrize("text", ["", "[]", "3"])
-def test_no_keys(tmp_path, text):
-    said = "holds no keys; allowed: title, slider, contact, effects, simulate"
-    assert message(load_scene, tmp_path, text) == said
-
-
-def test_missing_file(tmp_path):
-    with pytest.raises(InvalidFile, match="no such file; give the path of a YAML file"):
-        load_scene(tmp_path / "none.yaml")
-
-
-def test_unreadable_file(tmp_path):
-    with pytest.raises(InvalidFile, match=r"cannot be read .* give a YAML text file"):
-        load_scene(tmp_path)
-
-
-def test_not_text(tmp_path):
-    path = tmp_path / "scene.yaml"
-    path.write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(InvalidFile, match=r"cannot be read .* give a YAML text file"):
-        load_scene(path)
-
-
-AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
 
 
 @pytest.mark.parametrize(
@@ -188,14 +92,22 @@ AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 tha
         ("effects: [support_friction, inertia", "effects: [friction, inertia",
          "grid.effects[0]: 'friction' given; allowed: 'support_friction', 'inertia' or "
          "'support_friction+inertia'; change the value"),
+        ("figure_15: workflow/scenes/figure_15", "figure_15: nowhere",
+         "simulations.figure_15: nowhere.yaml: no such file; give the path of a YAML file"),
+        ("figure_15: workflow/scenes/figure_15", "figure_15: workflow/scenes/figure_08",
+         "simulations.figure_15: workflow/scenes/figure_08.yaml given; allowed: scene files with the "
+         "section simulate; add it to the file"),
+        ("  figure_15: w", "  a/b: w",
+         "simulations.a/b.[key]: 'a/b' given; allowed: a name of letters, digits and underscores, "
+         "which becomes a file's name; change the value"),
     ],
 )  # fmt: skip
 def test_study_error(tmp_path, written, instead, said):
     assert written in STUDY
-    assert message(load_study, tmp_path, STUDY.replace(written, instead, 1)) == said
+    assert message(tmp_path, STUDY.replace(written, instead, 1)) == said
 
 
 def test_many_errors_are_cut_short(tmp_path):
-    said = message(load_study, tmp_path, STUDY.replace("[0, 1, 2, 5]", "[a, b, c, d, e, f, g]", 1))
+    said = message(tmp_path, STUDY.replace("[0, 1, 2, 5]", "[a, b, c, d, e, f, g]", 1))
     assert said.count("\n") == 5
     assert said.endswith("and 2 more")

@@ -1,55 +1,45 @@
-"""The commands `simulate` and `animate`."""
+"""The command `simulate`."""
 
 from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from pydantic import ValidationError
 
+from planar_pushing.commands.arguments import Commands, add_output, add_scene, command
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
+from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.mechanics.options import Method, Policy
 from planar_pushing.study.files import load_scene_file
 from planar_pushing.study.scene_model import SceneFile
 from planar_pushing.study.simulate_model import SimulateEntry
 
-#: Adds a command: its name, what it does and its help.
-Command = Callable[[str, Callable[[argparse.Namespace], dict[str, Any]], str], Any]
 ENDINGS = (".nc", ".h5")
 
 
-def add_commands(command: Command) -> None:
-    """Add both commands to the command line."""
-    sub = command("simulate", _simulate, "Simulate a scene over time and write the log.")
-    sub.add_argument("scene", type=Path, metavar="SCENE.yaml")
-    sub.add_argument("-o", "--output", type=Path, required=True, metavar="LOG.nc")
-    for name, unit in (
-        ("pusher-angle", "DEGREES"),
-        ("pusher-speed", "NUMBER"),
-        ("duration", "NUMBER"),
-        ("rtol", "NUMBER"),
-        ("step", "NUMBER"),
-    ):
-        sub.add_argument(f"--{name}", type=float, metavar=unit)
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = "Simulate a scene over time and write the log."
+    sub = command(commands, "simulate", simulated, about)
+    add_scene(sub)
+    add_output(sub, "LOG.nc")
+    sub.add_argument("--pusher-angle", type=float, metavar="DEGREES")
+    for name in ("pusher-speed", "duration", "rtol", "step"):
+        sub.add_argument(f"--{name}", type=float, metavar="NUMBER")
     sub.add_argument("--samples", type=int, metavar="NUMBER")
-    sub.add_argument("--method", metavar="NAME", help="event-driven, time-stepping")
-    sub.add_argument("--on-ambiguity", metavar="NAME", help="keep-contact, separate, stay-in-mode")
+    sub.add_argument("--method", metavar="NAME", help=", ".join(Method))
+    sub.add_argument("--on-ambiguity", metavar="NAME", help=", ".join(Policy))
     sub.add_argument(
         "--progress", action=argparse.BooleanOptionalAction, default=sys.stderr.isatty()
     )
-    sub = command("animate", _animate, "Turn the log of a simulation into an animated picture.")
-    sub.add_argument("log", type=Path, metavar="LOG.nc")
-    sub.add_argument("-o", "--output", type=Path, required=True, metavar="MOTION.gif")
-    sub.add_argument("--frames", type=int, default=75, metavar="NUMBER")
-    sub.add_argument("--frames-per-second", type=float, default=25.0, metavar="NUMBER")
 
 
-def _simulate(args: argparse.Namespace) -> dict[str, Any]:
+def simulated(args: argparse.Namespace) -> dict[str, Any]:
+    """Simulate the scene, and tell how it went."""
     from planar_pushing.simulation.scene_file import simulate_file
 
     if args.output.suffix.lower() not in ENDINGS:
@@ -114,16 +104,3 @@ def _changes(log: xr.Dataset) -> list[tuple[float, str, int]]:
         (float(log["time"][row]), names[int(modes[row])], int(log["solutions"][row]))
         for row in rows
     ]
-
-
-def _animate(args: argparse.Namespace) -> dict[str, Any]:
-    from planar_pushing.figures.motion.animation import animate
-    from planar_pushing.study.store import read_dataset
-
-    log, rate = read_dataset(args.log), args.frames_per_second
-    try:
-        frames = animate(log, args.output, frames=args.frames, rate=rate)
-    except InvalidFile as error:
-        raise InvalidFile(f"{args.log}: {error}") from None
-    size = args.output.stat().st_size
-    return {"written": str(args.output), "frames": frames, "bytes": size}

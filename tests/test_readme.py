@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from planar_pushing.cli import main
-from planar_pushing.study.slices import build_dataset, study_slice
+from planar_pushing.commands import main
+from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 
