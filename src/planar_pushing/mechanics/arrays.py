@@ -61,7 +61,9 @@ def mapped(
         part = slice(start, min(start + BLOCK, size))
         rows = np.empty((part.stop - start, len(flat)))
         for i, column in enumerate(flat):
-            rows[:, i] = column if isinstance(column, np.ndarray) and not column.ndim else column[part]
+            rows[:, i] = (
+                column if isinstance(column, np.ndarray) and not column.ndim else column[part]
+            )
         kernel(kinds, rows, *(each[part] for each in found))
 
     starts = range(0, size, BLOCK)

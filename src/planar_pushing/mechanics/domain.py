@@ -120,5 +120,9 @@ def _require(name: str, given: object, allowed: Range) -> None:
         numbers = np.array(math.nan)
     wrong = numbers[~np.asarray(allowed.allows(numbers), dtype=bool)]
     if wrong.size:
-        shown = given if numbers.ndim == 0 and not isinstance(given, np.number) else float(wrong.flat[0])
+        shown = (
+            given
+            if numbers.ndim == 0 and not isinstance(given, np.number)
+            else float(wrong.flat[0])
+        )
         raise InvalidValue(name, shown, allowed.allowed, allowed.remedy)

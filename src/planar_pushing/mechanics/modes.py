@@ -118,9 +118,7 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     held = law.rough or (right > right_noise and left > left_noise and rise > noise)
     place = count  # of the stick, before the slips
     if law.slips:
-        first, on_left = _slipping(
-            effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1
-        )
+        first, on_left = _slipping(effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1)
         count, on_right = _slipping(effects, own, law, pusher, SLIP_LEFT, modes, motions, first)
         slides_right, slides_left = first > place + 1, count > first
         # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.

@@ -22,7 +22,7 @@ units of R.
 
 from __future__ import annotations
 
-from math import atan2, cos, copysign, inf, isinf, pi, sin
+from math import atan2, copysign, cos, inf, isinf, pi, sin
 from typing import NamedTuple
 
 import numpy as np

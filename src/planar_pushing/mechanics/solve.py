@@ -14,8 +14,8 @@ from planar_pushing.mechanics.arrays import elementwise, is_labelled
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.domain import Number
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.quantities import MECHANICS, attributes
 from planar_pushing.mechanics.push import outputs, solve_arrays
+from planar_pushing.mechanics.quantities import MECHANICS, attributes
 from planar_pushing.mechanics.scene import Scene
 
 

@@ -52,7 +52,13 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     own = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
     scene = Scene(slider=own, contact=PerfectlyRough(), effects=(effect,))
     twists = np.asarray(twist, dtype=float)
-    columns = [scene.weight, *scene.inertia, twists[..., 0], twists[..., 1], own.radius * twists[..., 2]]
+    columns = [
+        scene.weight,
+        *scene.inertia,
+        twists[..., 0],
+        twists[..., 1],
+        own.radius * twists[..., 2],
+    ]
     found = mapped(_wrenches, scene.kinds, columns, WRENCH)[0]
     found[..., 2] *= own.radius
     return np.asarray(found)

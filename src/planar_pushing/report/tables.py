@@ -17,8 +17,8 @@ from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, Results
 from planar_pushing.report.verdict import verdict_rows
-from planar_pushing.study.replacing import PathLike
 from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.study.replacing import PathLike
 
 #: Packages that the results and the report are made with.
 PACKAGES = (

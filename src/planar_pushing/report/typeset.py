@@ -8,8 +8,7 @@ from pathlib import Path
 import typst
 
 from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.replacing import PathLike
-from planar_pushing.study.replacing import replacing
+from planar_pushing.study.replacing import PathLike, replacing
 
 
 def compiled(source: PathLike, root: PathLike) -> bytes:

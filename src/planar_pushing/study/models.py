@@ -10,9 +10,8 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction
-from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.domain import Number
-from planar_pushing.mechanics.effects import Effect
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.options import EffectKind
 from planar_pushing.mechanics.scene import Slider
 from planar_pushing.study.fields import (

@@ -13,8 +13,7 @@ from planar_pushing.mechanics.contact import (
     InfiniteFriction,
     PerfectlyRough,
 )
-from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects import Effect
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.fields import (

@@ -27,7 +27,9 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
     yield from _scene_problems(study)
     yield from _simulation_problems(study)
     yield from _entry_problems(study, "scenes", study.scenes, SCENES)
-    yield from _entry_problems(study, "figures", study.figures, [name for name, figure in FIGURES.items() if figure.takes])
+    yield from _entry_problems(
+        study, "figures", study.figures, [name for name, figure in FIGURES.items() if figure.takes]
+    )
     yield from _axis_problems(study)
     for name, figure in study.figures.items():
         yield from _figure_problems(name, figure, study.grid)

@@ -56,7 +56,10 @@ def _extremes(found: xr.Dataset, mode: ContactMode, radius: float) -> dict[str, 
     speed = np.linalg.norm(found.twist.values * [1.0, 1.0, radius], axis=-1)
     slow = np.where(here, speed, np.inf).argmin(axis=-1)[..., None]
     fast = np.where(here, speed, -np.inf).argmax(axis=-1)[..., None]
-    values = {"spin_ratio": found.spin_ratio.values, "force_angle": _force_angles(found.force.values)}
+    values = {
+        "spin_ratio": found.spin_ratio.values,
+        "force_angle": _force_angles(found.force.values),
+    }
     extremes = {
         f"{name}{end}": np.take_along_axis(value, place, axis=-1)[..., 0]
         for end, place in (("", slow), ("_fast", fast))
@@ -82,7 +85,9 @@ def build(study: StudyFile) -> xr.Dataset:
         variables = {name: ((*INNER, "mode"), value) for name, value in stacked.items()}
         coords = {name: found[name] for name in INNER}
         outcome = (INNER, found.outcome.values)
-        return xr.Dataset({"consistent": variables.pop("consistent"), "outcome": outcome, **variables}, coords)
+        return xr.Dataset(
+            {"consistent": variables.pop("consistent"), "outcome": outcome, **variables}, coords
+        )
 
     dataset = over_effects(study, part).assign_coords(
         mode=[mode.name for mode in ContactMode],

@@ -24,7 +24,9 @@ def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
     slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
     friction = axis(study, "friction_coefficient")
-    laws = law_axis("friction_coefficient", friction.values, list(map(contact_law, friction.values)))
+    laws = law_axis(
+        "friction_coefficient", friction.values, list(map(contact_law, friction.values))
+    )
 
     def part(effects: tuple[Any, ...]) -> xr.Dataset:
         scene = Scene(slider=slider, contact=laws, effects=effects)
