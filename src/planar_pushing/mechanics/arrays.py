@@ -138,3 +138,10 @@ def _labelled(
         array.rename(output.name).assign_attrs(attributes(MECHANICS, output.name))
         for array, output in zip(arrays, outputs, strict=True)
     ]
+
+
+def dataset(arrays: Sequence[Any]) -> Any:
+    """Named DataArrays as one dataset."""
+    import xarray as xr
+
+    return xr.merge(arrays, join="exact", compat="override")

@@ -38,7 +38,7 @@ def _digest() -> str:
 
 def _folder() -> str:
     """Folder of the cache: beside the sources where they can be written, else the user's own."""
-    users = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"))
+    users = Path(os.environ.get("XDG_CACHE_HOME") or Path("~/.cache").expanduser())
     name = f"compiled-{_digest()}"
     for base in (PACKAGE / "__pycache__", users / "planar-pushing", Path(tempfile.gettempdir())):
         try:

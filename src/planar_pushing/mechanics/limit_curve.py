@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import Output, elementwise, is_labelled, mapped
+from planar_pushing.mechanics.arrays import Output, dataset, elementwise, is_labelled, mapped
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.cones import ANGLE, FIRST, LENGTH, rod_columns
 from planar_pushing.mechanics.domain import Number, required
@@ -99,7 +99,5 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
         lambda *given: mapped(_curve, scene.kinds, given, OUTPUTS), arguments, OUTPUTS
     )
     if any(map(is_labelled, found)):
-        import xarray as xr
-
-        return xr.merge(found[1:])
+        return dataset(found[1:])
     return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))

@@ -129,7 +129,8 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     reached = right >= -right_noise and left >= -left_noise and rise >= -noise
     if held or (reached and not slides):
         moved = _kept_inside(effects, own, law, moved, right, left)
-        _write(STICK, *moved[:5], modes, motions, place)
+        v_x, v_y, spin, f_x, f_y = moved[:5]
+        _write(STICK, v_x, v_y, spin, f_x, f_y, modes, motions, place)
         return count
     modes[place : count - 1] = modes[place + 1 : count]
     motions[place : count - 1] = motions[place + 1 : count]

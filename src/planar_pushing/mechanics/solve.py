@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.arrays import elementwise, is_labelled
+from planar_pushing.mechanics.arrays import dataset, elementwise, is_labelled
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.domain import Number
 from planar_pushing.mechanics.plane import Array
@@ -163,11 +163,9 @@ def _solutions(solutions: Any, mode: Any, **values: Array) -> Solutions:
 
 
 def _dataset(found: list[Any]) -> Any:
-    import xarray as xr
-
-    dataset = xr.merge(found)
-    dataset["consistent"] = dataset.mode >= 0
-    dataset["outcome"] = np.minimum(dataset.solutions, Outcome.AMBIGUOUS).astype(np.int8)
+    merged = dataset(found)
+    merged["consistent"] = merged.mode >= 0
+    merged["outcome"] = np.minimum(merged.solutions, Outcome.AMBIGUOUS).astype(np.int8)
     for name in ("consistent", "outcome"):
-        dataset[name].attrs = attributes(MECHANICS, name)
-    return dataset.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])
+        merged[name].attrs = attributes(MECHANICS, name)
+    return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

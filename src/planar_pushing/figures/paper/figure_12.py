@@ -14,7 +14,6 @@ from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.curves import degrees, named, rod_lengths, titled
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
-from planar_pushing.mechanics.plane import moment_arm
 
 SCENE = (
     "rod_length rod_angle radius ring_center pusher_angle pusher_motion contact_motion force "
@@ -34,7 +33,7 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
         cuts |= {rod_angle + turn for turn in (lean, -lean, 180 - lean, lean - 180)}
     edges = np.array(sorted(cut for cut in cuts if 0 <= cut <= 180))
     middle = np.deg2rad((edges[:-1] + edges[1:]) / 2)
-    arm = moment_arm(rod_length, np.deg2rad(rod_angle), middle)
+    arm = rod_length * np.sin(np.deg2rad(rod_angle) - middle)  # Eq. (10)
     turn = np.where(arm > 0, 90.0, -90.0)
     outside = (np.abs(arm) < radius).astype(np.int8)
     parts = (

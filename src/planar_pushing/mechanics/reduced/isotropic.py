@@ -121,6 +121,7 @@ def signed_spin_ratio(effects, own, force):
 
 @compiled
 def motion_angle(effects, own, force):
+    """As `base.motion_angle`."""
     return contact_motion_angle(own, force, signed_spin_ratio(effects, own, force))
 
 
@@ -202,6 +203,7 @@ def _leverage_found(effects, length, along, aside):
 
 @compiled
 def stick(effects, own, towards):
+    """As `base.stick`."""
     along, aside, length = towards.along, towards.aside, own.length
     leverage = _leverage(effects, length, along, abs(aside))
     total = length * length + leverage
@@ -237,15 +239,16 @@ EQUATIONS[SpeedOfSpin] = _speed_of_spin
 
 @compiled
 def held_on_edge(effects, own, edge, moved):
+    """As `base.held_on_edge`."""
     arm, spin = abs(moment_arm(own, edge)), abs(moved.spin)
     low, high = _spin_ratios(effects, arm)
     speed = moved.along * edge.along + moved.aside * edge.aside
     if own.length * spin > speed:
-        equation = SpeedOfSpin(effects, arm, spin)
-        speed = root(equation, spin / high, spin / low, spin / sqrt(low * high))[0]
+        at_spin = SpeedOfSpin(effects, arm, spin)
+        speed = root(at_spin, spin / high, spin / low, spin / sqrt(low * high))[0]
     else:
-        equation = SpinOfSpeed(effects, arm, speed)
-        spin = root(equation, speed * low, speed * high, speed * sqrt(low * high))[0]
+        at_speed = SpinOfSpeed(effects, arm, speed)
+        spin = root(at_speed, speed * low, speed * high, speed * sqrt(low * high))[0]
     return sustained(
         effects, own, speed * edge.along, speed * edge.aside, copysign(spin, edge.aside), 0.0
     )

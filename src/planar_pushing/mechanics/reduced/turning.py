@@ -1,9 +1,9 @@
 """Slips of a slider with friction and inertia, whose motion under a force turns as it grows.
 
 Under a force on an edge the spin ratio runs over the open segment between its friction and its inertia
-value. There the centre's speed is ``v(k) = W (h f - t) / (m (rho^2 k - h))`` and the contact's normal motion
-``v (A - B k)``, which need not be monotone (Painleve): several motions may have one normal part. They are
-the roots of::
+value. There the centre's speed is ``v(k) = W (h f - t) / (m (rho^2 k - h))`` and the contact's normal
+motion ``v (A - B k)``, which need not be monotone (Painleve): several motions may have one normal part.
+They are the roots of::
 
     Phi(k) = W (h f - t) (A - B k) - m (rho^2 k - h) n.u
 

@@ -21,8 +21,9 @@ from planar_pushing.mechanics.compiled import compiled
 #: From this spin ratio on the series in x and log x are used, below it those of the Landen step.
 NEAR_RING = 0.9
 #: Chebyshev interpolants of the series on the range where each is used, in powers of its variable, their
-#: part in the result good to 1e-16; a test computes them anew in 60 digits. In y = q^2: ``(Q - 1) / y`` and ``(Q - P) / y^2`` with
-#: P = 2F1(-1/2, -1/2; 1; y), E's series (Gauss-Kummer), and Q = 2F1(1/2, 1/2; 1; y), K's.
+#: part in the result good to 1e-16; a test computes them anew in 60 digits. In y = q^2: ``(Q - 1) / y``
+#: and ``(Q - P) / y^2`` with P = 2F1(-1/2, -1/2; 1; y), E's series (Gauss-Kummer), and
+#: Q = 2F1(1/2, 1/2; 1; y), K's.
 FIRST = (
     0.25000000000000006,
     0.14062499999994713,

@@ -8,6 +8,7 @@ import xarray as xr
 from planar_pushing.mechanics.centers import Origin, conservative_motion_cone, motion_centers
 from planar_pushing.mechanics.cones import motion_angle, motion_cone
 from planar_pushing.mechanics.contact import InfiniteFriction
+from planar_pushing.mechanics.options import EffectSet
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import axis, parameters
 from planar_pushing.study.describe import describe
@@ -19,7 +20,7 @@ def build(study: StudyFile) -> xr.Dataset:
     scene = Scene(
         slider=study.ring(axis(study, "rod_length")),
         contact=InfiniteFriction(),
-        effects=study.effects("support_friction+inertia"),
+        effects=study.effects(EffectSet.BOTH),
     )
     angles = axis(study, "force_angle")
     phi = np.deg2rad(angles[(angles >= 0) & (angles <= 180)])

@@ -84,10 +84,9 @@ def build(study: StudyFile) -> xr.Dataset:
         stacked = {name: np.stack([each[name] for each in modes], axis=-1) for name in modes[0]}
         variables = {name: ((*INNER, "mode"), value) for name, value in stacked.items()}
         coords = {name: found[name] for name in INNER}
+        consistent = variables.pop("consistent")
         outcome = (INNER, found.outcome.values)
-        return xr.Dataset(
-            {"consistent": variables.pop("consistent"), "outcome": outcome, **variables}, coords
-        )
+        return xr.Dataset({"consistent": consistent, "outcome": outcome, **variables}, coords)
 
     dataset = over_effects(study, part).assign_coords(
         mode=[mode.name for mode in ContactMode],

@@ -24,9 +24,8 @@ def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
     slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
     friction = axis(study, "friction_coefficient")
-    laws = law_axis(
-        "friction_coefficient", friction.values, list(map(contact_law, friction.values))
-    )
+    coefficients = friction.values.tolist()
+    laws = law_axis("friction_coefficient", coefficients, list(map(contact_law, coefficients)))
 
     def part(effects: tuple[Any, ...]) -> xr.Dataset:
         scene = Scene(slider=slider, contact=laws, effects=effects)

@@ -11,6 +11,7 @@ import xarray as xr
 from planar_pushing.mechanics.centers import motion_centers
 from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_cone
 from planar_pushing.mechanics.effects import Inertia, RingFriction
+from planar_pushing.mechanics.options import EffectKind
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import Solutions, solve
@@ -22,7 +23,7 @@ from planar_pushing.study.scene_model import SceneFile
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
 SUPPORT_ANGLES = np.arange(0.0, 360.0, 15.0)
-EFFECT_NAMES = {RingFriction: "support_friction", Inertia: "inertia"}
+EFFECT_NAMES = {RingFriction: EffectKind.SUPPORT_FRICTION, Inertia: EffectKind.INERTIA}
 
 
 def pusher_angle(scene: Scene, push: PushEntry) -> float:
@@ -118,7 +119,7 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     }
     coords = {
         "xy": ["x", "y"],
-        "effect": list(_kinds(scene)),
+        "effect": list(map(str, _kinds(scene))),
         "twist_component": ["v_x", "v_y", "R omega"],
         "support_angle": SUPPORT_ANGLES,
     }
