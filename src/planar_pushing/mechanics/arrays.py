@@ -16,6 +16,7 @@ import numba
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.compiled import announced
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.quantities import MECHANICS, attributes
 
@@ -67,10 +68,11 @@ def mapped(
         kernel(kinds, rows, *(each[part] for each in found))
 
     starts = range(0, size, BLOCK)
-    if len(starts) == 1:
-        block(0)
-    else:
-        _in_threads(block, starts)
+    if size:
+        with announced(kernel):
+            block(0)
+    if len(starts) > 1:
+        _in_threads(block, starts[1:])
     return [each.reshape(shape + tail) for each, tail in zip(found, tails, strict=True)]
 
 

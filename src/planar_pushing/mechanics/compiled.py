@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import functools
 import hashlib
+import logging
 import os
 import tempfile
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -25,6 +28,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 #: Packages whose sources are compiled. Numba's cache sees changes in a function's own file only; the
 #: digest of all these files keeps stale callees out.
 SOURCES = ("mechanics", "simulation")
+LOG = logging.getLogger("planar_pushing")
 PACKAGE = Path(__file__).parents[1]
 
 
@@ -61,6 +65,22 @@ def compiled(function: Function) -> Function:
     finally:
         numba.config.CACHE_DIR = before
     return made  # type: ignore[no-any-return]
+
+
+@contextmanager
+def announced(kernel: Any) -> Iterator[None]:
+    """Say on the log when a call has had to compile what it calls, which takes seconds."""
+    before, start = _compilations(kernel), time.perf_counter()
+    yield
+    if _compilations(kernel) > before:
+        seconds = time.perf_counter() - start
+        LOG.info(
+            "compiled %s in %.0f s; later runs read it from %s", kernel.__name__, seconds, CACHE
+        )
+
+
+def _compilations(kernel: Any) -> int:
+    return sum(kernel.stats.cache_misses.values()) if hasattr(kernel, "stats") else 0
 
 
 def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
