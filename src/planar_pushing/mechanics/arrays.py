@@ -142,8 +142,17 @@ def _labelled(
     ]
 
 
+def named(name: str, value: Any) -> Any:
+    """A result with its name and units where it is labelled."""
+    return (
+        value.rename(name).assign_attrs(attributes(MECHANICS, name))
+        if is_labelled(value)
+        else value
+    )
+
+
 def dataset(arrays: Sequence[Any]) -> Any:
     """Named DataArrays as one dataset."""
     import xarray as xr
 
-    return xr.merge(arrays, join="exact", compat="override")
+    return xr.Dataset({array.name: array for array in arrays})

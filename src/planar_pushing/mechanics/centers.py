@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from enum import StrEnum
 from math import asin, copysign, inf, pi
+from typing import Any
 
 import numpy.typing as npt
 
-from planar_pushing.mechanics.angles import AngleInterval
+from planar_pushing.mechanics.angles import interval
 from planar_pushing.mechanics.arrays import Output, elementwise, mapped
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.cones import (
@@ -134,7 +135,7 @@ def _conservative_cones(kinds, rows, right, left):
         right[i], left[i] = _conservative(own, row[FIRST], row[SECOND])
 
 
-def conservative_motion_cone(scene: Scene) -> AngleInterval:
+def conservative_motion_cone(scene: Scene) -> Any:
     """The paper's bound on the contact's motion with both effects, radians (Fig. 12).
 
     Raises
@@ -151,4 +152,4 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
         [*effect_columns(scene), *rod_columns(scene), law.right, law.left],
         CONE,
     )
-    return AngleInterval(right, left, closed=False)
+    return interval(right, left, closed=False)

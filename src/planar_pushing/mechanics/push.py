@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from math import hypot, inf, nan
 from typing import Any
 
@@ -27,9 +28,10 @@ NO_MODE = -1
 XY = ("xy", 2)
 
 
-def outputs(kinds: Any) -> tuple[Output, ...]:
-    """What is found of each scene."""
-    many = ("solution", SOLUTIONS[len(kinds)])
+@cache
+def outputs(count: int) -> tuple[Output, ...]:
+    """What is found of each scene with this number of effects."""
+    many = ("solution", SOLUTIONS[count])
     return (
         Output("solutions", (), "i1"),
         Output("mode", (many,), "i1"),
@@ -116,7 +118,7 @@ def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     unit, slow, fast = _forces(kinds, weight, mass, size)
     ratio = np.divide(length, radius)
     columns = [slow, fast, gyration, ratio, angle, *law, towards, size, unit, radius]
-    found = mapped(_modes, kinds, columns, outputs(kinds))
+    found = mapped(_modes, kinds, columns, outputs(len(kinds)))
     most = SOLUTIONS[len(kinds)]
     if found[0].size and found[0].max() > most:
         raise InvalidValue(

@@ -130,6 +130,8 @@ MECHANICS: Quantities = {
         )
     },
     "closed": ("1", "whether the edges belong to the cone"),
+    "left": ("radian", "left edge of the cone"),
+    "right": ("radian", "right edge of the cone"),
     "consistent": ("1", "whether there is a solution in this place"),
     "force_size": ("force", "size of the force on the limit curve"),
     "solutions": ("1", "number of consistent solutions"),

@@ -139,7 +139,7 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
     """
     kinds = scene.kinds
     given = arguments(scene, pusher_angle, pusher_magnitude)
-    results = outputs(kinds)
+    results = outputs(len(kinds))
     if any(map(is_labelled, given)):
         return _dataset(elementwise(lambda *each: solve_arrays(kinds, *each), given, results))
     found = solve_arrays(kinds, *given)

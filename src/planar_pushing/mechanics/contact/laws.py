@@ -132,7 +132,7 @@ def is_law(law: object) -> bool:
 
 def as_numbers(contact: Number) -> Law:
     """A law, or an array of laws of any kinds, as the compiled core has it."""
-    if is_law(contact):
+    if not isinstance(contact, (list, tuple)) and not hasattr(contact, "ndim"):
         return in_numbers(contact)
     laws = np.asarray(contact, dtype=object)
     entries = zip(*(in_numbers(law) for law in laws.ravel()), strict=True)
