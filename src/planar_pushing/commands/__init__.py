@@ -7,13 +7,13 @@ import json
 import sys
 from collections.abc import Sequence
 
-from planar_pushing.commands import animate, cone, draw, query, simulate, solve
+from planar_pushing.commands import animate, compilation, cone, draw, query, simulate, solve
 from planar_pushing.commands.arguments import check_push
 from planar_pushing.commands.text import text
 from planar_pushing.mechanics.errors import PlanarPushingError
 from planar_pushing.study.describe import plain
 
-COMMANDS = (solve, cone, query, draw, simulate, animate)
+COMMANDS = (solve, cone, query, draw, simulate, animate, compilation)
 
 
 def _parser() -> argparse.ArgumentParser:
