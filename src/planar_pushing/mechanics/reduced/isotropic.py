@@ -282,31 +282,26 @@ def steady_slips(effects, own, edge, normal, found):
 
 
 @generic
-def limit_motion(kinds: Any) -> Callable[..., Any]:
-    """The forces whose motion has the kinetic energy of a unit translation; without inertia all speeds."""
+def _curve_speed(kinds: Any) -> Callable[..., Any]:
+    """Centre speed on the limit curve: that of the kinetic energy of a unit translation, or any."""
     if len(kinds) > 1:
-        return _limit_of_both
-    return {RingSupport: _limit_of_ring, Mass: _limit_of_mass}[kinds[0]]
+        return _curve_speed_of_both
+    return {RingSupport: _curve_speed_of_ring, Mass: _curve_speed_of_mass}[kinds[0]]
 
 
 @compiled
-def _limit_of_ring(effects, own, force):
-    ratio = signed_spin_ratio(effects, own, force)
-    magnitude = response(effects, 1.0, ratio)[0]
-    return magnitude, ratio, contact_motion_angle(own, force, ratio)
+def _curve_speed_of_ring(effects, ratio):
+    return 1.0
 
 
 @compiled
-def _curve_speed(gyration, ratio):
-    """Centre speed at which a motion has the kinetic energy of a unit translation."""
-    return 1.0 / sqrt(1.0 + gyration * ratio * ratio)
+def _curve_speed_of_mass(effects, ratio):
+    return 1.0 / sqrt(1.0 + effects[0].gyration * ratio * ratio)
 
 
 @compiled
-def _limit_of_mass(effects, own, force):
-    ratio = signed_spin_ratio(effects, own, force)
-    magnitude = effects[0].mass * _curve_speed(effects[0].gyration, ratio)
-    return magnitude, ratio, contact_motion_angle(own, force, ratio)
+def _curve_speed_of_both(effects, ratio):
+    return _curve_speed_of_mass(effects[1:], ratio)
 
 
 class CurveImbalance(NamedTuple):
@@ -319,7 +314,7 @@ class CurveImbalance(NamedTuple):
 @compiled
 def _curve_imbalance(of, k):
     arm, (mass, gyration) = of.arm, of.effects[1]
-    speed = _curve_speed(gyration, k)
+    speed = _curve_speed(of.effects, k)
     friction, slope = _spin_of_speed(SpinOfSpeed(of.effects[:1], arm, 1.0), k)
     lean = mass * gyration * speed * speed * speed * (1.0 + arm * k)
     return friction + mass * speed * (gyration * k - arm), slope + lean
@@ -328,13 +323,23 @@ def _curve_imbalance(of, k):
 EQUATIONS[CurveImbalance] = _curve_imbalance
 
 
+@generic
+def _curve_spin_ratio(kinds: Any) -> Callable[..., Any]:
+    """Spin ratio on the limit curve under a force of a moment arm >= 0."""
+    return spin_ratio if len(kinds) == 1 else _curve_spin_ratio_of_both
+
+
 @compiled
-def _limit_of_both(effects, own, force):
+def _curve_spin_ratio_of_both(effects, arm):
+    low, high = _two_spin_ratios(effects, arm)
+    return root(CurveImbalance(effects, arm), low, high, sqrt(low * high))[0]
+
+
+@compiled
+def limit_motion(effects, own, force):
+    """As `base.limit_motion`."""
     arm = moment_arm(own, force)
-    low, high = _two_spin_ratios(effects, abs(arm))
-    equation = CurveImbalance(effects, abs(arm))
-    size = root(equation, low, high, sqrt(low * high))[0]
-    speed = _curve_speed(effects[1].gyration, size)
-    ratio = copysign(size, arm)
+    ratio = copysign(_curve_spin_ratio(effects, abs(arm)), arm)
+    speed = _curve_speed(effects, ratio)
     magnitude = response(effects, speed, speed * ratio)[0]
     return magnitude, ratio, contact_motion_angle(own, force, ratio)
