@@ -26,6 +26,8 @@ from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
 INNER = ("contact", "rod_length", "pusher_magnitude", "pusher_angle")
+VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
+Found = npt.NDArray[np.bool_]
 
 
 def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
@@ -47,27 +49,31 @@ def _force_angles(force: Array) -> Array:
     return np.rad2deg(np.where(angle <= -np.pi + RESOLUTION, np.pi, angle))
 
 
-def _extremes(found: xr.Dataset, mode: ContactMode, radius: float) -> dict[str, npt.NDArray[Any]]:
-    """How many solutions have a mode, and spin ratio and force angle of its slowest and fastest motion.
+def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
+    """How many solutions each mode has, and spin ratio and force angle of its slowest and fastest motion.
 
-    Zero where there is none.
+    Zero where there is none. Shape S + (modes,).
     """
-    here = found.mode.values == mode
     speed = np.linalg.norm(found.twist.values * [1.0, 1.0, radius], axis=-1)
-    slow = np.where(here, speed, np.inf).argmin(axis=-1)[..., None]
-    fast = np.where(here, speed, -np.inf).argmax(axis=-1)[..., None]
     values = {
         "spin_ratio": found.spin_ratio.values,
         "force_angle": _force_angles(found.force.values),
     }
-    extremes = {
-        f"{name}{end}": np.take_along_axis(value, place, axis=-1)[..., 0]
+    modes = [_of_mode(found.mode.values == mode, speed, values) for mode in ContactMode]
+    modes[ContactMode.SEPARATE] |= {name: np.zeros(speed.shape[:-1]) for name in VALUES}
+    return {name: np.stack([each[name] for each in modes], axis=-1) for name in modes[0]}
+
+
+def _of_mode(here: Found, speed: Array, values: dict[str, Array]) -> dict[str, npt.NDArray[Any]]:
+    slow = np.where(here, speed, np.inf).argmin(axis=-1)[..., None]
+    fast = np.where(here, speed, -np.inf).argmax(axis=-1)[..., None]
+    exists = here.any(axis=-1)
+    picked = {
+        name + end: np.where(exists, np.take_along_axis(value, place, axis=-1)[..., 0], 0.0)
         for end, place in (("", slow), ("_fast", fast))
         for name, value in values.items()
     }
-    moves = here.any(axis=-1) & (mode is not ContactMode.SEPARATE)
-    counts = {"consistent": here.sum(axis=-1, dtype=np.int8)}
-    return counts | {name: np.where(moves, each, 0.0) for name, each in extremes.items()}
+    return {"consistent": here.sum(axis=-1, dtype=np.int8)} | picked
 
 
 def build(study: StudyFile) -> xr.Dataset:
@@ -80,13 +86,10 @@ def build(study: StudyFile) -> xr.Dataset:
     def part(effects: tuple[Any, ...]) -> xr.Dataset:
         found = solve(Scene(slider=slider, contact=contact, effects=effects), angle, magnitude)
         found = found.transpose(*INNER, ...)
-        modes = [_extremes(found, mode, slider.radius) for mode in ContactMode]
-        stacked = {name: np.stack([each[name] for each in modes], axis=-1) for name in modes[0]}
-        variables = {name: ((*INNER, "mode"), value) for name, value in stacked.items()}
-        coords = {name: found[name] for name in INNER}
-        consistent = variables.pop("consistent")
-        outcome = (INNER, found.outcome.values)
-        return xr.Dataset({"consistent": consistent, "outcome": outcome, **variables}, coords)
+        extremes = _extremes(found, slider.radius).items()
+        variables: dict[str, Any] = {name: ((*INNER, "mode"), value) for name, value in extremes}
+        variables["outcome"] = INNER, found.outcome.values
+        return xr.Dataset(variables, {name: found[name] for name in INNER})
 
     dataset = over_effects(study, part).assign_coords(
         mode=[mode.name for mode in ContactMode],
