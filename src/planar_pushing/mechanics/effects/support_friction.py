@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.domain import Number, required
-from planar_pushing.mechanics.effects.base import MAKERS, RESPONSES, WEIGHT
-from planar_pushing.mechanics.supports.ring import ring_response
+from planar_pushing.mechanics.effects.base import LEVERAGES, MAKERS, RESPONSES, SPIN_RATIOS, WEIGHT
+from planar_pushing.mechanics.supports.ring import ring_response, ring_spin_ratio
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,4 +60,16 @@ def _made(effect, row):
     return RingSupport(row[WEIGHT])
 
 
+@compiled
+def _spin_ratio(effect, arm):
+    return ring_spin_ratio(arm)
+
+
+@compiled
+def _leverages(effect):
+    """``H(k) / k``: 1/2 for a motion centre far away, 2 for one at the ring's centre."""
+    return 0.5, 2.0
+
+
 RESPONSES[RingSupport], MAKERS[RingSupport] = _response, _made
+SPIN_RATIOS[RingSupport], LEVERAGES[RingSupport] = _spin_ratio, _leverages

@@ -20,11 +20,10 @@ import numpy as np
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import response
+from planar_pushing.mechanics.effects.base import response, spin_ratio_alone
 from planar_pushing.mechanics.plane import moment_arm
 from planar_pushing.mechanics.reduced.isotropic import (
     slip,
-    spin_ratio,
     steady_slips,
     without_noise,
 )
@@ -191,7 +190,8 @@ def slips(effects, own, towards, normal, found):
     """Motions under a force towards an edge; parameters as in `base.slips`."""
     arm = moment_arm(own, towards)
     edge = Edge(abs(arm), towards.y, copysign(own.length, arm) * own.x)
-    slow, fast = spin_ratio(effects[:1], edge.arm), spin_ratio(effects[1:], edge.arm)
+    slow = spin_ratio_alone(effects[0], edge.arm)
+    fast = spin_ratio_alone(effects[1], edge.arm)
     if abs(fast - slow) <= RESOLUTION * max(slow, fast):
         return steady_slips(effects, own, towards, normal, found)
     roots = np.empty(SLIPS)
