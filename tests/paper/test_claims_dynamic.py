@@ -8,8 +8,8 @@ from mpmath import mp
 
 import planar_pushing as pp
 import reference
+from mechanics.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
 from planar_pushing.mechanics.plane import direction
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
 
 
 def wrench_line(effect, center, spin):

@@ -8,7 +8,7 @@ from mpmath import mp
 
 import planar_pushing as pp
 import reference
-from unit.builders import INERTIA, PSI, make_scene
+from mechanics.builders import INERTIA, PSI, make_scene
 
 SPIN_RATIOS = [1e-6, 0.3, 0.95, 1.0, 1.0 + 1e-9, 1.7, 40.0]
 FORCES = [(1.0, 0.0), (0.3, 1.1), (-0.7, 0.4), (0.0, -2.0)]

@@ -4,6 +4,7 @@ import time
 
 import numpy as np
 import pytest
+from planar_pushing.mechanics.effects.ring_friction import ring_profile
 
 from planar_pushing import (
     ContactMode,
@@ -15,7 +16,6 @@ from planar_pushing import (
     Scene,
     Slider,
 )
-from planar_pushing.mechanics.effects.ring_friction import ring_profile
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.simulation.batch import simulate_batch
 from planar_pushing.simulation.pusher import Pusher

@@ -5,9 +5,9 @@ from __future__ import annotations
 import mpmath
 import numpy as np
 import pytest
+from planar_pushing.mechanics.effects.ring_point import inner_point, ring_point
 
 import planar_pushing as pp
-from planar_pushing.mechanics.effects.ring_point import inner_point, ring_point
 
 RATIOS = [1e-12, 1e-5, 0.1, 0.2499, 0.25, 0.5, 0.9, 1 - 1e-9, 1 - 1e-15]
 

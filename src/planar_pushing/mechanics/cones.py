@@ -60,8 +60,7 @@ def require_share(scene: Scene, inertia_share: Number | None) -> Number:
             "inertia_share", inertia_share, "numbers in [0, 1] for a scene with friction and inertia",
             "give s / (1 + s) with s = m a / W; motion_cone and solve need none",
         )  # fmt: skip
-    required("inertia_share", inertia_share)
-    return inertia_share
+    return required("inertia_share", inertia_share)
 
 
 @compiled
@@ -85,12 +84,11 @@ def _under_forces(
     kernel: Callable[..., None], name: str, scene: Scene, force_angle: Number, share: Number | None
 ) -> Number:
     """What a kernel gives for each force angle."""
-    required("force_angle", force_angle)
     columns = effect_columns(scene, require_share(scene, share))
     outputs = [Output(name)]
     return elementwise(
         lambda *given: mapped(kernel, scene.kinds, given, outputs),
-        [*columns, *rod_columns(scene), force_angle],
+        [*columns, *rod_columns(scene), required("force_angle", force_angle)],
         outputs,
     )[0]
 

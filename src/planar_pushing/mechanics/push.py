@@ -116,7 +116,7 @@ def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     required("pusher_angle", towards)
     required("pusher_magnitude", size)
     unit, slow, fast = _forces(kinds, weight, mass, size)
-    ratio = np.divide(length, radius)
+    ratio = required_ratio("length_ratio", np.divide(length, radius))
     columns = [slow, fast, gyration, ratio, angle, *law, towards, size, unit, radius]
     found = mapped(_modes, kinds, columns, outputs(len(kinds)))
     most = SOLUTIONS[len(kinds)]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.domain import Number, required
+from planar_pushing.mechanics.domain import Number, require_fields
 from planar_pushing.mechanics.effects.base import (
     GYRATION,
     LEVERAGES,
@@ -38,8 +38,7 @@ class Inertia:
     gyration_radius: Number = 1.0
 
     def __post_init__(self) -> None:
-        required("mass", self.mass)
-        required("gyration_radius", self.gyration_radius)
+        require_fields(self, "mass", "gyration_radius")
 
     @property
     def degree(self) -> int:

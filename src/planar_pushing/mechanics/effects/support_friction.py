@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.domain import Number, required
+from planar_pushing.mechanics.domain import Number, require_fields
 from planar_pushing.mechanics.effects.base import LEVERAGES, MAKERS, RESPONSES, SPIN_RATIOS, WEIGHT
 from planar_pushing.mechanics.supports.ring import ring_response, ring_spin_ratio
 
@@ -29,7 +29,7 @@ class RingFriction:
     weight: Number = 1.0
 
     def __post_init__(self) -> None:
-        required("weight", self.weight)
+        require_fields(self, "weight")
 
     @property
     def degree(self) -> int:

@@ -110,9 +110,10 @@ def _near(small, large):
     k = small / large
     x = max((large - small) * (large + small) / (large * large), LEAST)
     half_log = -log(x) / 2
-    force = 1.0 + x * (half_log * _polynomial(FORCE_LOG, x) + _polynomial(FORCE_REST, x))
-    torque = 1.0 + x * (half_log * _polynomial(TORQUE_LOG, x) + _polynomial(TORQUE_REST, x))
-    slope = (force - torque) / x - force  # K - E
+    first = half_log * _polynomial(FORCE_LOG, x) + _polynomial(FORCE_REST, x)
+    second = half_log * _polynomial(TORQUE_LOG, x) + _polynomial(TORQUE_REST, x)
+    force, torque = 1.0 + x * first, 1.0 + x * second
+    slope = first - second - force  # K - E; 1 / x would carry the rounding of force and torque
     return 2 / pi * force, 2 / pi * torque / k, 2 / pi * slope / (k * k)
 
 

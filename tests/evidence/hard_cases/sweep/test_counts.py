@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from planar_pushing.mechanics.candidates import candidates
 
 from planar_pushing.evidence.hard_cases.sweep import decisions, kernels
 from planar_pushing.evidence.hard_cases.sweep.counts import (
@@ -19,7 +20,6 @@ from planar_pushing.evidence.hard_cases.sweep.counts import (
     sweep,
 )
 from planar_pushing.evidence.writing import json_text
-from planar_pushing.mechanics.candidates import candidates
 from planar_pushing.mechanics.plane import direction
 
 SEED = 7

@@ -8,7 +8,7 @@ from mpmath import mp, mpf
 
 import planar_pushing as pp
 import reference
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
+from mechanics.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
 
 RADIANS = 1e-12
 LENGTHS = 10.0 ** np.arange(-3, 4)

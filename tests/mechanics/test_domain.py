@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
+from mechanics.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
 
 NOT_NUMBERS = ["2", None, True, float("nan"), 1j, [1.0, 2.0]]
 FINITE_POSITIVE = "a finite number > 0"

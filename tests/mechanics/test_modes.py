@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from unit.builders import DEFINITION_2, EFFECT_SETS, FRICTION, INERTIA, make_scene, names, numbers
+from mechanics.builders import (
+    DEFINITION_2,
+    EFFECT_SETS,
+    FRICTION,
+    INERTIA,
+    make_scene,
+    names,
+    numbers,
+)
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 LAWS = [pp.Coulomb(0.0), pp.Coulomb(2.0), pp.InfiniteFriction(), DEFINITION_2, pp.PerfectlyRough()]

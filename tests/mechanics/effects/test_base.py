@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from properties.strategies import masses, powers, rings, spin_ratios, twists
+from mechanics.strategies import masses, powers, rings, spin_ratios, twists
 
 any_effect = st.one_of(rings, masses)
 

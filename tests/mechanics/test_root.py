@@ -2,9 +2,8 @@
 
 import numpy as np
 import pytest
-from scipy.optimize import elementwise
-
 from planar_pushing.mechanics.roots import bracketed_minimum, bracketed_root
+from scipy.optimize import elementwise
 
 RATIOS = 10.0 ** np.random.default_rng(8).uniform(-8, 8, (40, 25))
 

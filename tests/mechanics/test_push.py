@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from unit.builders import (
+from mechanics.builders import (
     BOTH,
     DEFINITION_2,
     EFFECT_SETS,

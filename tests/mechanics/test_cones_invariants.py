@@ -8,7 +8,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from properties.strategies import (
+from mechanics.builders import make_scene
+from mechanics.strategies import (
     both,
     coefficients,
     effect_sets,
@@ -20,7 +21,6 @@ from properties.strategies import (
     scenes,
     share_of,
 )
-from unit.builders import make_scene
 
 RIGHT_ANGLE = np.pi / 2
 

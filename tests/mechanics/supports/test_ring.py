@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from flint import arb, ctx
-
-from planar_pushing.certified import ring
 from planar_pushing.mechanics.effects.ring_inverse import ring_spin_ratio
 from planar_pushing.mechanics.effects.ring_profile import BLOCK, NEAR_RING, ring_profile
+
+from planar_pushing.certified import ring
 
 LONG = np.longdouble
 HALF_PI = LONG("1.57079632679489661923132169163975144")

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
+from mechanics.builders import BOTH, PSI, make_scene, names
 from planar_pushing.mechanics.contact.laws import friction_coefficient
-from unit.builders import BOTH, PSI, make_scene, names
 
 PHI = np.linspace(0, np.pi, 13)
 SPLIT_RING = (pp.RingFriction(weight=0.5), pp.RingFriction(weight=1.5))

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from planar_pushing.mechanics.response import resistance
+from planar_pushing.mechanics.slipping import slip_motions
 from scipy.optimize import brentq
 
 import planar_pushing as pp
-from planar_pushing.mechanics.response import resistance
-from planar_pushing.mechanics.slipping import slip_motions
-from unit.builders import INFINITE, make_scene, names, numbers
+from mechanics.builders import INFINITE, make_scene, names, numbers
 
 
 def scene(length, psi, law, *effects):

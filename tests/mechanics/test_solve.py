@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from planar_pushing.mechanics.candidates import candidates, outcomes
 
 import planar_pushing as pp
-from planar_pushing.mechanics.candidates import candidates, outcomes
+from mechanics.builders import BOTH, DEFINITION_2, EFFECT_SETS, PSI, make_scene, names
 from planar_pushing.mechanics.centers import conservative_spin_ratios
 from planar_pushing.mechanics.plane import direction
-from unit.builders import BOTH, DEFINITION_2, EFFECT_SETS, PSI, make_scene, names
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 EVERY_LAW = pytest.mark.parametrize(

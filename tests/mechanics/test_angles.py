@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
+from mechanics.builders import PSI
 from planar_pushing.mechanics.plane import (
     contact_motion_angle,
     direction,
@@ -13,7 +14,6 @@ from planar_pushing.mechanics.plane import (
     motion_center,
     parts_along_rod,
 )
-from unit.builders import PSI
 
 
 def test_closed_interval_contains_its_edges_and_every_turn_of_them():
