@@ -97,9 +97,14 @@ class Scene:
         return [each for each in self.effects if isinstance(each, RingFriction)]
 
     @property
+    def masses(self) -> list[Inertia]:
+        """The effects that store energy."""
+        return [each for each in self.effects if isinstance(each, Inertia)]
+
+    @property
     def stores_energy(self) -> bool:
         """Whether an effect has inertia."""
-        return any(isinstance(each, Inertia) for each in self.effects)
+        return bool(self.masses)
 
     @property
     def kinds(self) -> tuple[Any, ...]:
@@ -115,7 +120,7 @@ class Scene:
     @property
     def inertia(self) -> tuple[Number, Number]:
         """Mass, and square of the radius of gyration in radii; of several inertias together."""
-        heavy = [each for each in self.effects if isinstance(each, Inertia)]
+        heavy = self.masses
         if not heavy:
             return 1.0, 1.0
         mass = sum(each.mass for each in heavy)

@@ -107,8 +107,8 @@ def _far(k):
 @compiled
 def _near(small, large):
     """f, t and t' at ``k = small / large`` from NEAR_RING to 1; at 1, where t' is infinite, it is large."""
-    k = small / large
-    x = max((large - small) * (large + small) / (large * large), LEAST)
+    k, gap = small / large, (large - small) / large
+    x = max(gap * (2.0 - gap), LEAST)
     half_log = -log(x) / 2
     first = half_log * _polynomial(FORCE_LOG, x) + _polynomial(FORCE_REST, x)
     second = half_log * _polynomial(TORQUE_LOG, x) + _polynomial(TORQUE_REST, x)
