@@ -11,7 +11,7 @@ import pytest
 from scipy.special import ellipe, ellipkm1
 
 import planar_pushing as pp
-from planar_pushing.accuracy.cones import inverses, motion_angles
+from planar_pushing.evidence.costs.methods.cones import inverses, motion_angles
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 COUNT = 10**6

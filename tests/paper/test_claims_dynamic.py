@@ -8,7 +8,7 @@ from mpmath import mp
 
 import planar_pushing as pp
 import reference
-from planar_pushing.mechanics.planar import direction
+from planar_pushing.mechanics.plane import direction
 from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
 
 

@@ -16,7 +16,7 @@ from planar_pushing import (
     Slider,
 )
 from planar_pushing.mechanics.effects.ring_friction import ring_profile
-from planar_pushing.mechanics.planar import direction
+from planar_pushing.mechanics.plane import direction
 from planar_pushing.simulation.batch import simulate_batch
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.ring_lanes import ring_kernel

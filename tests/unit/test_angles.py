@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.mechanics.planar import (
+from planar_pushing.mechanics.plane import (
     contact_motion_angle,
     direction,
     moment_arm,

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from planar_pushing.golden import ring
+from planar_pushing.certified import ring
 from planar_pushing.mechanics.effects.ring_inverse import ring_spin_ratio
 from planar_pushing.mechanics.effects.ring_profile import BLOCK, NEAR_RING, ring_profile
 

@@ -8,7 +8,7 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.mechanics.candidates import candidates, outcomes
 from planar_pushing.mechanics.centers import conservative_spin_ratios
-from planar_pushing.mechanics.planar import direction
+from planar_pushing.mechanics.plane import direction
 from unit.builders import BOTH, DEFINITION_2, EFFECT_SETS, PSI, make_scene, names
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)

@@ -46,7 +46,7 @@ rule simulation_figure:
         "results/benchmarks/figures/simulation_{simulation}.tsv"
     priority: LAST
     params:
-        code=code_of("figures.simulation", "figures.render"),
+        code=code_of("figures.motion.simulation"),
     message:
         "Drawing the simulation {wildcards.simulation}"
     script:

@@ -3,7 +3,7 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
-    from planar_pushing.effort.measure import evaluations
+    from planar_pushing.evidence.costs.effects import evaluations
     from planar_pushing.study.store import write_dataset
     from planar_pushing.study.study_file import load_study
 

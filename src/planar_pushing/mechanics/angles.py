@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.arrays import dataset, is_labelled, named
 from planar_pushing.mechanics.domain import Number, is_lazy
 from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.root import EPSILON
@@ -51,3 +53,11 @@ class AngleInterval:
         offset = np.abs(np.remainder(np.subtract(angle, middle) + np.pi, 2 * np.pi) - np.pi)
         margin = np.where(self.closed, RESOLUTION, -RESOLUTION)
         return np.asarray(offset <= self.span / 2 + margin)
+
+
+def interval(right: Number, left: Number, closed: Number) -> Any:
+    """An angle interval; of labelled edges a dataset with the same names, `right`, `left` and `closed`."""
+    if not (is_labelled(right) or is_labelled(left)):
+        return AngleInterval(right, left, closed)
+    edges = {"right": right, "left": left, "closed": closed * (right == right)}
+    return dataset([named(name, edge.drop_attrs()) for name, edge in edges.items()])

@@ -16,7 +16,9 @@ import numba
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.compiled import announced
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.quantities import MECHANICS, attributes
 
 #: Rows of a block: a few milliseconds to some tens of work, so that Ctrl-C is heard.
 BLOCK = 8192
@@ -60,14 +62,17 @@ def mapped(
         part = slice(start, min(start + BLOCK, size))
         rows = np.empty((part.stop - start, len(flat)))
         for i, column in enumerate(flat):
-            rows[:, i] = column if isinstance(column, np.ndarray) and not column.ndim else column[part]
+            rows[:, i] = (
+                column if isinstance(column, np.ndarray) and not column.ndim else column[part]
+            )
         kernel(kinds, rows, *(each[part] for each in found))
 
     starts = range(0, size, BLOCK)
-    if len(starts) == 1:
-        block(0)
-    else:
-        _in_threads(block, starts)
+    if size:
+        with announced(kernel):
+            block(0)
+    if len(starts) > 1:
+        _in_threads(block, starts[1:])
     return [each.reshape(shape + tail) for each, tail in zip(found, tails, strict=True)]
 
 
@@ -121,10 +126,8 @@ def _labelled(
 ) -> list[Any]:
     import xarray as xr
 
-    from planar_pushing.mechanics.quantities import attributes
-
     found = xr.apply_ufunc(
-        lambda *given: tuple(function(*given)),
+        lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
         *arguments,
         output_core_dims=[[dim for dim, _ in output.tail] for output in outputs],
         dask="parallelized",
@@ -134,6 +137,22 @@ def _labelled(
     )
     arrays = found if isinstance(found, tuple) else (found,)
     return [
-        array.rename(output.name).assign_attrs(attributes(output.name))
+        array.rename(output.name).assign_attrs(attributes(MECHANICS, output.name))
         for array, output in zip(arrays, outputs, strict=True)
     ]
+
+
+def named(name: str, value: Any) -> Any:
+    """A result with its name and units where it is labelled."""
+    return (
+        value.rename(name).assign_attrs(attributes(MECHANICS, name))
+        if is_labelled(value)
+        else value
+    )
+
+
+def dataset(arrays: Sequence[Any]) -> Any:
+    """Named DataArrays as one dataset."""
+    import xarray as xr
+
+    return xr.Dataset({array.name: array for array in arrays})

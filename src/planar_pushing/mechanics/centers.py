@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from math import asin, copysign, inf, pi
+from typing import Any
 
 import numpy.typing as npt
 
-from planar_pushing.mechanics.angles import AngleInterval
+from planar_pushing.mechanics.angles import interval
 from planar_pushing.mechanics.arrays import Output, elementwise, mapped
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.cones import (
@@ -30,6 +32,17 @@ from planar_pushing.mechanics.plane import (
 from planar_pushing.mechanics.reduced.isotropic import signed_spin_ratio
 from planar_pushing.mechanics.scene import Scene
 
+#: Column behind those of `cones`: the rod's length from the origin of the centres.
+REACH = SECOND + 1
+
+
+class Origin(StrEnum):
+    """The point to which positions are relative."""
+
+    CONTACT = "contact"
+    RING_CENTER = "ring-center"
+
+
 CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
@@ -41,23 +54,28 @@ def _centers(kinds, rows, centers):
         own = rod(row[LENGTH], row[ANGLE])
         force = toward(own, row[FIRST])
         ratio = signed_spin_ratio(made(kinds, row), own, force)
-        x, y = motion_center(own, force.angle, ratio)
+        x, y = motion_center(rod(row[REACH], row[ANGLE]), force.angle, ratio)
         centers[i, 0], centers[i, 1] = row[SECOND] * x, row[SECOND] * y
 
 
 def motion_centers(
-    scene: Scene, force_angle: npt.ArrayLike, inertia_share: npt.ArrayLike | None = None
+    scene: Scene,
+    force_angle: npt.ArrayLike,
+    inertia_share: npt.ArrayLike | None = None,
+    origin: Origin = Origin.CONTACT,
 ) -> Number:
-    """Motion centres relative to the contact, shape S + (2,), in the unit of the slider's lengths.
+    """Motion centres, shape S + (2,), in the unit of the slider's lengths.
 
-    Parameters and errors are those of `spin_ratio`; a translation has its centre at infinity. For
-    inertia alone the centres lie on one line, the dual of the contact (Fig. 9).
+    Parameters and errors are those of `spin_ratio`, and `origin`, to which the centres are relative; a
+    translation has its centre at infinity. For inertia alone the centres lie on one line, the dual of
+    the contact (Fig. 9).
     """
     required("force_angle", force_angle)
     shares = effect_columns(scene, require_share(scene, inertia_share))
+    reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
     return elementwise(
         lambda *given: mapped(_centers, scene.kinds, given, CENTER),
-        [*shares, *rod_columns(scene), force_angle, scene.slider.radius],
+        [*shares, *rod_columns(scene), force_angle, scene.slider.radius, reach],
         CENTER,
     )[0]
 
@@ -117,7 +135,7 @@ def _conservative_cones(kinds, rows, right, left):
         right[i], left[i] = _conservative(own, row[FIRST], row[SECOND])
 
 
-def conservative_motion_cone(scene: Scene) -> AngleInterval:
+def conservative_motion_cone(scene: Scene) -> Any:
     """The paper's bound on the contact's motion with both effects, radians (Fig. 12).
 
     Raises
@@ -134,4 +152,4 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
         [*effect_columns(scene), *rod_columns(scene), law.right, law.left],
         CONE,
     )
-    return AngleInterval(right, left, closed=False)
+    return interval(right, left, closed=False)

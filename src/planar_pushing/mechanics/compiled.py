@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import functools
 import hashlib
+import logging
 import os
 import tempfile
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -25,6 +28,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 #: Packages whose sources are compiled. Numba's cache sees changes in a function's own file only; the
 #: digest of all these files keeps stale callees out.
 SOURCES = ("mechanics", "simulation")
+LOG = logging.getLogger("planar_pushing")
 PACKAGE = Path(__file__).parents[1]
 
 
@@ -38,7 +42,7 @@ def _digest() -> str:
 
 def _folder() -> str:
     """Folder of the cache: beside the sources where they can be written, else the user's own."""
-    users = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"))
+    users = Path(os.environ.get("XDG_CACHE_HOME") or Path("~/.cache").expanduser())
     name = f"compiled-{_digest()}"
     for base in (PACKAGE / "__pycache__", users / "planar-pushing", Path(tempfile.gettempdir())):
         try:
@@ -61,6 +65,32 @@ def compiled(function: Function) -> Function:
     finally:
         numba.config.CACHE_DIR = before
     return made  # type: ignore[no-any-return]
+
+
+def inlined(function: Function) -> Function:
+    """Compile a function as a part of the functions that call it, and not by itself.
+
+    The compiler optimises a function together with all that it calls, so each layer of functions above a
+    large one costs its time again; a layer that is inlined costs nothing.
+    """
+    made = numba.njit(inline="always", nogil=True, error_model="numpy")(function)
+    return made  # type: ignore[no-any-return]
+
+
+@contextmanager
+def announced(kernel: Any) -> Iterator[None]:
+    """Say on the log when a call has had to compile what it calls, which takes seconds."""
+    before, start = _compilations(kernel), time.perf_counter()
+    yield
+    if _compilations(kernel) > before:
+        seconds = time.perf_counter() - start
+        LOG.info(
+            "compiled %s in %.0f s; later runs read it from %s", kernel.__name__, seconds, CACHE
+        )
+
+
+def _compilations(kernel: Any) -> int:
+    return sum(kernel.stats.cache_misses.values()) if hasattr(kernel, "stats") else 0
 
 
 def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval
-from planar_pushing.mechanics.arrays import Output, elementwise, mapped
+from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
+from planar_pushing.mechanics.arrays import Output, elementwise, mapped, named
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.domain import Number, required
 from planar_pushing.mechanics.effects.base import COLUMNS, made
@@ -22,10 +22,16 @@ from planar_pushing.mechanics.scene import Scene
 LENGTH, ANGLE, FIRST, SECOND = range(COLUMNS, COLUMNS + 4)
 
 
-def friction_cone(scene: Scene) -> AngleInterval:
-    """Force angles that the scene's contact can transmit, radians."""
+def friction_cone(scene: Scene) -> Any:
+    """Force angles that the scene's contact can transmit, radians.
+
+    Returns
+    -------
+    AngleInterval, or xarray.Dataset
+        A dataset with the variables `right`, `left` and `closed` where an argument is a DataArray.
+    """
     law = scene.law
-    return AngleInterval(law.right, law.left, law.closed)
+    return interval(law.right, law.left, law.closed)
 
 
 def effect_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
@@ -162,13 +168,14 @@ def _motion_cones(kinds, rows, right, left, reached):
         reached[i] = low_other - low <= RESOLUTION and high - high_other <= RESOLUTION
 
 
-def motion_cone(scene: Scene) -> AngleInterval:
+def motion_cone(scene: Scene) -> Any:
     """Motion cone: directions in which the contact can move without slip, radians.
 
     It is the velocity cone of a scene with friction, the acceleration cone of one with inertia,
     and with both the exact union over all magnitudes of the motion. The map from force angle to motion
     angle increases, so the edges are those of the friction cone. With both effects an edge at
-    which they differ is approached and never reached: the cone is open.
+    which they differ is approached and never reached: the cone is open. What is returned is as for
+    `friction_cone`.
     """
     law = scene.law
     outputs = [Output("motion_cone_right"), Output("motion_cone_left"), Output("closed", (), "?")]
@@ -177,7 +184,7 @@ def motion_cone(scene: Scene) -> AngleInterval:
         [*effect_columns(scene), *rod_columns(scene), law.right, law.left],
         outputs,
     )
-    return AngleInterval(right, left, law.closed & reached)
+    return interval(right, left, law.closed & reached)
 
 
 def leaves_the_fence(cone: AngleInterval) -> Any:
@@ -187,7 +194,7 @@ def leaves_the_fence(cone: AngleInterval) -> Any:
 
 def can_pull(scene: Scene) -> Any:
     """Whether the contact can stick while the pusher moves away from the slider (Sec. 3.1)."""
-    return leaves_the_fence(motion_cone(scene))
+    return named("pulls", leaves_the_fence(motion_cone(scene)))
 
 
 def omits_pushes(cone: AngleInterval) -> Any:
@@ -197,4 +204,4 @@ def omits_pushes(cone: AngleInterval) -> Any:
 
 def slips_while_pushing(scene: Scene) -> Any:
     """Whether some pusher motion into the slider makes the contact slip (Sec. 3.2)."""
-    return scene.law.slips & omits_pushes(motion_cone(scene))
+    return named("slips_while_pushing", scene.law.slips & omits_pushes(motion_cone(scene)))

@@ -114,11 +114,15 @@ def required_ratio(ratio: str, values: object) -> None:
 
 def _require(name: str, given: object, allowed: Range) -> None:
     try:
-        boolean = isinstance(given, (str, bool)) or getattr(given, "dtype", None) == bool
-        numbers = np.asarray(math.nan if boolean else given, dtype=float)
+        array = np.asarray(given)
+        numbers = np.asarray(array if array.dtype.kind in "iuf" else math.nan, dtype=float)
     except (TypeError, ValueError, OverflowError):
         numbers = np.array(math.nan)
     wrong = numbers[~np.asarray(allowed.allows(numbers), dtype=bool)]
     if wrong.size:
-        shown = given if numbers.ndim == 0 and not isinstance(given, np.number) else float(wrong.flat[0])
+        shown = (
+            given
+            if numbers.ndim == 0 and not isinstance(given, np.number)
+            else float(wrong.flat[0])
+        )
         raise InvalidValue(name, shown, allowed.allowed, allowed.remedy)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import Output, elementwise, is_labelled, mapped
+from planar_pushing.mechanics.arrays import Output, dataset, elementwise, is_labelled, mapped
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.cones import ANGLE, FIRST, LENGTH, rod_columns
 from planar_pushing.mechanics.domain import Number, required
@@ -23,7 +23,12 @@ from planar_pushing.mechanics.plane import Array, direction, rod, toward
 from planar_pushing.mechanics.reduced.base import limit_motion
 from planar_pushing.mechanics.scene import Scene
 
-OUTPUTS = (Output("force_angle"), Output("force_size"), Output("spin_ratio"), Output("motion_angle"))
+OUTPUTS = (
+    Output("force_angle"),
+    Output("force_size"),
+    Output("spin_ratio"),
+    Output("motion_angle"),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,9 +95,9 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     """
     required("force_angle", force_angle)
     arguments = [*_forces(scene), *rod_columns(scene), force_angle]
-    found = elementwise(lambda *given: mapped(_curve, scene.kinds, given, OUTPUTS), arguments, OUTPUTS)
+    found = elementwise(
+        lambda *given: mapped(_curve, scene.kinds, given, OUTPUTS), arguments, OUTPUTS
+    )
     if any(map(is_labelled, found)):
-        import xarray as xr
-
-        return xr.merge(found[1:])
+        return dataset(found[1:])
     return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))

@@ -14,9 +14,9 @@ from planar_pushing.mechanics.reduced.base import held_on_edge, slips, stick
 from planar_pushing.mechanics.reduced.turning import SLIPS
 
 #: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
-COINCIDENCE = 1e-12
+COINCIDENCE = 9e-13
 #: A force this far outside the cone, relative to its size, is taken to the edge.
-OUTSIDE = 1e-13
+OUTSIDE = 5e-13
 #: Solutions of one push: separate, stick, and the slips under each edge.
 MOST = 2 + 2 * SLIPS
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
@@ -41,11 +41,18 @@ def _rise(own, moved):
 
 @compiled
 def _kept_inside(effects, own, law, moved, right, left):
-    """The sticking motion, its force taken to the edge of the cone that it has left by rounding."""
-    depth, edge = (right, law.right) if right < left else (left, law.left)
-    if law.rough or depth >= -OUTSIDE * sqrt(moved.along**2 + moved.aside**2):
+    """The sticking motion, its force taken to the edge of the cone that it has left by rounding.
+
+    Of two edges that it has left, the one on its side of the rod: rounding turns the force of a long rod
+    within its side.
+    """
+    if law.rough or min(right, left) >= -OUTSIDE * sqrt(moved.along**2 + moved.aside**2):
         return moved
-    return held_on_edge(effects, own, toward(own, edge), moved.spin)
+    first, second = toward(own, law.right), toward(own, law.left)
+    one, other = first.aside * moved.aside > 0.0, second.aside * moved.aside > 0.0
+    if one and (right <= left or not other):
+        return held_on_edge(effects, own, first, moved)
+    return held_on_edge(effects, own, second, moved) if other else moved
 
 
 @compiled
@@ -111,9 +118,7 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     held = law.rough or (right > right_noise and left > left_noise and rise > noise)
     place = count  # of the stick, before the slips
     if law.slips:
-        first, on_left = _slipping(
-            effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1
-        )
+        first, on_left = _slipping(effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1)
         count, on_right = _slipping(effects, own, law, pusher, SLIP_LEFT, modes, motions, first)
         slides_right, slides_left = first > place + 1, count > first
         # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
@@ -124,7 +129,8 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     reached = right >= -right_noise and left >= -left_noise and rise >= -noise
     if held or (reached and not slides):
         moved = _kept_inside(effects, own, law, moved, right, left)
-        _write(STICK, *moved[:5], modes, motions, place)
+        v_x, v_y, spin, f_x, f_y = moved[:5]
+        _write(STICK, v_x, v_y, spin, f_x, f_y, modes, motions, place)
         return count
     modes[place : count - 1] = modes[place + 1 : count]
     motions[place : count - 1] = motions[place + 1 : count]

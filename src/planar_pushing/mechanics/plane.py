@@ -22,7 +22,7 @@ units of R.
 
 from __future__ import annotations
 
-from math import atan2, cos, copysign, inf, isinf, pi, sin
+from math import atan2, copysign, cos, inf, isinf, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -55,13 +55,19 @@ class Direction(NamedTuple):
 
 
 @compiled
+def is_quarter(angle):
+    """Whether an angle is the double nearest to a quarter turn."""
+    return np.rint(angle / QUARTER_TURN) * QUARTER_TURN == angle
+
+
+@compiled
 def unit_vector(angle):
     """Unit vector at an angle, exact where the angle is the double nearest to a quarter turn.
 
     A fence that moves along itself then has no normal motion left over from rounding.
     """
     x, y = cos(angle), sin(angle)
-    if np.rint(angle / QUARTER_TURN) * QUARTER_TURN == angle:
+    if is_quarter(angle):
         return np.rint(x), np.rint(y)
     return x, y
 
@@ -82,7 +88,7 @@ def toward(own, angle):
     long rod multiplies it by its length.
     """
     x, y = unit_vector(angle)
-    if x == 0.0 or y == 0.0 or own.x == 0.0 or own.y == 0.0:
+    if is_quarter(angle) or own.x == 0.0 or own.y == 0.0:
         return Direction(angle, x, y, x * own.x + y * own.y, x * own.y - y * own.x)
     lean = own.angle - angle
     back = lean - own.angle

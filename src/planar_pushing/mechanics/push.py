@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from math import hypot, inf, nan
 from typing import Any
 
@@ -27,9 +28,10 @@ NO_MODE = -1
 XY = ("xy", 2)
 
 
-def outputs(kinds: Any) -> tuple[Output, ...]:
-    """What is found of each scene."""
-    many = ("solution", SOLUTIONS[len(kinds)])
+@cache
+def outputs(count: int) -> tuple[Output, ...]:
+    """What is found of each scene with this number of effects."""
+    many = ("solution", SOLUTIONS[count])
     return (
         Output("solutions", (), "i1"),
         Output("mode", (many,), "i1"),
@@ -42,7 +44,7 @@ def outputs(kinds: Any) -> tuple[Output, ...]:
 
 
 @compiled
-def _spin_ratio(speed, spin):
+def spin_ratio(speed, spin):
     """R omega / v, 0 at rest."""
     if spin == 0.0:
         return 0.0
@@ -58,7 +60,7 @@ def _write(own, motion, row, force, twist, contact, center):
     force[0], force[1] = row[FORCE] * f_x, row[FORCE] * f_y
     twist[0], twist[1], twist[2] = size * v_x, size * v_y, size * spin / radius
     contact[0], contact[1] = size * u_x, size * u_y
-    ratio = _spin_ratio(hypot(v_x, v_y), spin)
+    ratio = spin_ratio(hypot(v_x, v_y), spin)
     x, y = motion_center(own, np.arctan2(f_y, f_x), ratio)
     center[0], center[1] = radius * x, radius * y
     return ratio
@@ -116,7 +118,7 @@ def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     unit, slow, fast = _forces(kinds, weight, mass, size)
     ratio = np.divide(length, radius)
     columns = [slow, fast, gyration, ratio, angle, *law, towards, size, unit, radius]
-    found = mapped(_modes, kinds, columns, outputs(kinds))
+    found = mapped(_modes, kinds, columns, outputs(len(kinds)))
     most = SOLUTIONS[len(kinds)]
     if found[0].size and found[0].max() > most:
         raise InvalidValue(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import sqrt
+from math import inf, sqrt
 from typing import Any
 
 from planar_pushing.mechanics.compiled import compiled, generic
@@ -67,7 +67,7 @@ def root(equation, low, high, start):
             low, below = x, True
         new = x - value / slope
         step = abs(new - x)
-        newton = low <= new <= high and step <= last / 2
+        newton = low <= new <= high and step <= last / 2 and slope < inf
         if not newton:
             if high - low <= 2.0 * EPSILON * max(abs(low), abs(high)):
                 return x, _crosses(equation, low, high, above, below)

@@ -10,11 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.arrays import elementwise, is_labelled
+from planar_pushing.mechanics.arrays import dataset, elementwise, is_labelled
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.domain import Number
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.push import outputs, solve_arrays
+from planar_pushing.mechanics.quantities import MECHANICS, attributes
 from planar_pushing.mechanics.scene import Scene
 
 
@@ -103,7 +104,7 @@ class SolutionArrays:
     @property
     def outcome(self) -> npt.NDArray[np.int8]:
         """Values of `Outcome`, shape S."""
-        return np.minimum(self.solutions, Outcome.AMBIGUOUS)
+        return np.minimum(self.solutions, np.int8(Outcome.AMBIGUOUS))
 
 
 def arguments(scene: Scene, pusher_angle: Number, pusher_magnitude: Number) -> list[Number]:
@@ -138,7 +139,7 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
     """
     kinds = scene.kinds
     given = arguments(scene, pusher_angle, pusher_magnitude)
-    results = outputs(kinds)
+    results = outputs(len(kinds))
     if any(map(is_labelled, given)):
         return _dataset(elementwise(lambda *each: solve_arrays(kinds, *each), given, results))
     found = solve_arrays(kinds, *given)
@@ -162,13 +163,9 @@ def _solutions(solutions: Any, mode: Any, **values: Array) -> Solutions:
 
 
 def _dataset(found: list[Any]) -> Any:
-    import xarray as xr
-
-    from planar_pushing.mechanics.quantities import attributes
-
-    dataset = xr.merge(found)
-    dataset["consistent"] = dataset.mode >= 0
-    dataset["outcome"] = np.minimum(dataset.solutions, Outcome.AMBIGUOUS)
+    merged = dataset(found)
+    merged["consistent"] = merged.mode >= 0
+    merged["outcome"] = np.minimum(merged.solutions, Outcome.AMBIGUOUS).astype(np.int8)
     for name in ("consistent", "outcome"):
-        dataset[name].attrs = attributes(name)
-    return dataset.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])
+        merged[name].attrs = attributes(MECHANICS, name)
+    return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

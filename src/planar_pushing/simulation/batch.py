@@ -12,7 +12,9 @@ import xarray as xr
 from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.effects.base import IsotropicEffect
 from planar_pushing.mechanics.errors import InvalidValue, require_number, require_positive
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.options import TOLERANCE, Policy
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.quantities import BATCH, attributes
 from planar_pushing.simulation.batch_parameters import (
     require_friction,
     sample_parts,
@@ -27,27 +29,6 @@ VANISHING = 1e-100
 #: Part of the tolerance that one step may use, since the errors of steps add up.
 STEP_PART = 0.1
 STOPS = {"NO": 0, "INCONSISTENT": 1, "LIES": 2}
-
-#: Name: (units, long name).
-VARIABLES = {
-    "time": ("time", "time reached; less than the duration where the motion could not go on"),
-    "position": ("length", "ring centre, from the contact at time 0"),
-    "rod_angle": ("degree", "rod angle"),
-    "slip": ("length", "slip of the contact along the fence, accumulated"),
-    "gap": ("length", "height of the contact point above the fence"),
-    "mode": ("1", "contact mode"),
-    "solutions": ("1", "number of modes that were consistent when the mode was chosen"),
-    "mode_changes": ("1", "number of changes of mode"),
-    "evaluations": ("1", "how often the motion was evaluated"),
-    "stopped": ("1", "whether the motion could not go on, and why"),
-    "rod_length": ("length", "rod length, from the contact to the ring centre"),
-    "initial_rod_angle": ("degree", "rod angle at time 0"),
-    "friction_coefficient": ("1", "coefficient of friction at the contact"),
-    "velocity": ("length/time", "velocity of the fence"),
-    "duration": ("time", "time to simulate"),
-    "part": ("1", "part of the duration"),
-    "xy": ("1", "along the fence, normal to the fence"),
-}
 FLAGS = {"mode": MODES, "stopped": STOPS}
 
 
@@ -61,7 +42,7 @@ def simulate_batch(
     radius: float = 1.0,
     effects: Sequence[IsotropicEffect] = (RingFriction(),),
     rtol: float = 1e-10,
-    on_ambiguity: str = "keep-contact",
+    on_ambiguity: str = Policy.KEEP_CONTACT,
     samples: int | None = None,
 ) -> xr.Dataset:
     """Simulate many quasi-static scenes under a constant fence velocity each.
@@ -98,7 +79,7 @@ def simulate_batch(
     require_friction(effects)
     size = require_positive("radius", radius, "give the radius of the rings")
     tolerance = require_number(
-        "rtol", rtol, lambda x: 1e-13 <= x <= 1e-2, "a number in [1e-13, 1e-2]",
+        "rtol", rtol, TOLERANCE.holds, TOLERANCE.allowed,
         "choose a tolerance that double precision can hold",
     )  # fmt: skip
     if on_ambiguity not in PREFERENCES:
@@ -170,8 +151,7 @@ def _dataset(
         coords["part"] = ("part", parts)
     dataset = xr.Dataset(variables, coords)
     for name, variable in dataset.variables.items():
-        units, long_name = VARIABLES[str(name)]
-        variable.attrs = {"units": units, "long_name": long_name}
+        variable.attrs = dict(attributes(BATCH, str(name)))
     for label, flags in FLAGS.items():
         values = np.array(list(flags.values()), np.int8)
         dataset[label].attrs |= {"flag_values": values, "flag_meanings": " ".join(flags)}

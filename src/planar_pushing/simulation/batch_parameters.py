@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.errors import InvalidValue, require_number
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import Array
 
 
 def require_friction(effects: object) -> None:

@@ -11,27 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 
 from planar_pushing.mechanics.domain import required
 from planar_pushing.mechanics.errors import InvalidValue, require_number
+from planar_pushing.mechanics.options import TOLERANCE, Policy
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.pusher import Pusher
-
-
-class Policy(StrEnum):
-    """Which mode is taken where several are consistent."""
-
-    KEEP_CONTACT = "keep-contact"
-    SEPARATE = "separate"
-    STAY_IN_MODE = "stay-in-mode"
-
-
-class Method(StrEnum):
-    """How a motion is integrated over time."""
-
-    EVENT_DRIVEN = "event-driven"
-    TIME_STEPPING = "time-stepping"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -89,7 +74,7 @@ class Problem:
 def tolerance(given: object) -> float:
     """A relative tolerance, or `InvalidValue`."""
     return require_number(
-        "rtol", given, lambda x: 1e-13 <= x <= 1e-2, "a number in [1e-13, 1e-2]",
+        "rtol", given, TOLERANCE.holds, TOLERANCE.allowed,
         "choose a tolerance that double precision can hold",
     )  # fmt: skip
 

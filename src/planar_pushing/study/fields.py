@@ -6,7 +6,8 @@ import itertools
 import math
 import re
 from collections.abc import Callable
-from typing import Annotated, Any
+from enum import StrEnum
+from typing import Annotated, Any, Literal
 
 from pydantic import (
     AfterValidator,
@@ -17,6 +18,8 @@ from pydantic import (
     model_validator,
 )
 from pydantic_core import PydanticCustomError
+
+from planar_pushing.mechanics.options import TOLERANCE, AtZeroNormal, EffectSet, Method, Policy
 
 
 def refuse(allowed: str) -> PydanticCustomError:
@@ -83,6 +86,11 @@ def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
     ]
 
 
+def choice(options: type[StrEnum]) -> Any:
+    """Type of a text that is one of these options."""
+    return Literal.__getitem__(tuple(map(str, options)))
+
+
 AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
 
 
@@ -145,8 +153,8 @@ RodAngle = number(
 Degrees = number("a finite number of degrees", math.isfinite)
 FiniteNumber = number("a finite number", math.isfinite)
 RelativeTolerance = number(
-    "a number in [1e-13, 1e-2]", lambda x: 1e-13 <= x <= 1e-2,
-    type="number", minimum=1e-13, maximum=1e-2,
+    TOLERANCE.allowed, TOLERANCE.holds,
+    type="number", minimum=TOLERANCE.least, maximum=TOLERANCE.most,
 )  # fmt: skip
 SampleCount = number(
     "a whole number >= 2", lambda n: 2 <= n < math.inf and n == int(n), type="integer", minimum=2
@@ -161,6 +169,11 @@ FiniteFrictionCoefficient = number(
     "a finite number >= 0; infinite friction is a law of its own, law: infinite_friction",
     lambda x: 0 <= x < math.inf, type="number", minimum=0,
 )  # fmt: skip
+
+PolicyName = choice(Policy)
+MethodName = choice(Method)
+AtZeroNormalName = choice(AtZeroNormal)
+EffectsName = choice(EffectSet)
 
 Lengths = axis(NonNegative)
 Magnitudes = axis(Positive)

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal, Self
+from typing import Annotated, Self
 
 import numpy as np
 from pydantic import Field, model_validator
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction
-from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
+from planar_pushing.mechanics.domain import Number
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
+from planar_pushing.mechanics.options import EffectKind
 from planar_pushing.mechanics.scene import Slider
 from planar_pushing.study.fields import (
     Angles,
     Degrees,
+    EffectsName,
     FileModel,
     FiniteFrictionCoefficients,
     FrictionCoefficient,
@@ -33,7 +35,6 @@ from planar_pushing.study.fields import (
 )
 
 Axis = tuple[float, ...]
-EffectsName = Literal["support_friction", "inertia", "support_friction+inertia"]
 
 
 class RingEntry(FileModel):
@@ -106,14 +107,9 @@ class FigureEntry(FileModel):
 
     def grid_values(self, grid: Grid) -> Iterator[tuple[str, Axis, Axis]]:
         """Key, given values and allowed values of what the figure takes from the grid."""
-        for key, allowed in (
-            ("rod_length", grid.rod_length),
-            ("mapped_rod_length", grid.rod_length),
-            ("friction_coefficient", grid.friction_coefficient),
-            ("pusher_magnitude", grid.pusher_magnitude),
-        ):
-            given = getattr(self, key)
+        for key, given in self:
             if given is not None:
+                allowed = getattr(grid, key.removeprefix("mapped_"))
                 yield key, given if isinstance(given, tuple) else (given,), allowed
 
 
@@ -122,37 +118,6 @@ class Tolerance(FileModel):
 
     ulp: NonNegative = 0.0
     absolute: NonNegative = 0.0
-
-
-#: Values that each figure takes from the study; the other figures show the scene of their name.
-FIGURE_KEYS: dict[str, tuple[str, ...]] = {
-    "figure_01": ("rod_length", "friction_coefficient"),
-    "figure_05": ("rod_length",),
-    "figure_06": ("rod_length", "friction_coefficient"),
-    "figure_07": ("rod_length",),
-    "figure_10": ("rod_length", "mapped_rod_length", "friction_coefficient"),
-    "figure_12": ("rod_length",),
-    "figure_13": ("rod_length", "pusher_magnitude"),
-}
-SCENES = tuple(f"figure_{name}" for name in ("02", "03", "08", "09a", "09b", "11", "12"))
-
-_FRICTION: EffectsName = "support_friction"
-_INERTIA: EffectsName = "inertia"
-_BOTH: EffectsName = "support_friction+inertia"
-#: Effects without which a dataset, scene or figure is not computed; the others take what there is.
-NEEDS: dict[str, EffectsName] = {
-    **dict.fromkeys((f"figure_{n}" for n in ("01", "02", "03", "04", "05", "06")), _FRICTION),
-    **dict.fromkeys(("figure_07", "figure_08"), _FRICTION),
-    **dict.fromkeys(("figure_09", "figure_09a", "figure_09b", "figure_10"), _INERTIA),
-    **dict.fromkeys(("figure_11", "figure_12", "acceleration_centers"), _BOTH),
-}
-
-
-#: Simulations that a figure shows; a study without them does not draw it.
-SIMULATIONS: dict[str, tuple[str, ...]] = {
-    "figure_14": ("figure_14a", "figure_14b"),
-    "figure_15": ("figure_15",),
-}
 
 
 class StudyFile(FileModel):
@@ -181,23 +146,18 @@ class StudyFile(FileModel):
         yield "force_angle", grid.force_angle, (*turns, 45.0, 90.0)
         yield "inertia_share", grid.inertia_share, (0.0, 1.0)
 
-    def computes(self, name: str) -> bool:
-        """Whether a dataset, scene or figure has the effects and simulations that it needs."""
-        simulated = set(SIMULATIONS.get(name, ())) <= set(self.simulations)
-        return simulated and NEEDS.get(name, self.grid.effects[0]) in self.grid.effects
-
     @property
     def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:
         """Parameters of the effects that the study lists, by name."""
-        known = {"support_friction": self.support_friction, "inertia": self.inertia}
+        known = {str(kind): getattr(self, kind) for kind in EffectKind}
         return {name: part for name, part in known.items() if part is not None}
 
-    def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:
+    def effects(self, name: EffectsName) -> tuple[Effect, ...]:
         """Build the effects that a value of the effects axis stands for."""
         return tuple(self.parts[part].effect() for part in name.split("+"))
 
-    def ring(self, rod_length: float, rod_angle: float | None = None) -> Slider:
-        """Build the study's slider with this rod; the angle in degrees."""
+    def ring(self, rod_length: Number, rod_angle: Number = None) -> Slider:
+        """Build the study's slider with this rod, or these rods; the angle in degrees."""
         return Slider(
             rod_length=rod_length,
             rod_angle=np.deg2rad(self.slider.rod_angle if rod_angle is None else rod_angle),

@@ -9,9 +9,11 @@ from pathlib import Path
 
 from planar_pushing.mechanics.errors import InvalidFile
 
+PathLike = str | os.PathLike[str]
+
 
 @contextmanager
-def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
+def replacing(path: PathLike) -> Iterator[Path]:
     """Path to write to that takes the place of `path` only once it is complete.
 
     Its name is always the same, so that what a killed run leaves behind the next one replaces.

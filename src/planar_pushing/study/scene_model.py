@@ -13,10 +13,11 @@ from planar_pushing.mechanics.contact import (
     InfiniteFriction,
     PerfectlyRough,
 )
-from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
+from planar_pushing.mechanics.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.fields import (
+    AtZeroNormalName,
     FileModel,
     FiniteFrictionCoefficient,
     NonNegative,
@@ -55,7 +56,7 @@ class InfiniteFrictionEntry(FileModel):
     """Infinite friction; at zero normal force the tangential force is free, or there is none."""
 
     law: Literal["infinite_friction"]
-    at_zero_normal: Literal["free", "none"] = "free"
+    at_zero_normal: AtZeroNormalName = AtZeroNormal.FREE.value
 
     def build(self) -> ContactLaw:
         return InfiniteFriction(self.at_zero_normal)
@@ -76,7 +77,7 @@ class RingFrictionEntry(FileModel):
     type: Literal["ring_friction"]
     weight: Positive = 1.0
 
-    def build(self) -> IsotropicEffect:
+    def build(self) -> Effect:
         return RingFriction(weight=self.weight)
 
 
@@ -87,7 +88,7 @@ class InertiaEntry(FileModel):
     mass: Positive = 1.0
     gyration_radius: Positive = 1.0
 
-    def build(self) -> IsotropicEffect:
+    def build(self) -> Effect:
         return Inertia(mass=self.mass, gyration_radius=self.gyration_radius)
 
 
@@ -114,7 +115,9 @@ class SceneFile(FileModel):
     def _twist_has_inertia(
         cls, given: SimulateEntry | None, info: ValidationInfo
     ) -> SimulateEntry | None:
-        inert = any(effect.type == "inertia" for effect in info.data.get("effects", ()))
+        inert = EffectKind.INERTIA in {
+            EFFECT_TYPES[each.type] for each in info.data.get("effects", ())
+        }
         if given and given.initial_twist and not inert:
             raise refuse("initial_twist with inertia among the effects only")
         return given

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import itertools
-from typing import Annotated, Literal, Self
+from typing import Annotated, Self
 
 from pydantic import model_validator
 
+from planar_pushing.mechanics.options import Method, Policy
 from planar_pushing.study.fields import (
     Degrees,
     FileModel,
     FiniteNumber,
+    MethodName,
     NonNegative,
     NotEmpty,
+    PolicyName,
     Positive,
     RelativeTolerance,
     SampleCount,
@@ -43,8 +46,8 @@ class SimulateEntry(FileModel):
     pusher_speed: NonNegative | None = None
     pusher: Annotated[tuple[PieceEntry, ...], NotEmpty] | None = None
     duration: Positive
-    method: Literal["event-driven", "time-stepping"] = "event-driven"
-    on_ambiguity: Literal["keep-contact", "separate", "stay-in-mode"] = "keep-contact"
+    method: MethodName = Method.EVENT_DRIVEN.value
+    on_ambiguity: PolicyName = Policy.KEEP_CONTACT.value
     rtol: RelativeTolerance = 1e-10
     initial_twist: TwistEntry | None = None
     initial_gap: NonNegative = 0.0
@@ -62,7 +65,7 @@ class SimulateEntry(FileModel):
         times = [piece.time for piece in self.pieces]
         if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
             raise refuse("times of pusher that begin at 0 and increase")
-        if self.step is not None and self.method != "time-stepping":
+        if self.step is not None and self.method != Method.TIME_STEPPING:
             raise refuse("step with the method time-stepping only")
         return self
 

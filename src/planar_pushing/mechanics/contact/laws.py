@@ -119,7 +119,9 @@ class Law(NamedTuple):
 def in_numbers(law: ContactLaw) -> Law:
     """The law as the compiled core has it."""
     cone = law.force_angles
-    rough = not isinstance(cone.right, np.ndarray) and np.ndim(cone.right) == 0 and cone.span > math.pi
+    rough = (
+        not isinstance(cone.right, np.ndarray) and np.ndim(cone.right) == 0 and cone.span > math.pi
+    )
     return Law(cone.right, cone.left, law.slips, cone.closed, rough)
 
 
@@ -130,7 +132,7 @@ def is_law(law: object) -> bool:
 
 def as_numbers(contact: Number) -> Law:
     """A law, or an array of laws of any kinds, as the compiled core has it."""
-    if is_law(contact):
+    if not isinstance(contact, (list, tuple)) and not hasattr(contact, "ndim"):
         return in_numbers(contact)
     laws = np.asarray(contact, dtype=object)
     entries = zip(*(in_numbers(law) for law in laws.ravel()), strict=True)

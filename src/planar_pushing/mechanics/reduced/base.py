@@ -31,7 +31,7 @@ def stick(kinds: Any) -> Callable[..., Any]:
 
 @generic
 def held_on_edge(kinds: Any) -> Callable[..., Any]:
-    """The motion with the rotation of a sticking one whose force lies on an edge, as `Sustained`.
+    """The motion next to a sticking one whose force lies on an edge, as `Sustained`.
 
     Parameters
     ----------
@@ -39,8 +39,8 @@ def held_on_edge(kinds: Any) -> Callable[..., Any]:
     rod : Rod
     edge : Direction
         Of the force.
-    spin : float
-        R omega.
+    moved : Sustained
+        The motion that sticks.
     """
     return isotropic.held_on_edge
 

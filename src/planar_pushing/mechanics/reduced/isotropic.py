@@ -71,27 +71,45 @@ def _of_mass(effects, arm):
     return arm / effects[0].gyration
 
 
-class Imbalance(NamedTuple):
-    """Torque about the contact at unit centre speed over the spin ratio."""
+class SpinOfSpeed(NamedTuple):
+    """Torque about the contact that a motion with a given centre speed leaves, over the spin."""
 
     effects: tuple[Any, ...]
     arm: float
+    speed: float
 
 
 @compiled
-def _imbalance(of, k):
-    force, torque, _, bend, stiffness = response(of.effects, 1.0, k)
-    return torque - of.arm * force, stiffness - of.arm * bend
+def _spin_of_speed(of, spin):
+    force, torque, _, vs, ss = response(of.effects, of.speed, spin)
+    return torque - of.arm * force, ss - of.arm * vs
 
 
-EQUATIONS[Imbalance] = _imbalance
+EQUATIONS[SpinOfSpeed] = _spin_of_speed
+
+
+@generic
+def _spin_ratios(kinds: Any) -> Callable[..., Any]:
+    """Least and greatest spin ratio under a force of a moment arm >= 0, over all magnitudes."""
+    return _one_spin_ratio if len(kinds) == 1 else _two_spin_ratios
+
+
+@compiled
+def _one_spin_ratio(effects, arm):
+    ratio = spin_ratio(effects, arm)
+    return ratio, ratio
+
+
+@compiled
+def _two_spin_ratios(effects, arm):
+    one, other = spin_ratio(effects[:1], arm), spin_ratio(effects[1:], arm)
+    return min(one, other), max(one, other)
 
 
 @compiled
 def _of_both(effects, arm):
-    slow, fast = spin_ratio(effects[:1], arm), spin_ratio(effects[1:], arm)
-    low, high = min(slow, fast), max(slow, fast)
-    return root(Imbalance(effects, arm), low, high, sqrt(low) * sqrt(high))[0]
+    low, high = _two_spin_ratios(effects, arm)
+    return root(SpinOfSpeed(effects, arm, 1.0), low, high, sqrt(low * high))[0]
 
 
 @compiled
@@ -103,6 +121,7 @@ def signed_spin_ratio(effects, own, force):
 
 @compiled
 def motion_angle(effects, own, force):
+    """As `base.motion_angle`."""
     return contact_motion_angle(own, force, signed_spin_ratio(effects, own, force))
 
 
@@ -184,6 +203,7 @@ def _leverage_found(effects, length, along, aside):
 
 @compiled
 def stick(effects, own, towards):
+    """As `base.stick`."""
     along, aside, length = towards.along, towards.aside, own.length
     leverage = _leverage(effects, length, along, abs(aside))
     total = length * length + leverage
@@ -198,17 +218,6 @@ def sustained(effects, own, along, aside, spin, blur):
     part = response(effects, speed, spin)[0] / speed
     v_x, v_y = along * own.x + aside * own.y, along * own.y - aside * own.x
     return Sustained(v_x, v_y, spin, part * v_x, part * v_y, along, aside, blur)
-
-
-@generic
-def _speed_of(kinds: Any) -> Callable[..., Any]:
-    """Centre speed of the motion with a given spin under a force of a moment arm > 0."""
-    return _speed_of_one if len(kinds) == 1 else _speed_of_both
-
-
-@compiled
-def _speed_of_one(effects, arm, spin):
-    return spin / spin_ratio(effects, arm)
 
 
 class SpeedOfSpin(NamedTuple):
@@ -229,17 +238,20 @@ EQUATIONS[SpeedOfSpin] = _speed_of_spin
 
 
 @compiled
-def _speed_of_both(effects, arm, spin):
-    one = _speed_of_one(effects[:1], arm, spin)
-    other = _speed_of_one(effects[1:], arm, spin)
-    low, high = min(one, other), max(one, other)
-    return root(SpeedOfSpin(effects, arm, spin), low, high, sqrt(low) * sqrt(high))[0]
-
-
-@compiled
-def held_on_edge(effects, own, edge, spin):
-    speed = _speed_of(effects, abs(moment_arm(own, edge)), abs(spin))
-    return sustained(effects, own, speed * edge.along, speed * edge.aside, spin, 0.0)
+def held_on_edge(effects, own, edge, moved):
+    """As `base.held_on_edge`."""
+    arm, spin = abs(moment_arm(own, edge)), abs(moved.spin)
+    low, high = _spin_ratios(effects, arm)
+    speed = moved.along * edge.along + moved.aside * edge.aside
+    if own.length * spin > speed:
+        at_spin = SpeedOfSpin(effects, arm, spin)
+        speed = root(at_spin, spin / high, spin / low, spin / sqrt(low * high))[0]
+    else:
+        at_speed = SpinOfSpeed(effects, arm, speed)
+        spin = root(at_speed, speed * low, speed * high, speed * sqrt(low * high))[0]
+    return sustained(
+        effects, own, speed * edge.along, speed * edge.aside, copysign(spin, edge.aside), 0.0
+    )
 
 
 @compiled
@@ -270,31 +282,26 @@ def steady_slips(effects, own, edge, normal, found):
 
 
 @generic
-def limit_motion(kinds: Any) -> Callable[..., Any]:
-    """The forces whose motion has the kinetic energy of a unit translation; without inertia all speeds."""
+def _curve_speed(kinds: Any) -> Callable[..., Any]:
+    """Centre speed on the limit curve: that of the kinetic energy of a unit translation, or any."""
     if len(kinds) > 1:
-        return _limit_of_both
-    return {RingSupport: _limit_of_ring, Mass: _limit_of_mass}[kinds[0]]
+        return _curve_speed_of_both
+    return {RingSupport: _curve_speed_of_ring, Mass: _curve_speed_of_mass}[kinds[0]]
 
 
 @compiled
-def _limit_of_ring(effects, own, force):
-    ratio = signed_spin_ratio(effects, own, force)
-    magnitude = response(effects, 1.0, ratio)[0]
-    return magnitude, ratio, contact_motion_angle(own, force, ratio)
+def _curve_speed_of_ring(effects, ratio):
+    return 1.0
 
 
 @compiled
-def _curve_speed(gyration, ratio):
-    """Centre speed at which a motion has the kinetic energy of a unit translation."""
-    return 1.0 / sqrt(1.0 + gyration * ratio * ratio)
+def _curve_speed_of_mass(effects, ratio):
+    return 1.0 / sqrt(1.0 + effects[0].gyration * ratio * ratio)
 
 
 @compiled
-def _limit_of_mass(effects, own, force):
-    ratio = signed_spin_ratio(effects, own, force)
-    magnitude = effects[0].mass * _curve_speed(effects[0].gyration, ratio)
-    return magnitude, ratio, contact_motion_angle(own, force, ratio)
+def _curve_speed_of_both(effects, ratio):
+    return _curve_speed_of_mass(effects[1:], ratio)
 
 
 class CurveImbalance(NamedTuple):
@@ -307,8 +314,8 @@ class CurveImbalance(NamedTuple):
 @compiled
 def _curve_imbalance(of, k):
     arm, (mass, gyration) = of.arm, of.effects[1]
-    speed = _curve_speed(gyration, k)
-    friction, slope = _imbalance(Imbalance(of.effects[:1], arm), k)
+    speed = _curve_speed(of.effects, k)
+    friction, slope = _spin_of_speed(SpinOfSpeed(of.effects[:1], arm, 1.0), k)
     lean = mass * gyration * speed * speed * speed * (1.0 + arm * k)
     return friction + mass * speed * (gyration * k - arm), slope + lean
 
@@ -316,14 +323,23 @@ def _curve_imbalance(of, k):
 EQUATIONS[CurveImbalance] = _curve_imbalance
 
 
+@generic
+def _curve_spin_ratio(kinds: Any) -> Callable[..., Any]:
+    """Spin ratio on the limit curve under a force of a moment arm >= 0."""
+    return spin_ratio if len(kinds) == 1 else _curve_spin_ratio_of_both
+
+
 @compiled
-def _limit_of_both(effects, own, force):
+def _curve_spin_ratio_of_both(effects, arm):
+    low, high = _two_spin_ratios(effects, arm)
+    return root(CurveImbalance(effects, arm), low, high, sqrt(low * high))[0]
+
+
+@compiled
+def limit_motion(effects, own, force):
+    """As `base.limit_motion`."""
     arm = moment_arm(own, force)
-    slow, fast = spin_ratio(effects[:1], abs(arm)), spin_ratio(effects[1:], abs(arm))
-    low, high = min(slow, fast), max(slow, fast)
-    equation = CurveImbalance(effects, abs(arm))
-    size = root(equation, low, high, sqrt(low) * sqrt(high))[0]
-    speed = _curve_speed(effects[1].gyration, size)
-    ratio = copysign(size, arm)
+    ratio = copysign(_curve_spin_ratio(effects, abs(arm)), arm)
+    speed = _curve_speed(effects, ratio)
     magnitude = response(effects, speed, speed * ratio)[0]
     return magnitude, ratio, contact_motion_angle(own, force, ratio)

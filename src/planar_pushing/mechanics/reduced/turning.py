@@ -1,9 +1,9 @@
 """Slips of a slider with friction and inertia, whose motion under a force turns as it grows.
 
 Under a force on an edge the spin ratio runs over the open segment between its friction and its inertia
-value. There the centre's speed is ``v(k) = W (h f - t) / (m (rho^2 k - h))`` and the contact's normal motion
-``v (A - B k)``, which need not be monotone (Painleve): several motions may have one normal part. They are
-the roots of::
+value. There the centre's speed is ``v(k) = W (h f - t) / (m (rho^2 k - h))`` and the contact's normal
+motion ``v (A - B k)``, which need not be monotone (Painleve): several motions may have one normal part.
+They are the roots of::
 
     Phi(k) = W (h f - t) (A - B k) - m (rho^2 k - h) n.u
 
@@ -103,6 +103,7 @@ def _holds_no_root(edge, normal, one, other):
 def _sense(edge, normal, stiffness, one, other):
     """1 or -1 where Phi rises or falls over a whole cell, 0 where bounds of its slope leave it open."""
     steep, steeper = min(one.bend, other.bend), max(one.bend, other.bend)
+    steeper = inf if one.k < 1.0 < other.k else steeper
     steep, steeper = _product(steep, steeper, 1.0 + edge.arm * one.k, 1.0 + edge.arm * other.k)
     low, high = _product(-steeper, -steep, _advance(edge, one.k), _advance(edge, other.k))
     first, second = edge.lever * one.friction, edge.lever * other.friction

@@ -10,14 +10,15 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import h5netcdf
 import h5py
 
 from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.simulation import log
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.simulation.log import variables as log
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.record import Record
 
 PathLike = str | os.PathLike[str]
 #: Instants in a chunk of the file.
@@ -27,14 +28,14 @@ CHUNK = 256
 class Stream:
     """An open log; `append` writes a batch and flushes it."""
 
-    def __init__(self, file: h5netcdf.File, disk: h5py.File) -> None:
-        self.file, self.disk, self.length = file, disk, 0
+    def __init__(self, file: h5netcdf.File, disk: h5py.File, scene: Scene) -> None:
+        self.file, self.disk, self.length, self.scene = file, disk, 0, scene
         self._flush()
 
-    def append(self, records: list[Record]) -> None:
-        """Write records to the end of the log."""
-        values = log.arrays(records)
-        start, self.length = self.length, self.length + len(records)
+    def append(self, rows: Any) -> None:
+        """Write rows to the end of the log."""
+        values = log.arrays(rows, self.scene)
+        start, self.length = self.length, self.length + len(rows)
         self.file.resize_dimension("time", self.length)
         for name, value in values.items():
             self.file.variables[name][start : self.length] = value
@@ -45,9 +46,9 @@ class Stream:
         self.file.flush()
         self.disk.flush()
 
-    def end(self, record: Record) -> None:
-        """Note that the run has ended, and with which record."""
-        self.file.attrs.update(log.ending(record))
+    def end(self, stopped: str, time: float) -> None:
+        """Note that the run has ended, when, and why before its time."""
+        self.file.attrs.update(log.ending(stopped, time))
 
 
 @contextmanager
@@ -68,7 +69,7 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
         raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
     with disk, h5netcdf.File(disk, "r+") as file:
         _define(file, problem, method)
-        yield Stream(file, disk)
+        yield Stream(file, disk, problem.scene)
 
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
@@ -76,11 +77,11 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
     file.attrs.update(log.attributes(problem, method) | {"finished": 0})
     time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
-    time.attrs.update(log.TIME)
+    time.attrs.update(log.variable_attributes("time"))
     for name, labels in coordinates.items():
         label = file.create_variable(name, (name,), h5py.string_dtype())
         label[:] = labels
-        label.attrs.update({"units": "1", "long_name": log.COORDINATES[name]})
+        label.attrs.update(log.variable_attributes(name))
     for name, variable in log.VARIABLES.items():
         dims = "time", *variable.dims
         chunks = CHUNK, *(len(coordinates[dim]) for dim in variable.dims)

@@ -1,0 +1,85 @@
+"""A sweep of random and adversarial inputs over kernels and contact modes, and its counts."""
+
+from __future__ import annotations
+
+import warnings
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from planar_pushing.evidence.hard_cases.sweep import decisions, kernels
+from planar_pushing.evidence.hard_cases.sweep.adversarial import Generator
+from planar_pushing.evidence.hard_cases.sweep.decisions import Decision
+
+#: Checks of the kernels, and by how much fewer inputs each gets: roots of both effects cost more.
+KERNELS: dict[str, tuple[Callable[[Generator, int], kernels.Wrong], int]] = {
+    "ring_profile": (kernels.ring_profiles, 1),
+    "ring_spin_ratio": (kernels.ring_spin_ratios, 1),
+    "motion_angle, friction": (kernels.motion_angles, 1),
+    "motion_angle, inertia": (kernels.motion_angles_of_inertia, 1),
+    "motion_angle, both": (kernels.motion_angles_of_both, 20),
+    "motion cone edges": (kernels.cone_edges, 1),
+    "limit_curve": (kernels.limit_curves, 1),
+}
+Counts = dict[str, dict[str, int]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Budget:
+    """How many inputs: of each kernel, scenes with `pushers` each, and scenes one at a time."""
+
+    kernels: int
+    scenes: int
+    pushers: int
+    scalar: int
+    decided: int
+
+
+FULL = Budget(kernels=1_000_000, scenes=5000, pushers=200, scalar=5000, decided=10_000)
+
+
+def sweep(budget: Budget, seed: int = 1995) -> Counts:
+    """Check invariants and decisions on the inputs that a seed gives; a warning is an error.
+
+    Returns
+    -------
+    dict
+        For each kind the number of inputs and of failures, and what was refused or left open.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        counts = {name: _kernel(name, budget, seed) for name in KERNELS}
+        counts["contact modes, vectorised"] = _vectorised(budget, seed)
+        counts["contact modes, solve"] = _scalar(budget, seed)
+        counts["contact modes, certified"] = _decided(budget, seed)
+    return counts
+
+
+def _kernel(name: str, budget: Budget, seed: int) -> dict[str, int]:
+    check, fewer = KERNELS[name]
+    wrong = check(np.random.default_rng(seed), budget.kernels // fewer)
+    return {"inputs": wrong.size, "failures": int(wrong.sum())}
+
+
+def _vectorised(budget: Budget, seed: int) -> dict[str, int]:
+    rngs = (np.random.default_rng([seed, i]) for i in range(budget.scenes))
+    found = [decisions.vectorised(rng, budget.pushers) for rng in rngs]
+    failures = sum(int(wrong.sum()) for wrong in found if wrong is not None)
+    refused = budget.pushers * sum(wrong is None for wrong in found)
+    return {"inputs": budget.scenes * budget.pushers, "failures": failures, "refused": refused}
+
+
+def _scalar(budget: Budget, seed: int) -> dict[str, int]:
+    found = [decisions.scalar(np.random.default_rng([seed, i])) for i in range(budget.scalar)]
+    refused, wrong = (sum(part) for part in zip(*found, strict=True))
+    return {"inputs": budget.scalar, "failures": wrong, "refused": refused}
+
+
+def _decided(budget: Budget, seed: int) -> dict[str, int]:
+    found = Counter(
+        decisions.decided(np.random.default_rng([seed, i])) for i in range(budget.decided)
+    )
+    ties = {each.name.lower(): found[each] for each in (Decision.TIE, Decision.UNDECIDED)}
+    return {"inputs": budget.decided, "failures": found[Decision.WRONG], **ties}
