@@ -115,6 +115,7 @@ def _row(system, run, time, state, solutions, row):
     row.time, row.rod_angle, row.slip, row.gap = time, state[ANGLE], state[SLIP], state[GAP]
     row.dissipated, row.contact_dissipated, row.work = state[RUBBED], state[LOST], state[WORK]
     row.fence[0], row.fence[1] = displacement(system.fence, mode.during, time)
+    row.fence[1] -= system.body.gap
     row.mode = run.kind if run.chosen >= 0 else NO_MODE
     row.solutions, row.stopped = solutions, run.stopped
     write(system, mode, time, state, row)

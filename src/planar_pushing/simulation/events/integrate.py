@@ -9,13 +9,11 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.effects.base import made
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import RUNS, STATE, Task
 from planar_pushing.simulation.problem import Policy, Problem
 from planar_pushing.simulation.rows import ROW, Stop, in_units, reason, records
-from planar_pushing.simulation.systems.base import BODY
-from planar_pushing.simulation.systems.setup import SYSTEMS, fill, put, row_of
+from planar_pushing.simulation.systems.setup import put, row_of, system_of
 
 #: Rows handed on at once.
 BATCH = 256
@@ -35,9 +33,8 @@ class EventDriven:
         scene = problem.scene
         self.radius = float(scene.slider.radius)
         fence = problem.pusher.fence(float(problem.duration), self.radius)
-        row, body = row_of(scene, problem.twist, problem.gap), records(BODY, 1)[0]
-        fill(row, fence, body)
-        self.system = SYSTEMS[scene.stores_energy](made(scene.kinds, row), body, fence)
+        row = row_of(scene, problem.twist, problem.gap)
+        self.system = system_of(scene, row, fence)
         policy = list(Policy).index(problem.on_ambiguity)
         self.task = Task(problem.rtol, policy, np.asarray(times, float))
         self.run = records(RUNS[scene.stores_energy], 1)[0]

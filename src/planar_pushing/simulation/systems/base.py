@@ -65,13 +65,13 @@ WATCHES = tuple(cause in FIRST_WATCHES for cause in range(CAUSES))
 
 #: What of a scene does not change while it moves: l / R; edges of the friction cone and their angles, and what the
 #: law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such effect; typical speed and
-#: force, to which slacks are relative. And what does: how often the motion was evaluated.
+#: force, to which slacks are relative; initial gap. And what does: how often the motion was evaluated.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
         ("left_angle", "f8"), ("slips", "b1"), ("closed", "b1"), ("rough", "b1"),
         ("weight", "f8"), ("mass", "f8"), ("moment", "f8"), ("speed", "f8"), ("force", "f8"),
-        ("evaluations", "i8"),
+        ("gap", "f8"), ("evaluations", "i8"),
     ],
     align=True,
 )  # fmt: skip

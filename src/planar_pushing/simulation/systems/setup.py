@@ -14,8 +14,10 @@ from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.plane import Array, unit_vector
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.fence import typical_speed
+from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.systems import inertial, quasi_static
 from planar_pushing.simulation.systems.base import (
+    BODY,
     Inertial,
     QuasiStatic,
     initial,
@@ -65,13 +67,20 @@ def fill(row, fence, body):
     body.right[0], body.right[1] = unit_vector(row[RIGHT])
     body.left[0], body.left[1] = unit_vector(row[LEFT])
     body.slips, body.closed, body.rough = row[SLIPS] != 0.0, row[CLOSED] != 0.0, row[ROUGH] != 0.0
-    body.evaluations = 0
+    body.gap, body.evaluations = row[GAP], 0
 
 
 @compiled
 def put(system, row, state):
     """Write down the state at time 0."""
     initial(system, row[ANGLE], row[GAP], row[V_X:GAP], state)
+
+
+def system_of(scene: Scene, row: Array, fence: Any) -> Any:
+    """The system of one scene, from its row and its fence."""
+    body = records(BODY, 1)[0]
+    fill(row, fence, body)
+    return SYSTEMS[scene.stores_energy](made(scene.kinds, row), body, fence)
 
 
 def row_of(scene: Scene, twist: Any, gap: float) -> Array:
