@@ -11,6 +11,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from planar_pushing.mechanics.domain import required
 from planar_pushing.mechanics.errors import InvalidValue, require_number
@@ -57,18 +60,12 @@ class Problem:
             if not isinstance(getattr(self, name), kind):
                 raise InvalidValue(name, getattr(self, name), f"a {kind.__name__}", "construct one")
         required("duration", self.duration)
-        require_number(
-            "gap", self.gap, lambda x: 0 <= x < math.inf, "a finite number >= 0",
-            "start on the fence or above it",
-        )  # fmt: skip
+        required("gap", self.gap)
         object.__setattr__(self, "rtol", tolerance(self.rtol))
         object.__setattr__(self, "twist", _twist(self.twist))
         object.__setattr__(self, "on_ambiguity", policy(self.on_ambiguity))
-        if any(self.twist) and not self.scene.stores_energy:
-            raise InvalidValue(
-                "twist", self.twist, "(0, 0, 0) for a scene without inertia",
-                "leave the twist out: the fence determines a quasi-static motion",
-            )  # fmt: skip
+        if not self.scene.stores_energy:
+            no_twist(self.twist)
 
 
 def tolerance(given: object) -> float:
@@ -87,6 +84,15 @@ def policy(given: object) -> Policy:
         raise InvalidValue(
             "on_ambiguity", given, ", ".join(Policy), "name one of these policies"
         ) from None
+
+
+def no_twist(twist: Sequence[Any]) -> None:
+    """Refuse an initial twist of scenes without inertia."""
+    if any(np.any(np.asarray(each) != 0) for each in twist):
+        raise InvalidValue(
+            "twist", twist, "(0, 0, 0) for a scene without inertia",
+            "leave the twist out: the fence determines a quasi-static motion",
+        )  # fmt: skip
 
 
 def _twist(given: object) -> tuple[float, float, float]:

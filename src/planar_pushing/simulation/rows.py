@@ -59,8 +59,15 @@ def records(dtype: np.dtype[Any], count: int) -> Any:
     return np.zeros(count, dtype).view(np.recarray)
 
 
-def in_units(rows: Any, radius: float) -> Any:
-    """Rows with lengths in the unit of the scene; the rows themselves change."""
+def in_units(rows: Any, radius: Any) -> Any:
+    """Rows with lengths in the unit of the scene; the rows themselves change.
+
+    Parameters
+    ----------
+    rows : array of ROW
+    radius : float, or ndarray over the first dimension of the rows
+    """
     for name in LENGTHS:
-        rows[name] *= radius
+        missing = rows[name].ndim - np.ndim(radius)
+        rows[name] *= np.reshape(radius, np.shape(radius) + (1,) * missing)
     return rows
