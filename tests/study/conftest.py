@@ -2,7 +2,7 @@
 
 import pytest
 
-from planar_pushing.simulation.scene_file import simulate_file
+from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.files import load_scene_file

@@ -20,7 +20,7 @@ rule simulation:
         "results/benchmarks/data/simulation_{simulation}.tsv"
     priority: FIRST
     params:
-        code=code_of("simulation.scene_file", "study.store"),
+        code=code_of("study.simulations", "study.store"),
     message:
         "Simulating {wildcards.simulation}"
     script:

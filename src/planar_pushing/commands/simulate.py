@@ -40,7 +40,7 @@ def add(commands: Commands) -> None:
 
 def simulated(args: argparse.Namespace) -> dict[str, Any]:
     """Simulate the scene, and tell how it went."""
-    from planar_pushing.simulation.scene_file import simulate_file
+    from planar_pushing.study.simulations import simulate_file
 
     if args.output.suffix.lower() not in ENDINGS:
         allowed = f"a name ending in {' or '.join(ENDINGS)}"

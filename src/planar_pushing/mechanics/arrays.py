@@ -72,7 +72,7 @@ def mapped(
         with announced(kernel):
             block(0)
     if len(starts) > 1:
-        _in_threads(block, starts[1:])
+        in_threads(block, starts[1:])
     return [each.reshape(shape + tail) for each, tail in zip(found, tails, strict=True)]
 
 
@@ -83,7 +83,7 @@ def _flat(array: Array, shape: tuple[int, ...]) -> Any:
     return np.broadcast_to(array, shape).flat
 
 
-def _in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
+def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
     with ThreadPoolExecutor(numba.config.NUMBA_NUM_THREADS) as pool:
         try:
             for _ in pool.map(block, starts):

@@ -67,6 +67,16 @@ def compiled(function: Function) -> Function:
     return made  # type: ignore[no-any-return]
 
 
+def inlined(function: Function) -> Function:
+    """Compile a function as a part of the functions that call it, and not by itself.
+
+    The compiler optimises a function together with all that it calls, so each layer of functions above a
+    large one costs its time again; a layer that is inlined costs nothing.
+    """
+    made = numba.njit(inline="always", nogil=True, error_model="numpy")(function)
+    return made  # type: ignore[no-any-return]
+
+
 @contextmanager
 def announced(kernel: Any) -> Iterator[None]:
     """Say on the log when a call has had to compile what it calls, which takes seconds."""

@@ -64,6 +64,9 @@ RANGES = {
         lambda x: (x >= 0) & (x <= 1), "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
     ),
     "duration": _positive("give the time to simulate"),
+    "gap": Range(
+        lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0", "start on the fence or above it",
+    ),
 }  # fmt: skip
 #: Ranges of dimensionless combinations: of which parameter the refusal speaks, and its range.
 RATIOS = {

@@ -44,7 +44,7 @@ def outputs(count: int) -> tuple[Output, ...]:
 
 
 @compiled
-def _spin_ratio(speed, spin):
+def spin_ratio(speed, spin):
     """R omega / v, 0 at rest."""
     if spin == 0.0:
         return 0.0
@@ -60,7 +60,7 @@ def _write(own, motion, row, force, twist, contact, center):
     force[0], force[1] = row[FORCE] * f_x, row[FORCE] * f_y
     twist[0], twist[1], twist[2] = size * v_x, size * v_y, size * spin / radius
     contact[0], contact[1] = size * u_x, size * u_y
-    ratio = _spin_ratio(hypot(v_x, v_y), spin)
+    ratio = spin_ratio(hypot(v_x, v_y), spin)
     x, y = motion_center(own, np.arctan2(f_y, f_x), ratio)
     center[0], center[1] = radius * x, radius * y
     return ratio

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import cast
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any, cast
 
 import numpy as np
 import xarray as xr
@@ -12,13 +12,14 @@ from tqdm import tqdm
 
 from planar_pushing.mechanics.errors import InvalidValue, require_number
 from planar_pushing.mechanics.options import Method, Policy
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.simulation import event_driven, log, time_stepping
+from planar_pushing.simulation.events.integrate import EventDriven
+from planar_pushing.simulation.log.stream import PathLike, streaming
+from planar_pushing.simulation.log.variables import dataset
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.record import Records
-from planar_pushing.simulation.stream import streaming
-from planar_pushing.study.replacing import PathLike
+from planar_pushing.simulation.steps.integrate import TimeStepping
 
 
 def simulate(
@@ -91,32 +92,31 @@ def simulate(
         "samples", samples, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
         "ask at least for the first and the last instant",
     )  # fmt: skip
-    times = np.linspace(0.0, duration, int(count)).tolist()
-    batches = _shown(_integrate(problem, method, times, step), duration, progress)
+    run = _run(problem, method, np.linspace(0.0, duration, int(count)), step)
     if path is None:
-        records = [record for batch in batches for record in batch]
-        return log.dataset(problem, method, records)
+        rows = np.concatenate(list(_shown(run, duration, progress)))
+        return dataset(problem, method, rows, run.stopped)
     with streaming(path, problem, method) as stream:
-        for batch in batches:
-            stream.append(batch)
-        stream.end(batch[-1])
+        for rows in _shown(run, duration, progress):
+            stream.append(rows)
+        stream.end(run.stopped, rows["time"][-1])
     return xr.open_dataset(path, engine="h5netcdf")
 
 
-def _integrate(problem: Problem, method: str, times: list[float], step: float | None) -> Records:
+def _run(problem: Problem, method: str, times: Array, step: float | None) -> Any:
     if method == Method.TIME_STEPPING:
-        return time_stepping.integrate(problem, times, step)
+        return TimeStepping(problem, times, step)
     if step is not None:
         raise InvalidValue(
             "step", step, "a number for the time-stepping method only",
             "leave it out: the event-driven method takes its steps by rtol",
         )  # fmt: skip
-    return event_driven.integrate(problem, times)
+    return EventDriven(problem, times)
 
 
-def _shown(batches: Records, duration: float, progress: bool) -> Records:
-    """The same batches, with a progress bar over the simulated time."""
+def _shown(batches: Iterable[Any], duration: float, progress: bool) -> Iterator[Any]:
+    """The same batches of rows, with a progress bar over the simulated time."""
     with tqdm(total=duration, disable=not progress, unit="time", leave=False) as bar:
-        for batch in batches:
-            bar.update(batch[-1].time - bar.n)
-            yield batch
+        for rows in batches:
+            bar.update(rows["time"][-1] - bar.n)
+            yield rows

@@ -6,15 +6,13 @@ import difflib
 from pathlib import Path
 from typing import Any, TypeVar
 
-import numpy as np
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
-from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction, PerfectlyRough
-from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
+from planar_pushing.mechanics.entries import scene_entry
+from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.fields import FileModel
 from planar_pushing.study.replacing import PathLike, replacing
@@ -59,52 +57,6 @@ def save_scene_file(file: SceneFile, path: PathLike) -> None:
         writer = YAML(typ="safe", pure=True)
         writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]
         writer.dump(content, stream)
-
-
-def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
-    """What a scene file of this scene holds; errors as in `save_scene`."""
-    slider = scene.slider
-    return {
-        "title": title,
-        "slider": {
-            "rod_length": float(slider.rod_length),
-            "rod_angle": _degrees(slider.rod_angle),
-            "radius": float(slider.radius),
-        },
-        "contact": _contact_entry(scene),
-        "effects": [_effect_entry(effect) for effect in scene.effects],
-    }
-
-
-def _degrees(radians: float) -> float:
-    """Degrees that `np.deg2rad` turns back into the same radians, the shortest such number."""
-    degrees = float(np.rad2deg(radians))
-    short = [float(f"{degrees:.{digits}g}") for digits in range(1, 18)]
-    beside = [float(np.nextafter(degrees, end)) for end in (0.0, 180.0)]
-    return next((each for each in short + beside if np.deg2rad(each) == radians), degrees)
-
-
-def _contact_entry(scene: Scene) -> dict[str, Any]:
-    match scene.contact:
-        case Coulomb(friction_coefficient=mu):
-            return {"law": "coulomb", "friction_coefficient": float(mu)}
-        case InfiniteFriction(at_zero_normal=kind):
-            return {"law": "infinite_friction", "at_zero_normal": kind}
-        case PerfectlyRough():
-            return {"law": "perfectly_rough"}
-    allowed = "Coulomb, InfiniteFriction and PerfectlyRough"
-    raise InvalidValue("contact", scene.contact, allowed, "save a scene of one of these laws")
-
-
-def _effect_entry(effect: object) -> dict[str, Any]:
-    match effect:
-        case RingFriction(weight=weight):
-            return {"type": "ring_friction", "weight": float(weight)}
-        case Inertia(mass=mass, gyration_radius=radius):
-            return {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
-    raise InvalidValue(
-        "effects", effect, "RingFriction and Inertia", "save a scene of these effects"
-    )
 
 
 def load_model(path: PathLike, model: type[Model]) -> Model:

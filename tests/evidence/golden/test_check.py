@@ -10,7 +10,7 @@ from planar_pushing.figures.images import TOLERANCE, difference
 from planar_pushing.figures.render import picture, save, select
 from planar_pushing.figures.style import paper_style
 from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.simulation.scene_file import simulate_file
+from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES

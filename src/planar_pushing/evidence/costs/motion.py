@@ -15,7 +15,7 @@ from planar_pushing.evidence.costs.timing import seconds
 from planar_pushing.evidence.internals import Array
 from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.simulation.scene_file import arguments
+from planar_pushing.study.simulations import arguments
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.study.files import load_scene_file
 
