@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 
 import planar_pushing as pp
@@ -33,3 +35,10 @@ def numbers(solutions):
     return np.array(
         [[*s.force, *s.contact_motion, *s.twist, s.spin_ratio] for s in solutions], dtype=float
     )
+
+
+def scaled(effect, factor):
+    """The effect with its lengths multiplied by a factor."""
+    if not isinstance(effect, pp.Inertia):
+        return effect
+    return dataclasses.replace(effect, gyration_radius=factor * effect.gyration_radius)
