@@ -93,3 +93,12 @@ def test_ratios_and_arms_of_any_size():
     assert np.array_equal(torque, [0.0, 1.0, -1.0])
     k = ring_spin_ratios([1e-300, 1e300])
     assert k == pytest.approx([2e-300, 5e299], rel=4 * EPS)
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e-163, 1e-150, 1e150, 1e200])
+@pytest.mark.parametrize("k", [0.3, 0.95, 1.0, 1.05, 3.0])
+def test_friction_does_not_see_the_size_of_the_motion(k, size):
+    """Squares of the motion would leave the doubles."""
+    unit = pp.wrench(pp.RingFriction(), [0.6, 0.8, k])
+    found = pp.wrench(pp.RingFriction(), size * np.array([0.6, 0.8, k]))
+    assert found == pytest.approx(unit, rel=1e-14)
