@@ -19,7 +19,7 @@ EFFECT_SETS = {"friction": FRICTION, "inertia": INERTIA, "both": BOTH}
 
 def make_scene(length, contact=INFINITE, effects=FRICTION, psi=PSI, radius=1.0):
     """A scene; a bare number as `contact` is a friction coefficient, inf included."""
-    if not isinstance(contact, (pp.Coulomb, pp.InfiniteFriction, pp.PerfectlyRough)):
+    if np.asarray(contact).dtype != object:
         contact = INFINITE if np.isinf(contact) else pp.Coulomb(contact)
     slider = pp.Slider(rod_length=length, rod_angle=psi, radius=radius)
     return pp.Scene(slider=slider, contact=contact, effects=tuple(effects))
