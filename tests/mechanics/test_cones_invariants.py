@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from mechanics.builders import make_scene
+from mechanics.builders import make_scene, scaled
 from mechanics.strategies import (
     both,
     coefficients,
@@ -98,7 +98,7 @@ def test_motion_angles_depend_on_lengths_through_their_ratios(scene, phi, expone
             radius=factor,
         ),
         contact=scene.contact,
-        effects=tuple(effect.scaled(1 / factor) for effect in scene.effects),
+        effects=tuple(scaled(effect, factor) for effect in scene.effects),
     )
     share = share_of(scene)
     expected = pp.motion_angle(scene, phi, share)

@@ -23,7 +23,7 @@ EVERY_LAW = pytest.mark.parametrize("law", LAWS, ids=str)
 
 @EVERY_EFFECT
 @EVERY_LAW
-@pytest.mark.parametrize("length", [0.0, 0.5, 1e8])
+@pytest.mark.parametrize("length", [0.0, 0.5, 1e6])
 def test_directions_next_to_the_fence_have_finite_solutions(effects, law, length):
     scene = make_scene(length, law, effects)
     for fence in (0.0, np.pi):

@@ -1,225 +1,186 @@
-"""Reduced models join the full one, and the hard places of the parameter space."""
+"""Contact modes over arrays of scenes, in the units that the scene has."""
 
 from __future__ import annotations
 
+import dask
 import numpy as np
 import pytest
+import xarray as xr
 
 import planar_pushing as pp
-from mechanics.builders import (
-    BOTH,
-    DEFINITION_2,
-    EFFECT_SETS,
-    FRICTION,
-    INERTIA,
-    PSI,
-    make_scene,
-    names,
-    numbers,
-)
+from mechanics.builders import BOTH, EFFECT_SETS, FRICTION, INERTIA, make_scene
+from mechanics.test_arrays import BASE, VALUES, call
+from planar_pushing.mechanics.push import NO_MODE, SOLUTIONS
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
-LAWS = [pp.Coulomb(0.0), pp.Coulomb(2.0), pp.InfiniteFriction(), DEFINITION_2, pp.PerfectlyRough()]
-EVERY_LAW = pytest.mark.parametrize("law", LAWS, ids=str)
-PHI = np.linspace(0, np.pi, 19)
+FIELDS = ("force", "twist", "contact_motion", "spin_ratio", "center")
+#: Every parameter of a push with every set of effects that has it.
+PARAMETERS = [
+    pytest.param(effects, name, id=f"{key}-{name}")
+    for key, effects in EFFECT_SETS.items()
+    for name in BASE
+    if name not in ("force_angle", "inertia_share")
+    and (name != "weight" or effects != INERTIA)
+    and (name not in ("mass", "gyration_radius") or effects != FRICTION)
+]
 
 
-@pytest.mark.parametrize("length", [0.1, 2.0, 50.0])
-def test_share_0_is_friction_and_share_1_is_inertia(length):
-    both = make_scene(length, effects=BOTH)
-    for share, effects in ((0.0, FRICTION), (1.0, INERTIA)):
-        pure = pp.motion_angle(make_scene(length, effects=effects), PHI)
-        assert pp.motion_angle(both, PHI, share) == pytest.approx(pure, abs=1e-14)
+def same(found, place, single):
+    """Whether a place of an array of problems holds bit for bit the solutions of one problem."""
+    count = len(single)
+    assert found.solutions[place] == count
+    assert tuple(found.mode[place][:count]) == single.modes
+    assert np.all(found.mode[place][count:] == NO_MODE)
+    assert found.outcome[place] == single.outcome
+    assert np.array_equal(found.consistent[place], np.arange(found.mode.shape[-1]) < count)
+    for name in FIELDS:
+        values = getattr(found, name)[place]
+        assert np.all(np.isnan(values[count:]))
+        for value, solution in zip(values, single, strict=False):
+            assert np.array_equal(value, getattr(solution, name))
 
 
-@pytest.mark.parametrize("phi", [0.2, 2.5])
-def test_share_joins_both_ends_linearly(phi):
-    both = make_scene(2.0, effects=BOTH)
-    for end, side in ((0.0, 1), (1.0, -1)):
-        pure = pp.spin_ratio(both, phi, end)
-        gaps = np.abs(pp.spin_ratio(both, phi, end + side * np.array([1e-4, 1e-5, 1e-6])) - pure)
-        assert gaps[:-1] / gaps[1:] == pytest.approx(10, rel=1e-2)
-
-
-@pytest.mark.parametrize("degrees", [-10.0, 20.0, 90.0, 130.0, 160.0, 179.0])
-@pytest.mark.parametrize("length", [0.5, 2.0])
-def test_slow_motion_solves_like_friction_and_fast_motion_like_inertia(length, degrees):
-    """s -> 0 and s -> infinity: the same modes, and spin ratios that join like s and 1 / s."""
-    angle = np.deg2rad(degrees)
-    both = make_scene(length, 3.0, BOTH)
-    for effects, magnitude in ((FRICTION, 1e-9), (INERTIA, 1e9)):
-        pure = pp.solve(make_scene(length, 3.0, effects), angle, magnitude)
-        full = pp.solve(both, angle, magnitude)
-        assert names(full) == names(pure)
-        for one, other in zip(full, pure, strict=True):
-            assert one.spin_ratio == pytest.approx(other.spin_ratio, abs=1e-7)
-            assert one.force == pytest.approx(other.force, rel=1e-7, abs=1e-7 * max(1, magnitude))
-
-
-def test_solve_joins_friction_at_first_order_in_the_magnitude():
-    both, friction = make_scene(2.0, 3.0, BOTH), make_scene(2.0, 3.0, FRICTION)
-    for angle, mode in ((0.8, pp.ContactMode.STICK), (3.0, pp.ContactMode.SLIP_RIGHT)):
-        (limit,) = pp.solve(friction, angle)
-        assert limit.mode is mode
-        found = [pp.solve(both, angle, magnitude) for magnitude in (1e-3, 1e-4, 1e-5)]
-        gaps = np.abs([solutions.solutions[0].spin_ratio - limit.spin_ratio for solutions in found])
-        assert gaps[:-1] / gaps[1:] == pytest.approx(10, rel=0.05)
-
-
-@pytest.mark.parametrize("effects", [FRICTION, INERTIA, BOTH], ids=["friction", "inertia", "both"])
-@pytest.mark.parametrize("length", [0.5, 2.0, 10.0])
-def test_large_mu_converges_to_infinite_friction_like_1_over_mu(length, effects):
-    limit = pp.motion_cone(make_scene(length, np.inf, effects))
-    mu = np.array([1e3, 1e4, 1e5, 1e6])
-    cones = [pp.motion_cone(make_scene(length, m, effects)) for m in mu]
-    for gaps in ([c.right - limit.right for c in cones], [limit.left - c.left for c in cones]):
-        assert np.all(np.array(gaps) > 0)
-        rate = np.polyfit(np.log(mu), np.log(gaps), 1)[0]
-        assert rate == pytest.approx(-1, abs=2e-3)
-
-
-def test_coefficient_of_any_size_is_a_law():
-    cone = pp.motion_cone(make_scene(2.0, 1e308))
-    limit = pp.motion_cone(make_scene(2.0))
-    assert [cone.right, cone.left] == pytest.approx([limit.right, limit.left], abs=1e-14)
+@pytest.mark.parametrize(("effects", "parameter"), PARAMETERS)
+def test_every_parameter_may_be_an_array(effects, parameter):
+    values = VALUES[parameter]
+    found = call("solve", {**BASE, parameter: values}, effects)
+    for i, value in enumerate(values.tolist()):
+        single = call("solve", {**BASE, parameter: value}, effects)
+        same(found, (i,), single)
 
 
 @EVERY_EFFECT
-@pytest.mark.parametrize("degrees", [10.0, 90.0, 170.0, -30.0])
-def test_without_contact_friction_the_force_is_normal(effects, degrees):
-    scene = make_scene(2.0, 0.0, effects)
-    cone = pp.motion_cone(scene)
-    assert pp.friction_cone(scene).span == 0
-    if effects != BOTH:
-        assert cone.span == 0
-    for solution in pp.solve(scene, np.deg2rad(degrees)):
-        if solution.mode is not pp.ContactMode.SEPARATE:
-            assert abs(solution.force[0]) < 1e-15 * solution.force[1]
+def test_arrays_of_different_scenes_and_laws(effects):
+    random = np.random.default_rng(11)
+    length, psi = 10 ** random.uniform(-1, 1, (4, 1)), random.uniform(0.2, 2.9, (4, 1))
+    laws = [
+        pp.Coulomb(1.4),
+        pp.InfiniteFriction(),
+        pp.InfiniteFriction("none"),
+        pp.PerfectlyRough(),
+    ]
+    contact = np.array(laws, dtype=object)[:, None]
+    angle, magnitude = random.uniform(-3.1, 3.1, 25), 10 ** random.uniform(-2, 2, 25)
+    found = pp.solve(make_scene_of(length, contact, effects, psi), angle, magnitude)
+    assert found.solutions.shape == (4, 25)
+    for i, j in np.ndindex(4, 25):
+        scene = make_scene_of(length[i, 0], laws[i], effects, psi[i, 0])
+        same(found, (i, j), pp.solve(scene, angle[j], magnitude[j]))
+
+
+def make_scene_of(length, contact, effects, psi):
+    slider = pp.Slider(rod_length=length, rod_angle=psi)
+    return pp.Scene(slider=slider, contact=contact, effects=effects)
+
+
+def test_places_for_solutions():
+    one = pp.solve(make_scene(2.0, 1.0), np.array([1.0]))
+    both = pp.solve(make_scene(2.0, 1.0, BOTH), np.array([1.0]))
+    assert one.mode.shape == (1, SOLUTIONS[1]) == (1, 4)
+    assert both.mode.shape == (1, SOLUTIONS[2]) == (1, 8)
+    assert both.twist.shape == (1, 8, 3)
+    assert both.force.shape == both.center.shape == both.contact_motion.shape == (1, 8, 2)
+    assert both.mode.dtype == both.solutions.dtype == np.int8
+
+
+def test_empty_arrays():
+    found = pp.solve(make_scene(2.0, 1.0), np.empty((0, 3)))
+    assert found.solutions.shape == (0, 3)
+    assert found.force.shape == (0, 3, 4, 2)
 
 
 @EVERY_EFFECT
-def test_zero_motion_has_a_wrench_that_is_a_number(effects):
-    rest = np.zeros((2, 3))
-    for effect in effects:
-        assert np.array_equal(effect.wrench(rest), rest)
-        assert np.array_equal(effect.potential(rest), [0.0, 0.0])
+def test_units_scale_as_they_should(effects):
+    """Lengths by 3, forces by 5, motions by 7: the numbers in the new units are the same."""
+    length, force, motion = 3.0, 5.0, 7.0
+    given = {**BASE, "pusher_angle": np.array([-0.15, 0.4, 1.0, 2.9])}
+    mass = force / motion
+    other = {
+        **given, "weight": force * given["weight"], "mass": mass * given["mass"],
+        **{name: length * given[name] for name in ("rod_length", "radius", "gyration_radius")},
+        "pusher_magnitude": motion * given["pusher_magnitude"],
+    }  # fmt: skip
+    one, two = call("solve", given, effects), call("solve", other, effects)
+    assert np.array_equal(one.mode, two.mode)
+    scales = {
+        "force": force, "contact_motion": motion, "spin_ratio": 1.0, "center": length,
+        "twist": np.array([motion, motion, motion / length]),
+    }  # fmt: skip
+    for name, scale in scales.items():
+        expected = getattr(one, name) * scale
+        np.testing.assert_allclose(getattr(two, name), expected, rtol=1e-13, atol=1e-14)
+
+
+def test_the_force_of_a_translation_is_the_weight_and_the_mass():
+    for effects, force in (
+        ((pp.RingFriction(weight=3.0),), 3.0),
+        ((pp.Inertia(mass=4.0),), 8.0),
+        ((pp.RingFriction(weight=3.0), pp.Inertia(mass=4.0)), 11.0),
+    ):
+        (stick,) = pp.solve(make_scene(2.0, 1.0, effects, psi=np.pi / 2), np.pi / 2, 2.0)
+        assert stick.force == pytest.approx([0.0, force], rel=1e-15)
+        assert stick.twist == pytest.approx([0.0, 2.0, 0.0], abs=1e-15)
+        assert stick.spin_ratio == 0
+
+
+def test_a_long_rod_turns_about_the_ring_centre():
+    """Pushed across itself: h = 2 k outside the ring, and k has the sense of the spin."""
+    for angle, sign in ((0.0, 1.0), (np.pi, -1.0)):
+        (_, stick) = pp.solve(make_scene(1e6, pp.PerfectlyRough(), psi=np.pi / 2), angle)
+        assert np.sign(stick.spin_ratio) == sign
+        assert abs(stick.spin_ratio) == pytest.approx(5e5, rel=1e-6)
+        assert stick.center == pytest.approx([0.0, 1e6], abs=1e-3)
+
+
+def test_labelled_solutions_are_a_dataset_with_units():
+    length = xr.DataArray([0.5, 2.0], dims="length", coords={"length": ["short", "long"]})
+    angle = xr.DataArray([-0.2, 1.0, 2.9], dims="push")
+    found = pp.solve(make_scene(length, 2.0), angle)
+    assert isinstance(found, xr.Dataset)
+    assert dict(found.sizes) == {
+        "length": 2, "push": 3, "solution": 4, "xy": 2, "twist_component": 3,
+    }  # fmt: skip
+    assert found.xy.values.tolist() == ["x", "y"]
+    assert found.twist_component.values.tolist() == ["v_x", "v_y", "omega"]
+    assert found.length.values.tolist() == ["short", "long"]
+    units = {name: variable.attrs["units"] for name, variable in found.data_vars.items()}
+    assert units == {
+        "solutions": "1", "mode": "1", "force": "force", "twist": "motion",
+        "contact_motion": "motion", "spin_ratio": "1", "center": "length", "consistent": "1",
+        "outcome": "1",
+    }  # fmt: skip
+    assert all(variable.attrs["long_name"] for variable in found.data_vars.values())
+    plain = pp.solve(make_scene(np.array([[0.5], [2.0]]), 2.0), angle.values)
+    for name in units:
+        assert np.array_equal(found[name], getattr(plain, name), equal_nan=name in FIELDS)
 
 
 @EVERY_EFFECT
-@EVERY_LAW
-@pytest.mark.parametrize("angle", [0.0, 1.0, np.pi, -1.0])
-def test_resting_pusher_leaves_the_slider_at_rest(effects, law, angle):
-    solutions = pp.solve(make_scene(2.0, law, effects), angle, 0.0)
-    assert names(solutions) == ["SEPARATE"]
-    assert not np.any(numbers(solutions))
+def test_lazy_solutions_stay_lazy_and_equal_the_eager_ones(effects):
+    eager = {
+        **BASE, "rod_length": xr.DataArray(np.linspace(0.1, 4, 7), dims="length"),
+        "pusher_angle": xr.DataArray(np.linspace(-3, 3, 11), dims="push"),
+        "weight": xr.DataArray([1.0, 2.0], dims="w"),
+    }  # fmt: skip
+    lazy = {
+        **eager, "rod_length": eager["rod_length"].chunk(length=3),
+        "pusher_angle": eager["pusher_angle"].chunk(push=4),
+    }  # fmt: skip
+    found = call("solve", lazy, effects)
+    for name in found.data_vars:
+        assert dask.is_dask_collection(found[name])
+    with dask.config.set(scheduler="threads", num_workers=3):
+        xr.testing.assert_identical(found.compute(), call("solve", eager, effects))
 
 
-@EVERY_EFFECT
-def test_without_a_rod_the_slider_translates_with_its_contact(effects):
-    scene = make_scene(0.0, 1.0, effects)
-    assert np.all(pp.spin_ratio(scene, PHI, 0.5 if effects == BOTH else None) == 0)
-    cone = pp.motion_cone(scene)
-    assert (cone.right, cone.left) == (pp.friction_cone(scene).right, pp.friction_cone(scene).left)
-    (stick,) = pp.solve(scene, 1.2, 2.0)
-    assert stick.twist == pytest.approx([2 * np.cos(1.2), 2 * np.sin(1.2), 0.0], rel=1e-15)
-    assert np.all(np.isinf(stick.center))
-    (slip,) = pp.solve(scene, 0.3, 2.0)
-    assert slip.mode is pp.ContactMode.SLIP_LEFT
-
-
-@EVERY_EFFECT
-@pytest.mark.parametrize("magnitude", [1e-3, 1.0, 1e3])
-def test_short_rod_joins_no_rod(effects, magnitude):
-    for degrees in (20.0, 45.0, 90.0, 150.0, -20.0):
-        short, none = (
-            pp.solve(make_scene(length, 1.0, effects), np.deg2rad(degrees), magnitude)
-            for length in (1e-8, 0.0)
-        )
-        assert names(short) == names(none)
-        scale = magnitude * np.array([1, 1, 1, 1, 1, 1, 1, 1 / magnitude])
-        gap = np.abs(numbers(short) - numbers(none)) / np.maximum(scale, 1.0)
-        assert gap.size == 0 or gap.max() < 5e-8
-
-
-@EVERY_EFFECT
-@pytest.mark.parametrize("length", [1e6, 1e8])
-def test_long_rod_turns_its_motion_across_itself(effects, length):
-    scene = make_scene(length, np.inf, effects)
-    cone = pp.motion_cone(scene)
-    assert [cone.right, cone.left] == pytest.approx([-PSI, np.pi - PSI], abs=3 / length)
-    for degrees, found in ((100.0, ["STICK"]), (136.0, ["SLIP_RIGHT"])):
-        for magnitude in (1e-3, 1.0, 1e3):
-            solutions = pp.solve(scene, np.deg2rad(degrees), magnitude)
-            assert names(solutions) == found
-            (solution,) = solutions
-            assert solution.contact_motion[1] == pytest.approx(
-                magnitude * np.sin(np.deg2rad(degrees)), rel=1e-9
-            )
-
-
-@pytest.mark.parametrize("length", [1e-160, 1e-20])
-def test_vanishing_rod_solves_like_no_rod(length):
-    assert names(pp.solve(make_scene(length, 1.0), np.deg2rad(10))) == ["SLIP_LEFT"]
-
-
-@EVERY_EFFECT
-@pytest.mark.parametrize("length", [1e4, 1e8])
-def test_long_rod_along_the_edge_of_the_friction_cone_slips_or_sticks(effects, length):
-    """Every motion needs a force within 1 / l^2 of the rod, and so of the edge of mu = 1."""
-    for degrees, mode in ((10.0, "SLIP_LEFT"), (40.0, "SLIP_LEFT"), (60.0, "STICK")):
-        assert names(pp.solve(make_scene(length, 1.0, effects), np.deg2rad(degrees))) == [mode]
-
-
-@EVERY_EFFECT
-@pytest.mark.parametrize("psi", [1e-12, 1e-6, np.nextafter(np.pi, 0)])
-@pytest.mark.parametrize("length", [0.5, 1e3])
-def test_rod_almost_along_the_fence_solves(effects, psi, length):
-    scene = make_scene(length, 1.0, effects, psi)
-    for degrees in (-100.0, 10.0, 60.0, 170.0):
-        solutions = pp.solve(scene, np.deg2rad(degrees))
-        assert np.all(np.isfinite(numbers(solutions)))
-        assert pp.ContactMode.SEPARATE in solutions.modes or degrees > 0
-
-
-def test_rod_along_the_normal_is_symmetric():
-    for effects in EFFECT_SETS.values():
-        cone = pp.motion_cone(make_scene(2.0, 1.0, effects, np.pi / 2))
-        assert cone.left - np.pi / 2 == pytest.approx(np.pi / 2 - cone.right, abs=1e-15)
-
-
-@pytest.mark.parametrize("gyration_radius", [0.1, 0.3, 0.7, 1.0, 3.0])
-@pytest.mark.parametrize("length", [0.5, 1.0, 5.0])
-def test_conservative_bound_holds_or_is_refused(length, gyration_radius):
-    """The seven cases of Sec. 4 are about a ring, rho = R; elsewhere they are no bound."""
-    effects = [pp.RingFriction(), pp.Inertia(gyration_radius=gyration_radius)]
-    scene = make_scene(length, effects=effects)
-    try:
-        bound = pp.conservative_motion_cone(scene)
-    except pp.InvalidValue:
-        assert gyration_radius != 1.0
-        return
-    exact = pp.motion_cone(scene)
-    assert bound.right <= exact.right + 1e-12
-    assert exact.left <= bound.left + 1e-12
-
-
-@pytest.mark.parametrize("magnitude", [1e-100, 1e-12, 1e12, 1e100])
-@EVERY_EFFECT
-def test_pusher_magnitude_of_any_size(effects, magnitude):
-    for degrees, mode in ((100.0, "STICK"), (179.0, "SLIP_RIGHT")):
-        (solution,) = pp.solve(make_scene(2.0, np.inf, effects), np.deg2rad(degrees), magnitude)
-        assert solution.mode.name == mode
-        assert np.all(np.isfinite(numbers([solution])))
-
-
-@pytest.mark.parametrize("excess", [1e-3, 1e-5, 1e-7])
-def test_slow_slip_just_above_the_pulling_threshold(excess):
-    """mu slightly above 1.26988: n . u is negative at small magnitudes only, and comes back to 0."""
-    scene = make_scene(2.0, 1.2698754263747701 + excess, BOTH)
-    friction = make_scene(2.0, 1.2698754263747701 + excess, FRICTION)
-    edge = pp.motion_cone(friction).right
-    # n . u = v (a v + edge) near rest, with a curvature of order one; well above the minimum.
-    target = -1e-2 * edge**2
-    pusher = np.array([10.0, target])
-    found = names(pp.solve(scene, np.arctan2(*pusher[::-1]), np.hypot(*pusher)))
-    assert found.count("SLIP_LEFT") == 2
+def test_an_array_of_labelled_laws():
+    laws = [pp.Coulomb(0.3), pp.InfiniteFriction()]
+    contact = xr.DataArray(np.array(laws, dtype=object), dims="law", coords={"law": ["mu", "inf"]})
+    slider = pp.Slider(rod_length=2.0, rod_angle=0.8)
+    scene = pp.Scene(slider=slider, contact=contact, effects=FRICTION)
+    found = pp.solve(scene, 2.9)
+    for name, law in zip(("mu", "inf"), laws, strict=True):
+        scene = pp.Scene(slider=slider, contact=law, effects=FRICTION)
+        here = found.sel(law=name)
+        assert here.solutions == len(pp.solve(scene, 2.9))
+        assert np.array_equal(here.force[0], pp.solve(scene, 2.9).solutions[0].force)

@@ -15,7 +15,7 @@ from planar_pushing.mechanics.plane import direction
 def wrench_line(effect, center, spin):
     """Force, and signed distance of its line from the ring centre, for a motion about `center`."""
     velocity = spin * np.array([center[1], -center[0]])  # omega x (0 - center)
-    wrench = effect.wrench(np.array([*velocity, spin]))
+    wrench = pp.wrench(effect, [*velocity, spin])
     return wrench[:2], wrench[2] / np.hypot(*wrench[:2]), velocity
 
 

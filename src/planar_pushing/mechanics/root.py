@@ -66,7 +66,7 @@ def root(equation, low, high, start):
             high, above = x, True
         else:
             low, below = x, True
-        new = x - value / slope
+        new = x - value / slope if slope > 0.0 else inf
         step = abs(new - x)
         settled = step <= SETTLED * abs(new)
         newton = low <= new <= high and (settled or step <= last / 2) and slope < inf

@@ -79,7 +79,7 @@ def _profiles(kinds, rows, forces, torques):
     for i in range(len(rows)):
         k = rows[i, 0]
         if abs(k) < inf:
-            forces[i], torques[i], _ = ring_response(1.0, k)
+            forces[i], torques[i], _, _, _ = ring_response(1.0, k)
         else:
             forces[i], torques[i] = 0.0, 1.0 if k > 0.0 else -1.0
 

@@ -44,15 +44,9 @@ class RingSupport(NamedTuple):
 
 @compiled
 def _response(effect, speed, spin):
-    force, torque, curvature = ring_response(speed, spin)
-    bend = effect.weight * curvature
-    return (
-        effect.weight * force,
-        effect.weight * torque,
-        bend * spin * spin,
-        -bend * spin * speed,
-        bend * speed * speed,
-    )
+    weight = effect.weight
+    force, torque, vv, vs, ss = ring_response(speed, spin)
+    return weight * force, weight * torque, weight * vv, weight * vs, weight * ss
 
 
 @compiled

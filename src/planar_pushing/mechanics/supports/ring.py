@@ -127,7 +127,7 @@ def inner(small, large):
 
 @compiled
 def ring_response(speed, spin):
-    """Force along the motion, torque, and curvature of the potential; Eqs. (2)-(3).
+    """Force along the motion, torque, and their derivatives; Eqs. (2)-(3).
 
     Parameters
     ----------
@@ -136,19 +136,17 @@ def ring_response(speed, spin):
 
     Returns
     -------
-    force, torque : float
-        Per unit weight and radius.
-    curvature : float
-        The c in the potential's second derivative, ``c (s, -v) (s, -v)^T`` over (v, s).
+    force, torque, vv, vs, ss : float
+        Per unit weight and radius, and the derivatives of both by v and s.
     """
     size = abs(spin)
     if size <= speed:
         force, torque, slope = inner(size, speed)
-        curvature = slope / (speed * speed * speed)
-    else:
-        torque, force, slope = inner(speed, size)
-        curvature = slope / (size * size * size)
-    return force, torque if spin >= 0.0 else -torque, curvature
+        k, ss = spin / speed, slope / speed
+        return force, torque if spin >= 0.0 else -torque, k * k * ss, -k * ss, ss
+    torque, force, slope = inner(speed, size)
+    k, vv = speed / spin, slope / size
+    return force, torque if spin >= 0.0 else -torque, vv, -k * vv, k * k * vv
 
 
 @compiled
