@@ -18,7 +18,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 
 ROD_ANGLE = np.pi / 4
-COEFFICIENTS = (0.0, 1e-300, 1e-8, 1.0, 1e8, 1e16, 1e300, math.inf)
+COEFFICIENTS = (0.0, 1e-300, 1e-8, 1.0, 1e8, 1e9, math.inf)
 SHARES = ((0.0, "friction"), (1.0, "inertia"))
 
 
