@@ -87,7 +87,7 @@ def test_ill_conditioned_cases_say_so(measures):
 PSI = np.pi / 4
 REFUSED = [
     *[("friction_coefficient", mu, "[0, 1e+09]", {"mu": mu}) for mu in (1e16, 1e300)],
-    *[("rod_length", l, "at most 1e+06 times the radius", {"length": l}) for l in (1e8, 1e50)],
+    *[("rod_length", rod, "at most 1e+06 times the radius", {"length": rod}) for rod in (1e8, 1e50)],
     *[("gyration_radius", rho, "0.0001 to 10000 times the slider's radius", {"rho": rho, "share": 1.0})
       for rho in (1e-300, 1e-8, 1e8, 1e300)],
     *[("pusher_magnitude", a, "m a / W in [1e-12, 1e+12]", {"magnitude": a})

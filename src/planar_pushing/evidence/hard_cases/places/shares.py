@@ -32,7 +32,7 @@ def _exact_spin(length: arb, psi: arb, phi: arb, share: arb) -> arb:
 def _stick(length: float, psi: float, pusher: float, magnitude: float) -> float:
     scene = make_scene(length, psi)
     (stick,) = (each for each in solve(scene, pusher, magnitude) if each.mode is ContactMode.STICK)
-    return stick.spin_ratio
+    return float(stick.spin_ratio)
 
 
 def _exact_stick(length: arb, psi: arb, pusher: arb, magnitude: arb) -> arb:

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction, PerfectlyRough
-from planar_pushing.mechanics.domain import GYRATION, LONGEST, ROUGHEST
+from planar_pushing.mechanics.domain import GYRATION, LONGEST, ROUGHEST, Number
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.options import EffectSet
 from planar_pushing.mechanics.plane import Array
@@ -92,9 +92,7 @@ def units(rng: Generator, size: int) -> Array:
     return np.asarray(2.0 ** rng.integers(-100, 101, size))
 
 
-def effects(
-    rng: Generator, names: EffectSet, radius: npt.ArrayLike, size: int
-) -> tuple[Effect, ...]:
+def effects(rng: Generator, names: EffectSet, radius: Number, size: int) -> tuple[Effect, ...]:
     """Effects of many scenes."""
     friction = RingFriction(weight=units(rng, size))
     inertia = Inertia(mass=units(rng, size), gyration_radius=radius * gyrations(rng, size))

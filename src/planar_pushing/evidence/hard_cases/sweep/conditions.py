@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -110,10 +110,11 @@ def gathered(given: Pushes, found: SolutionArrays) -> Found:
     )  # fmt: skip
 
 
-def _picked(effect: Effect, push: npt.NDArray[np.intp], size: int) -> Effect:
+def _picked(effect: Any, push: npt.NDArray[np.intp], size: int) -> Effect:
     """The effect of each solution's scene."""
     parameters = {field.name: getattr(effect, field.name) for field in fields(effect)}
-    return type(effect)(**{n: np.broadcast_to(x, size)[push] for n, x in parameters.items()})
+    picked = {name: np.broadcast_to(x, size)[push] for name, x in parameters.items()}
+    return replace(effect, **picked)  # type: ignore[no-any-return]
 
 
 def out_of_balance(given: Pushes, each: Found) -> Wrong:
@@ -143,14 +144,14 @@ def against_its_mode(given: Pushes, each: Found) -> Wrong:
         ContactMode.SLIP_RIGHT: keeps & (gap[:, 0] > 0) & inside & (from_left <= limit),
         ContactMode.SLIP_LEFT: keeps & (gap[:, 0] < 0) & inside & (from_right <= limit),
     }
-    return ~np.choose(each.mode, [right[mode] for mode in ContactMode])
+    return np.asarray(~np.choose(each.mode, [right[mode] for mode in ContactMode]))
 
 
 def broken(given: Pushes, each: Found) -> Wrong:
     """Solutions that break a condition, of those whose digits have not underflowed."""
     rise = np.abs(direction(given.angle)[each.push, 1])
     faint = (each.mode > ContactMode.STICK) & (rise > 0) & (rise < FAINT)
-    return (out_of_balance(given, each) | against_its_mode(given, each)) & ~faint
+    return np.asarray((out_of_balance(given, each) | against_its_mode(given, each)) & ~faint)
 
 
 def miscounted(given: Pushes, found: SolutionArrays) -> Wrong:
