@@ -104,7 +104,8 @@ def motion_angles_of_both(rng: Generator, size: int) -> Wrong:
     ends = np.abs([spin_ratio(each, phi) for each in alone])
     k = np.abs(spin_ratio(scene, phi, share))
     near, far = ends.min(axis=0) * (1 - ROUNDING), ends.max(axis=0) * (1 + ROUNDING)
-    return np.asarray(~((k >= near) & (k <= far)) | _leads_away(scene, phi, share))
+    between = (far < TINY) | ((k >= near) & (k <= far))
+    return np.asarray(~between | _leads_away(scene, phi, share))
 
 
 def _leads_away(scene: Scene, phi: Array, share: Array | None = None) -> Wrong:
