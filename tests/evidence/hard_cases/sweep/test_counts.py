@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from planar_pushing.evidence.hard_cases.scenes import make_scene
 from planar_pushing.evidence.hard_cases.sweep import conditions, decisions, kernels
 from planar_pushing.evidence.hard_cases.sweep.counts import (
     BLOCK,
@@ -143,13 +144,28 @@ def test_a_force_outside_the_cone_is_told():
 
 def test_a_missing_solution_is_counted(solved):
     given, found = solved
-    pushing = direction(given.angle)[:, 1] > 0
+    pushing = (direction(given.angle)[:, 1] > 0) & (given.magnitude > 0)
     assert not conditions.miscounted(given, found).any()
     nothing = replace(found, mode=found.mode * 0 - 1, solutions=found.solutions * 0)
     assert conditions.miscounted(given, nothing).all()
     twice = replace(found, solutions=found.solutions + 2)
     single = given._replace(scene=replace(given.scene, effects=given.scene.effects[:1]))
     assert (conditions.miscounted(single, twice) == pushing).all()
+
+
+@pytest.mark.parametrize(
+    ("psi", "mu", "angle"),
+    [(1e-300, 9.451541293189834e-06, 1.5707934173394442),
+     (3.1415926535897927, 6.0677535364992974e-05, 1.570798797174742),
+     (1e-12, 6.077309117895397e-06, 1.5707990692290912)],
+)  # fmt: skip
+def test_a_line_of_force_that_almost_touches_the_ring(psi, mu, angle):
+    """The slope of the torque is infinite there, and a root is found in short steps."""
+    scene = make_scene(1.0, psi, share=0.0, mu=mu)
+    given = conditions.Pushes(scene, np.array([angle]), np.ones(1))
+    found = solve(*given)
+    assert found.mode.tolist() == [[ContactMode.STICK, -1, -1, -1]]
+    assert not conditions.wrong(given, found).any()
 
 
 def test_a_missing_decision_is_wrong(monkeypatch):

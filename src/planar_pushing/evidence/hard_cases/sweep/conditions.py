@@ -62,7 +62,7 @@ def pushes(rng: Generator, names: EffectSet, contact: str, size: int) -> Pushes:
     tiny = rng.choice([-1.0, 1.0], size) * powers(rng, 1e-300, 0.1, size)
     other = [axis, axis + np.spacing(axis), axis + tiny, near + tiny, rng.uniform(-6.3, 6.3, size)]
     angle = np.where(rng.random(size) < 0.4, near, np.choose(rng.integers(5, size=size), other))
-    ratio = mixed(rng, [*SHARES, 1.0], powers(rng, *SHARES, size))
+    ratio = mixed(rng, [0.0, *SHARES, 1.0], powers(rng, *SHARES, size))
     return Pushes(scene, angle, ratio * scene.weight / scene.inertia[0])
 
 
@@ -92,8 +92,7 @@ class Found(NamedTuple):
 def gathered(given: Pushes, found: SolutionArrays) -> Found:
     """Solutions of many pushes in a row."""
     at = np.nonzero(found.consistent)
-    push = at[0]
-    shape = found.solutions.shape
+    push, shape = at[0], found.solutions.shape
 
     def of(values: npt.ArrayLike) -> Array:
         return np.asarray(np.broadcast_to(values, shape)[push])
@@ -156,7 +155,7 @@ def broken(given: Pushes, each: Found) -> Wrong:
 
 def miscounted(given: Pushes, found: SolutionArrays) -> Wrong:
     """Pushes with too few or too many solutions."""
-    pushing = direction(given.angle)[:, 1] > 0
+    pushing = (direction(given.angle)[:, 1] > 0) & (given.magnitude > 0)
     wrong = (found.mode == ContactMode.SEPARATE).any(axis=-1) == pushing
     if given.scene.contact.force_angles.closed:
         wrong |= found.solutions < 1

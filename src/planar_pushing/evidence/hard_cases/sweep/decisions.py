@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from dataclasses import replace
 from enum import Enum, auto
+from typing import NamedTuple
 
 import numpy as np
 from flint import arb, ctx, fmpq
@@ -16,11 +17,13 @@ from planar_pushing.certified.setting import Effects
 from planar_pushing.certified.setting import Slider as ExactSlider
 from planar_pushing.evidence.hard_cases.scenes import make_scene
 from planar_pushing.evidence.hard_cases.sweep.adversarial import (
+    SHORTEST,
     Generator,
     angles,
     coefficients,
     gyrations,
     lengths,
+    mixed,
     powers,
     rod_angles,
 )
@@ -40,28 +43,50 @@ NEXT_TO = (0.0, -(2.0**-44), 2.0**-44)
 SHARE = {Effects.FRICTION: 0.0, Effects.INERTIA: 1.0, Effects.BOTH: 0.5}
 
 
+class Wide(NamedTuple):
+    """A scene with W = m = R = 1 and the size of a push, each number in the domain or far outside."""
+
+    names: Effects
+    length: float
+    rho: float
+    mu: float
+    size: float
+
+    @property
+    def allowed(self) -> bool:
+        """Whether the domain holds it."""
+        inertial, both = self.names is not Effects.FRICTION, self.names is Effects.BOTH
+        return (
+            self.length <= LONGEST
+            and self.mu <= ROUGHEST
+            and (not inertial or GYRATION[0] <= self.rho <= GYRATION[1])
+            and (not both or self.size == 0 or SHARES[0] <= self.size <= SHARES[1])
+        )
+
+
+def _wide(rng: Generator) -> Wide:
+    sizes = mixed(rng, [0.0, *SHARES], powers(rng, *SHARES, 1))
+    inside = np.concatenate([lengths(rng, 1), gyrations(rng, 1), coefficients(rng, 1), sizes])
+    outside = powers(rng, SHORTEST, 1 / SHORTEST, 4)
+    return Wide(
+        list(Effects)[int(rng.integers(3))],
+        *np.where(rng.random(4) < 0.1, outside, inside).tolist(),
+    )
+
+
 def scalar(rng: Generator) -> tuple[bool, bool]:
     """One scene, in the domain or out of it: whether it was refused, and whether the answer is wrong."""
-    far = powers(rng, 1e-140, 1e140, 4)
-    inside = [lengths(rng, 1), gyrations(rng, 1), coefficients(rng, 1), powers(rng, *SHARES, 1)]
-    length, rho, mu, size = (
-        float(rng.choice([a, *b], p=[0.1, 0.9])) for a, b in zip(far, inside, strict=True)
-    )
-    names = list(Effects)[int(rng.integers(3))]
-    allowed = length <= LONGEST and mu <= ROUGHEST
-    allowed &= names is Effects.FRICTION or GYRATION[0] <= rho <= GYRATION[1]
-    allowed &= names is not Effects.BOTH or SHARES[0] <= size <= SHARES[1]
+    wide, psi = _wide(rng), float(rod_angles(rng, 1)[0])
     angle = float(rng.choice(angles(rng, 200, 0.0, np.pi)))
-    psi = float(rod_angles(rng, 1)[0])
     try:
-        scene = make_scene(length, psi, share=SHARE[names], mu=mu, rho=rho)
-        found = solve(scene, angle, size)
+        scene = make_scene(wide.length, psi, share=SHARE[wide.names], mu=wide.mu, rho=wide.rho)
+        found = solve(scene, angle, wide.size)
     except InvalidValue:
-        return True, allowed
-    pushes = Pushes(scene, np.array([angle]), np.array([size]))
+        return True, wide.allowed
+    pushes = Pushes(scene, np.array([angle]), np.array([wide.size]))
     arrays = solve(*pushes)
     same = [int(mode) for mode in found.modes] == arrays.mode[arrays.consistent].tolist()
-    return False, not (allowed and same) or bool(wrong(pushes, arrays).any())
+    return False, not (wide.allowed and same) or bool(wrong(pushes, arrays).any())
 
 
 def _degrees(radians: float, nudge: float = 0.0) -> fmpq:
