@@ -5,6 +5,7 @@ import time
 import numpy as np
 import pytest
 from planar_pushing.mechanics.effects.ring_friction import ring_profile
+from planar_pushing.simulation.ring_lanes import ring_kernel
 
 from planar_pushing import (
     ContactMode,
@@ -19,7 +20,6 @@ from planar_pushing import (
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.simulation.batch import simulate_batch
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.ring_lanes import ring_kernel
 from planar_pushing.simulation.simulate import simulate
 
 REFERENCES = {

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from planar_pushing.simulation.support import Support
 
 import planar_pushing as pp
 from mechanics.builders import DEFINITION_2, make_scene
 from mechanics.strategies import coefficients, friction, scenes
-from planar_pushing.simulation.support import Support
 from simulation.runs import check, final, heading, run
 
 #: l, mu, fence angle, psi0, T; final rod angle in degrees, and slip.

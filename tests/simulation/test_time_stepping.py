@@ -5,6 +5,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from planar_pushing.simulation.record import NO_MODE
+from planar_pushing.simulation.time_stepping import integrate
 
 from planar_pushing import (
     ContactMode,
@@ -20,8 +22,6 @@ from planar_pushing import (
 from planar_pushing.simulation import event_driven
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.record import NO_MODE
-from planar_pushing.simulation.time_stepping import integrate
 
 FRICTION, INERTIA = RingFriction(weight=0.7), Inertia(mass=1.3, gyration_radius=0.8)
 EFFECTS = {"friction": (FRICTION,), "inertia": (INERTIA,), "both": (FRICTION, INERTIA)}

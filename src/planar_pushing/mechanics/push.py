@@ -87,8 +87,11 @@ def _modes(kinds, rows, counts, modes, forces, twists, contacts, ratios, centers
 def _forces(
     kinds: Any, weight: npt.ArrayLike, mass: npt.ArrayLike, size: npt.ArrayLike
 ) -> tuple[Any, Any, Any]:
-    """Unit of force, and the forces of friction and of inertia in a translation, in that unit."""
-    pull = np.where(np.asarray(size) > 0, size, 1.0) * mass
+    """Unit of force, and the forces of friction and of inertia in a translation, in that unit.
+
+    A pusher at rest takes no force, in any unit.
+    """
+    pull = np.where(np.asarray(size) > 0, np.multiply(size, mass), weight)
     if len(kinds) == 2:
         required_ratio("force_ratio", pull / np.asarray(weight))
         unit = np.maximum(weight, pull)
