@@ -25,7 +25,7 @@ HALVINGS = 20
 NOTHING, MISJUDGED = -1, -2
 
 
-@compiled
+@inlined
 def start_watch(system, mode, run):
     """Look at the guards at the start of a mode."""
     guards(system, mode, run.time, run.vectors[STATE], run.guards[VALUES])
@@ -41,7 +41,7 @@ def _sign(cause, value):
     return -1.0 if WATCHES[cause] and value < -SLACK else 0.0
 
 
-@compiled
+@inlined
 def first_event(system, mode, run):
     """Write down the first event of a step; its cause, `NOTHING`, or `MISJUDGED`.
 

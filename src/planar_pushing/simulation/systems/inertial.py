@@ -9,7 +9,7 @@ from __future__ import annotations
 import sys
 from math import cos, sin, sqrt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.push import spin_ratio
 from planar_pushing.simulation.fence import span, velocity
 from planar_pushing.simulation.systems.base import (
@@ -80,7 +80,7 @@ def settling(system, during, time, state):
     )
 
 
-@compiled
+@inlined
 def enter(system, index, state, kind, policy):
     """A jump of the fence's velocity is an impact on what it touches."""
     during = span(system.fence, index)
@@ -105,7 +105,7 @@ def _touches(system, state):
     return state[GAP] <= SLACK and abs(state[RISE]) <= SLACK * system.body.speed
 
 
-@compiled
+@inlined
 def modes(system, during, time, state, kinds, starts):
     starts[:] = 0.0
     body = system.body
@@ -118,7 +118,7 @@ def modes(system, during, time, state, kinds, starts):
     return _in_motion(system, during, time, state, kinds)
 
 
-@compiled
+@inlined
 def _in_motion(system, during, time, state, kinds):
     """Modes of a contact on the fence whose slider moves."""
     body, slip, count = system.body, state[OVER], 0
@@ -139,7 +139,7 @@ def _in_motion(system, during, time, state, kinds):
     return count
 
 
-@compiled
+@inlined
 def after(system, cause, mode, time, state, policy):
     if cause == TOUCHES:
         state[GAP] = 0.0
