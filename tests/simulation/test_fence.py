@@ -1,4 +1,4 @@
-"""The fence's motion as polynomials: values, derivatives and displacements of the function that was given."""
+"""The fence's motion as polynomials: values, derivatives and displacements of a given function."""
 
 import math
 

@@ -11,7 +11,7 @@ def test_coefficients_are_those_of_scipy():
     assert (A[:STEP, :STEP] == DOP853.A).all()
     assert (A[STEP, :STEP] == DOP853.B).all()
     assert (A[STEP + 1 :] == DOP853.A_EXTRA).all()
-    assert (C == [*DOP853.C, 1.0, *DOP853.C_EXTRA]).all()
+    assert ([*DOP853.C, 1.0, *DOP853.C_EXTRA] == C).all()
     assert (ERRORS[:, : STEP + 1] == [DOP853.E5, DOP853.E3]).all()
     assert (WEIGHTS == DOP853.D).all()
 

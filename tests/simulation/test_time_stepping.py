@@ -54,7 +54,7 @@ def recorded(run):
     """Every row of a run, its vectors as tuples."""
     rows = [dict(zip(ROW.names, row.tolist(), strict=True)) for batch in run for row in batch]
     found = [
-        SimpleNamespace(**{k: tuple(v) if isinstance(v, list) else v for k, v in row.items()})
+        SimpleNamespace(**{k: tuple(v) if np.ndim(v) else v for k, v in row.items()})
         for row in rows
     ]
     for each in found:

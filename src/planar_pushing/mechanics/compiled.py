@@ -75,8 +75,7 @@ def inlined(function: Function) -> Function:
     The compiler optimises a function together with all that it calls, so each layer of functions above a
     large one costs its time again; a layer that is inlined costs nothing.
     """
-    made = numba.njit(inline="always", **OPTIONS)(function)
-    return made  # type: ignore[no-any-return]
+    return numba.njit(inline="always", **OPTIONS)(function)  # type: ignore[no-any-return]
 
 
 @contextmanager

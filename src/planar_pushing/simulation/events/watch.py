@@ -113,11 +113,12 @@ def _dip(system, mode, run, cause):
         c = run.guards[NODE + j, cause]
         bend = a - 2.0 * b + c
         if min(a, b, c) > 0.0 and b <= min(a, c) and bend > 0.0:
+            low, high = _node(run, j - 1), _node(run, j + 1)
+            time, value = low, b
             # The parabola through the three falls below a fifth of the middle one.
             if b - (c - a) * (c - a) / (8.0 * bend) < 0.2 * b:
-                low, high = _node(run, j - 1), _node(run, j + 1)
                 time, value = least(system, mode, run, cause, low, high)
-                if value < -SLACK:
-                    return crossing(system, mode, run, cause, low, time)
+            if value < -SLACK:
+                return crossing(system, mode, run, cause, low, time)
         a, b = b, c
     return inf

@@ -6,7 +6,6 @@ sticks has no relative velocity at all, and one that slips no normal one.
 
 from __future__ import annotations
 
-import sys
 from math import cos, sin, sqrt
 
 from planar_pushing.mechanics.compiled import compiled, inlined
@@ -29,9 +28,7 @@ from planar_pushing.simulation.systems.base import (
     STARTS,
     STICK,
     STOPS,
-    SYSTEMS,
     TOUCHES,
-    Inertial,
     Mode,
 )
 from planar_pushing.simulation.systems.impacts import impact
@@ -45,7 +42,18 @@ from planar_pushing.simulation.systems.inertial_motion import (
 )
 from planar_pushing.simulation.systems.rest import AT_REST, from_rest, set_off, stopped
 
-__all__ = ["after", "enter", "guards", "initial", "modes", "pace", "rates", "scales", "settling", "write"]
+__all__ = [
+    "after",
+    "enter",
+    "guards",
+    "initial",
+    "modes",
+    "pace",
+    "rates",
+    "scales",
+    "settling",
+    "write",
+]
 
 
 @compiled
@@ -75,9 +83,7 @@ def pace(system, during, time):
 @compiled
 def settling(system, during, time, state):
     body = system.body
-    return body.weight / (
-        body.mass * max(size(system, during, time, state), AT_REST * body.speed)
-    )
+    return body.weight / (body.mass * max(size(system, during, time, state), AT_REST * body.speed))
 
 
 @inlined
@@ -163,6 +169,3 @@ def write(system, mode, time, state, row):
     row.force[0], row.force[1] = contact_force(system, mode, now)
     row.spin_ratio = spin_ratio(sqrt(now.v_x * now.v_x + now.v_y * now.v_y), state[SPIN])
     row.kinetic_energy = kinetic_energy(system, mode.during, time, state)
-
-
-SYSTEMS[Inertial] = sys.modules[__name__]
