@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
+from mechanics.builders import BOTH, FRICTION, make_scene
 from planar_pushing.simulation.events.driver import ENDED, advance
 from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, records
 from simulation.runs import final, heading, run
-from unit.builders import BOTH, FRICTION, make_scene
 
 FENCE = [(0, heading(60)), (0.5, heading(100))]
 

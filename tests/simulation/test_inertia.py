@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from properties.strategies import both, coefficients, inertia, scenes
+from mechanics.builders import BOTH, DEFINITION_2, FRICTION, INERTIA, make_scene
+from mechanics.strategies import both, coefficients, inertia, scenes
 from simulation.runs import check, final, heading, run
-from unit.builders import BOTH, DEFINITION_2, FRICTION, INERTIA, make_scene
 
 STILL = (0.0, 0.0)
 

@@ -11,10 +11,10 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
+from mechanics.builders import BOTH, FRICTION, make_scene
 from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.problem import Problem
 from simulation.runs import final, heading, run
-from unit.builders import BOTH, FRICTION, make_scene
 
 FENCE = [(0, heading(60)), (0.5, heading(100))]
 METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])

@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from properties.strategies import coefficients, friction, scenes
+from mechanics.builders import DEFINITION_2, make_scene
+from mechanics.strategies import coefficients, friction, scenes
 from simulation.runs import check, final, heading, run
-from unit.builders import DEFINITION_2, make_scene
 
 #: l, mu, fence angle, psi0, T; final rod angle in degrees, and slip.
 REFERENCES = [

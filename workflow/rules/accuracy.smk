@@ -113,6 +113,7 @@ rule accuracy_data:
 rule effects_data:
     input:
         study=STUDY_FILE,
+        counted="results/data/evaluations.nc",
         scenes=[push.file for push in STUDY.scenes.values()],
     output:
         "results/data/effects.nc",

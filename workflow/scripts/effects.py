@@ -1,10 +1,11 @@
-"""Count and time what each effect of the study costs, in this one process."""
+"""Time what each effect of the study costs, in this one process, beside its counts."""
 
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
     from planar_pushing.evidence.costs.effects import measure
-    from planar_pushing.study.store import write_dataset
+    from planar_pushing.study.store import read_dataset, write_dataset
     from planar_pushing.study.study_file import load_study
 
-    write_dataset(measure(load_study(snakemake.input.study)), snakemake.output[0])
+    study, counted = load_study(snakemake.input.study), read_dataset(snakemake.input.counted)
+    write_dataset(measure(study, counted), snakemake.output[0])

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from planar_pushing.commands import animate, compilation, cone, draw, query, simulate, solve
 from planar_pushing.commands.arguments import check_push
 from planar_pushing.commands.text import text
-from planar_pushing.mechanics.errors import PlanarPushingError
 from planar_pushing.mechanics.entries import plain
+from planar_pushing.mechanics.errors import PlanarPushingError
 
 COMMANDS = (solve, cone, query, draw, simulate, animate, compilation)
 

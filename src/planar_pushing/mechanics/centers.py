@@ -70,12 +70,12 @@ def motion_centers(
     translation has its centre at infinity. For inertia alone the centres lie on one line, the dual of
     the contact (Fig. 9).
     """
-    required("force_angle", force_angle)
+    angle = required("force_angle", force_angle)
     shares = effect_columns(scene, require_share(scene, inertia_share))
     reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
     return elementwise(
         lambda *given: mapped(_centers, scene.kinds, given, CENTER),
-        [*shares, *rod_columns(scene), force_angle, scene.slider.radius, reach],
+        [*shares, *rod_columns(scene), angle, scene.slider.radius, reach],
         CENTER,
     )[0]
 

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
 from planar_pushing.mechanics.arrays import Output, elementwise, mapped, named
-from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.domain import Number, required
 from planar_pushing.mechanics.effects.base import COLUMNS, made
 from planar_pushing.mechanics.errors import InvalidValue
@@ -60,8 +60,7 @@ def require_share(scene: Scene, inertia_share: Number | None) -> Number:
             "inertia_share", inertia_share, "numbers in [0, 1] for a scene with friction and inertia",
             "give s / (1 + s) with s = m a / W; motion_cone and solve need none",
         )  # fmt: skip
-    required("inertia_share", inertia_share)
-    return inertia_share
+    return required("inertia_share", inertia_share)
 
 
 @compiled
@@ -85,12 +84,11 @@ def _under_forces(
     kernel: Callable[..., None], name: str, scene: Scene, force_angle: Number, share: Number | None
 ) -> Number:
     """What a kernel gives for each force angle."""
-    required("force_angle", force_angle)
     columns = effect_columns(scene, require_share(scene, share))
     outputs = [Output(name)]
     return elementwise(
         lambda *given: mapped(kernel, scene.kinds, given, outputs),
-        [*columns, *rod_columns(scene), force_angle],
+        [*columns, *rod_columns(scene), required("force_angle", force_angle)],
         outputs,
     )[0]
 
@@ -137,32 +135,13 @@ def motion_angle(
     return _under_forces(_motion_angles, "motion_angle", scene, force_angle, inertia_share)
 
 
-@generic
-def _reach(kinds: Any) -> Callable[..., Any]:
-    """Least and greatest motion angle under a force, over all magnitudes of the motion."""
-    return _reach_of_one if len(kinds) == 1 else _reach_of_all
-
-
-@compiled
-def _reach_of_one(effects, own, force):
-    angle = base.motion_angle(effects, own, force)
-    return angle, angle
-
-
-@compiled
-def _reach_of_all(effects, own, force):
-    low, high = _reach(effects[:1], own, force)
-    other_low, other_high = _reach(effects[1:], own, force)
-    return min(low, other_low), max(high, other_high)
-
-
 @compiled
 def _motion_cones(kinds, rows, right, left, reached):
     for i in range(len(rows)):
         row = rows[i]
         effects, own = made(kinds, row), rod(row[LENGTH], row[ANGLE])
-        low, low_other = _reach(effects, own, toward(own, row[FIRST]))
-        high_other, high = _reach(effects, own, toward(own, row[SECOND]))
+        low, low_other = base.motion_angles(effects, own, toward(own, row[FIRST]))
+        high_other, high = base.motion_angles(effects, own, toward(own, row[SECOND]))
         # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
         right[i], left[i] = min(low, high), high
         reached[i] = low_other - low <= RESOLUTION and high - high_other <= RESOLUTION

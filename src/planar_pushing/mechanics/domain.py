@@ -92,40 +92,46 @@ RATIOS = {
 
 
 def is_lazy(value: object) -> bool:
-    """Whether a value is an array whose numbers are computed later."""
-    return hasattr(value, "__dask_graph__") and value.__dask_graph__() is not None
+    """Whether a value is a DataArray whose numbers are computed later."""
+    return hasattr(value, "dims") and getattr(value, "chunks", None) is not None
 
 
-def required(name: str, given: object) -> None:
-    """Refuse a parameter of which a number is outside its range.
+def required(name: str, given: Number) -> Number:
+    """The parameter that was given, a list as an array; of a lazy one each block is checked in its turn.
 
     Raises
     ------
     InvalidValue
-        With the name, the first number outside and the range.
+        Where a number is outside the range, with the name, the first number outside and the range.
     """
-    if not is_lazy(given):
-        _require(name, given, RANGES[name])
+    return _required(name, given, RANGES[name])
 
 
-def required_ratio(ratio: str, values: object) -> None:
-    """Refuse a parameter out of proportion to the others; errors as in `required`."""
+def required_ratio(ratio: str, values: Number) -> Number:
+    """Refuse a parameter out of proportion to the others; result and errors as of `required`."""
     name, allowed = RATIOS[ratio]
-    if not is_lazy(values):
-        _require(name, values, allowed)
+    return _required(name, values, allowed)
 
 
-def _require(name: str, given: object, allowed: Range) -> None:
+def require_fields(value: object, *names: str) -> None:
+    """Take the fields of a frozen value through `required`."""
+    for name in names:
+        object.__setattr__(value, name, required(name, getattr(value, name)))
+
+
+def _required(name: str, given: Number, allowed: Range) -> Number:
+    if is_lazy(given):
+        blocks = given.data.map_blocks(lambda block: _required(name, block, allowed), dtype=float)
+        return given.copy(data=blocks)
     try:
-        array = np.asarray(given)
-        numbers = np.asarray(array if array.dtype.kind in "iuf" else math.nan, dtype=float)
-    except (TypeError, ValueError, OverflowError):
+        numbers = np.asarray(given)
+    except ValueError:  # lists of several lengths
+        numbers = np.array(math.nan)
+    if numbers.dtype.kind not in "iuf":
         numbers = np.array(math.nan)
     wrong = numbers[~np.asarray(allowed.allows(numbers), dtype=bool)]
     if wrong.size:
-        shown = (
-            given
-            if numbers.ndim == 0 and not isinstance(given, np.number)
-            else float(wrong.flat[0])
-        )
+        own = numbers.ndim == 0 and not isinstance(given, np.number)
+        shown = given if own else float(wrong.flat[0])
         raise InvalidValue(name, shown, allowed.allowed, allowed.remedy)
+    return numbers if isinstance(given, (list, tuple)) else given

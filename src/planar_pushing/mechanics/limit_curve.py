@@ -93,8 +93,8 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     LimitCurve, or xarray.Dataset
         A dataset where an argument is a DataArray.
     """
-    required("force_angle", force_angle)
-    arguments = [*_forces(scene), *rod_columns(scene), force_angle]
+    angle = required("force_angle", force_angle)
+    arguments = [*_forces(scene), *rod_columns(scene), angle]
     found = elementwise(
         lambda *given: mapped(_curve, scene.kinds, given, OUTPUTS), arguments, OUTPUTS
     )

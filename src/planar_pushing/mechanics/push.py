@@ -87,8 +87,11 @@ def _modes(kinds, rows, counts, modes, forces, twists, contacts, ratios, centers
 def _forces(
     kinds: Any, weight: npt.ArrayLike, mass: npt.ArrayLike, size: npt.ArrayLike
 ) -> tuple[Any, Any, Any]:
-    """Unit of force, and the forces of friction and of inertia in a translation, in that unit."""
-    pull = np.where(np.asarray(size) > 0, size, 1.0) * mass
+    """Unit of force, and the forces of friction and of inertia in a translation, in that unit.
+
+    A pusher at rest takes no force, in any unit.
+    """
+    pull = np.where(np.asarray(size) > 0, np.multiply(size, mass), weight)
     if len(kinds) == 2:
         required_ratio("force_ratio", pull / np.asarray(weight))
         unit = np.maximum(weight, pull)
@@ -116,7 +119,7 @@ def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     required("pusher_angle", towards)
     required("pusher_magnitude", size)
     unit, slow, fast = _forces(kinds, weight, mass, size)
-    ratio = np.divide(length, radius)
+    ratio = required_ratio("length_ratio", np.divide(length, radius))
     columns = [slow, fast, gyration, ratio, angle, *law, towards, size, unit, radius]
     found = mapped(_modes, kinds, columns, outputs(len(kinds)))
     most = SOLUTIONS[len(kinds)]

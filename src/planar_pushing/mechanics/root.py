@@ -12,7 +12,8 @@ from planar_pushing.mechanics.compiled import compiled, generic
 EQUATIONS: dict[type, Callable[..., Any]] = {}
 
 EPSILON = 2.220446049250313e-16
-#: After a Newton step of this relative size the error is rounding.
+#: After two Newton steps of this relative size the error is rounding; after one, where the step has
+#: shrunk so much that the next is below rounding. Beside an infinite slope steps shrink slowly.
 SETTLED = 1e-12
 #: More than bisection needs to take a bracket of the domain to its end.
 STEPS = 200
@@ -65,15 +66,16 @@ def root(equation, low, high, start):
             high, above = x, True
         else:
             low, below = x, True
-        new = x - value / slope
+        new = x - value / slope if slope > 0.0 else inf
         step = abs(new - x)
-        newton = low <= new <= high and step <= last / 2 and slope < inf
+        settled = step <= SETTLED * abs(new)
+        newton = low <= new <= high and (settled or step <= last / 2) and slope < inf
         if not newton:
             if high - low <= 2.0 * EPSILON * max(abs(low), abs(high)):
                 return x, _crosses(equation, low, high, above, below)
             new = _middle(low, high)
             step = abs(new - x)
-        if newton and step <= SETTLED * abs(new):
+        elif settled and (last <= SETTLED * abs(new) or step * step <= EPSILON * abs(new) * last):
             return new, True
         x, last = new, step
     return x, _crosses(equation, low, high, above, below)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.contact.laws import as_numbers, is_law
-from planar_pushing.mechanics.domain import Number, required, required_ratio
+from planar_pushing.mechanics.domain import Number, require_fields, required_ratio
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.support_friction import RingSupport
@@ -39,15 +39,13 @@ class Slider:
     radius: Number = 1.0
 
     def __post_init__(self) -> None:
-        required("rod_length", self.rod_length)
-        required("rod_angle", self.rod_angle)
-        required("radius", self.radius)
-        required_ratio("length_ratio", self.length_ratio)
+        require_fields(self, "rod_length", "rod_angle", "radius")
+        _ = self.length_ratio
 
     @property
     def length_ratio(self) -> Number:
         """Rod length in units of the radius, l / R."""
-        return self.rod_length / self.radius
+        return required_ratio("length_ratio", self.rod_length / self.radius)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,8 +89,7 @@ class Scene:
                 "list what resists the motion, for instance (RingFriction(),)",
             )  # fmt: skip
         object.__setattr__(self, "effects", effects)
-        if self.stores_energy:
-            required_ratio("gyration_ratio", self.inertia[1] ** 0.5)
+        _ = self.inertia
 
     @property
     def friction(self) -> list[RingFriction]:
@@ -100,9 +97,14 @@ class Scene:
         return [each for each in self.effects if isinstance(each, RingFriction)]
 
     @property
+    def masses(self) -> list[Inertia]:
+        """The effects that store energy."""
+        return [each for each in self.effects if isinstance(each, Inertia)]
+
+    @property
     def stores_energy(self) -> bool:
         """Whether an effect has inertia."""
-        return any(isinstance(each, Inertia) for each in self.effects)
+        return bool(self.masses)
 
     @property
     def kinds(self) -> tuple[Any, ...]:
@@ -118,11 +120,14 @@ class Scene:
     @property
     def inertia(self) -> tuple[Number, Number]:
         """Mass, and square of the radius of gyration in radii; of several inertias together."""
-        heavy = [each for each in self.effects if isinstance(each, Inertia)]
+        heavy = self.masses
         if not heavy:
             return 1.0, 1.0
         mass = sum(each.mass for each in heavy)
-        ratios = [(each.gyration_radius / self.slider.radius) ** 2 for each in heavy]
+        ratios = [
+            required_ratio("gyration_ratio", each.gyration_radius / self.slider.radius) ** 2
+            for each in heavy
+        ]
         if len(heavy) == 1:
             return mass, ratios[0]
         moment = sum(each.mass * ratio for each, ratio in zip(heavy, ratios, strict=True))

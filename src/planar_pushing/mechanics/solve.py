@@ -53,7 +53,10 @@ class Solution:
 
 @dataclass(frozen=True, slots=True)
 class Solutions:
-    """All consistent solutions of one pushing problem, in the order of `ContactMode`."""
+    """All consistent solutions of one pushing problem, in the order of `ContactMode`.
+
+    Of several slips of one mode the slower comes first.
+    """
 
     solutions: tuple[Solution, ...]
 

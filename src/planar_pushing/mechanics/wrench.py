@@ -29,8 +29,9 @@ def _wrenches(kinds, rows, wrenches):
         wrenches[i] = 0.0
         if speed > 0.0 or spin != 0.0:
             force, torque, _, _, _ = response(made(kinds, rows[i]), speed, spin)
-            part = force / speed if speed > 0.0 else 0.0
-            wrenches[i, 0], wrenches[i, 1], wrenches[i, 2] = part * v_x, part * v_y, torque
+            wrenches[i, 2] = torque
+            if speed > 0.0:
+                wrenches[i, 0], wrenches[i, 1] = force * (v_x / speed), force * (v_y / speed)
 
 
 def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
@@ -78,7 +79,7 @@ def _profiles(kinds, rows, forces, torques):
     for i in range(len(rows)):
         k = rows[i, 0]
         if abs(k) < inf:
-            forces[i], torques[i], _ = ring_response(1.0, k)
+            forces[i], torques[i], _, _, _ = ring_response(1.0, k)
         else:
             forces[i], torques[i] = 0.0, 1.0 if k > 0.0 else -1.0
 

@@ -1,4 +1,7 @@
-"""Every hard case meets its accuracy: 4 ulp, and 4 for each ulp that rounding its inputs costs."""
+"""Every hard case meets its accuracy: 4 ulp, and 4 for each ulp that rounding its inputs costs.
+
+What is harder than the domain allows is refused.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +14,12 @@ import reference as straight
 from planar_pushing.evidence.hard_cases.case import DIGITS, measure
 from planar_pushing.evidence.hard_cases.dataset import build
 from planar_pushing.evidence.hard_cases.places import contact, lengths, painleve, rest, ring, shares
+from planar_pushing.evidence.hard_cases.scenes import make_scene
 from planar_pushing.figures.evidence import hard_cases
-from planar_pushing.study.figures import OURS
+from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.quantities import DATASET as VARIABLES
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.study.figures import OURS
 
 FAMILIES = {"ring": ring, "lengths": lengths, "contact": contact, "shares": shares, "rest": rest,
             "painleve": painleve}  # fmt: skip
@@ -76,6 +82,29 @@ def test_ill_conditioned_cases_say_so(measures):
         assert (
             each.error_ulp * np.spacing(each.reference_high) <= each.bound * each.reference_high * 4
         )
+
+
+PSI = np.pi / 4
+REFUSED = [
+    *[("friction_coefficient", mu, "[0, 1e+09]", {"mu": mu}) for mu in (1e16, 1e300)],
+    *[("rod_length", rod, "at most 1e+06 times the radius", {"length": rod}) for rod in (1e8, 1e50)],
+    *[("gyration_radius", rho, "0.0001 to 10000 times the slider's radius", {"rho": rho, "share": 1.0})
+      for rho in (1e-300, 1e-8, 1e8, 1e300)],
+    *[("pusher_magnitude", a, "m a / W in [1e-12, 1e+12]", {"magnitude": a})
+      for a in (1e-300, 1e-100, 1e-16, 1e16, 1e100, 1e300)],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "given", "allowed", "changed"), REFUSED)
+def test_a_value_outside_the_domain_is_refused(name, given, allowed, changed):
+    changed = {"length": 2.0, "magnitude": 1.0} | changed
+    length, magnitude = changed.pop("length"), changed.pop("magnitude")
+    with pytest.raises(InvalidValue) as caught:
+        solve(make_scene(length, PSI, **changed), 1.0, magnitude)
+    assert caught.value.name == name
+    assert float(caught.value.given) == given
+    assert allowed in caught.value.allowed
+    assert str(caught.value).startswith(f"{name}: ")
 
 
 def test_dataset_is_described():

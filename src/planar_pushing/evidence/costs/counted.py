@@ -1,73 +1,66 @@
-"""Effects that count how often they are evaluated, and scenes and studies made of them."""
+"""Counts of how often each effect is evaluated, at a motion or a line of force each.
+
+Compiled code cannot be watched: counting needs a process with ``NUMBA_DISABLE_JIT=1``, in which every
+function of the mechanics is the Python function that it is in the source.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, replace
-from typing import cast
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from threading import Lock
+from typing import Any
+from unittest.mock import patch
 
-import numpy as np
-import numpy.typing as npt
-from pydantic import Field
+import numba
 
-from planar_pushing.evidence.internals import Array, IsotropicEffect
-from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.fields import EffectsName
-from planar_pushing.study.models import StudyFile
+from planar_pushing.mechanics.effects import base
+from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.errors import PlanarPushingError
+from planar_pushing.mechanics.options import EffectKind
+from planar_pushing.mechanics.reduced import isotropic, turning
+from planar_pushing.mechanics.root import EQUATIONS
+from planar_pushing.mechanics.supports import ring
 
-#: Names of the effects in the datasets.
-NAMES: dict[type, str] = {RingFriction: "support_friction", Inertia: "inertia"}
-
-
-@dataclass(frozen=True, slots=True)
-class Counted:
-    """An effect, and a tally of the points at which it is evaluated: a motion or a line of force each."""
-
-    effect: IsotropicEffect
-    tally: Counter[str]
-
-    @property
-    def degree(self) -> int:
-        return self.effect.degree
-
-    @property
-    def kinks(self) -> tuple[float, ...]:
-        return self.effect.kinks
-
-    def scaled(self, *units: float) -> Counted:
-        return replace(self, effect=cast(IsotropicEffect, self.effect.scaled(*units)))
-
-    def potential(self, twist: Array) -> Array:
-        return self._add(self.effect.potential(twist))
-
-    def wrench(self, twist: Array) -> Array:
-        wrench = self.effect.wrench(twist)
-        self._add(wrench[..., 0])
-        return wrench
-
-    def profile(self, spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
-        force, torque = self.effect.profile(spin_ratio)
-        return self._add(force), torque
-
-    def spin_ratio(self, moment_arm: npt.ArrayLike) -> Array:
-        return self._add(self.effect.spin_ratio(moment_arm))
-
-    def _add(self, values: Array) -> Array:
-        self.tally[NAMES[type(self.effect)]] += int(np.size(values))
-        return values
+Function = Callable[..., Any]
+#: Where an effect is evaluated: friction in the one function behind the ring's wrench and its inverse,
+#: inertia at a motion, under a line of force, and where its terms stand in an equation with friction.
+PLACES: tuple[tuple[EffectKind, dict[Any, Any], Any], ...] = (
+    (EffectKind.SUPPORT_FRICTION, vars(ring), "inner"),
+    (EffectKind.INERTIA, base.RESPONSES, Mass),
+    (EffectKind.INERTIA, vars(isotropic), "_of_mass"),
+    (EffectKind.INERTIA, vars(isotropic), "_leverage_of_mass"),
+    (EffectKind.INERTIA, vars(turning), "_node"),
+    (EffectKind.INERTIA, EQUATIONS, isotropic.CurveImbalance),
+)
 
 
-def counted_scene(scene: Scene, tally: Counter[str]) -> Scene:
-    """Scene of the same effects, counted."""
-    return replace(scene, effects=tuple(Counted(effect, tally) for effect in scene.effects))
+@contextmanager
+def counting() -> Iterator[Counter[str]]:
+    """Tally of the evaluations of each effect while the context is open.
+
+    Raises
+    ------
+    PlanarPushingError
+        Where the mechanics are compiled.
+    """
+    if not numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+        raise PlanarPushingError(
+            "compiled code cannot be counted; set NUMBA_DISABLE_JIT=1 before the process starts"
+        )
+    tally, lock = Counter[str](), Lock()
+    with ExitStack() as stack:
+        for effect, place, key in PLACES:
+            watched = _watched(place[key], effect, tally, lock)
+            stack.enter_context(patch.dict(place, {key: watched}))
+        yield tally
 
 
-class CountedStudy(StudyFile):
-    """Study that builds counted effects."""
+def _watched(function: Function, effect: EffectKind, tally: Counter[str], lock: Lock) -> Function:
+    def watched(*given: Any) -> Any:
+        with lock:
+            tally[str(effect)] += 1
+        return function(*given)
 
-    tally: Counter[str] = Field(default_factory=Counter)
-
-    def effects(self, name: EffectsName) -> tuple[IsotropicEffect, ...]:
-        """Build the effects, counted."""
-        return tuple(Counted(effect, self.tally) for effect in super().effects(name))
+    return watched

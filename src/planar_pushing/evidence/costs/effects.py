@@ -6,16 +6,16 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import TypeVar
 
 import numpy as np
 import xarray as xr
 
-from planar_pushing.evidence.costs.counted import NAMES, CountedStudy, counted_scene
+from planar_pushing.evidence.costs.counted import counting
 from planar_pushing.evidence.costs.timing import seconds, stamped
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.options import EFFECT_DEGREES, EffectKind
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.datasets import contact_modes, limit_curves, motion_cones
@@ -37,7 +37,6 @@ BUILDERS: dict[str, Callable[[StudyFile], xr.Dataset]] = {
     "contact_modes": contact_modes.build,
 }
 REPEATS = 7
-T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,48 +52,32 @@ class Case:
     effects : str
         Effects that are listed.
     run : callable
-        Computes it with counted effects and returns their tally.
-    plain : callable
-        Computes it without counting.
+        Computes it.
     """
 
     scene: str
     operation: str
     effects: str
-    run: Callable[[], Counter[str]]
-    plain: Callable[[], object]
+    run: Callable[[], object]
 
 
 def _listed(scene: Scene) -> str:
-    return "+".join(name for kind, name in NAMES.items() for e in scene.effects if type(e) is kind)
-
-
-def _counted(compute: Callable[[T], object], watched: Callable[[Counter[str]], T]) -> Counter[str]:
-    """Tally of what a computation evaluates on something that counts into it."""
-    tally: Counter[str] = Counter()
-    compute(watched(tally))
-    return tally
+    listed = {EFFECT_DEGREES[effect.degree] for effect in scene.effects}
+    return "+".join(kind for kind in EffectKind if kind in listed)
 
 
 def _scene_case(name: str, operation: str, scene: Scene) -> Case:
-    compute, watched = OPERATIONS[operation], partial(counted_scene, scene)
-    run = partial(_counted, compute, watched)
-    return Case(name, operation, _listed(scene), run, partial(compute, scene))
+    return Case(name, operation, _listed(scene), partial(OPERATIONS[operation], scene))
 
 
 def _dataset_case(name: str, study: StudyFile) -> Case:
-    build = BUILDERS[name]
-    values = {field: getattr(study, field) for field in StudyFile.model_fields}
-    run = partial(
-        _counted, build, lambda tally: CountedStudy.model_construct(**values, tally=tally)
-    )
-    return Case("grid", name, study.grid.effects[0], run, partial(build, study))
+    return Case("grid", name, study.grid.effects[0], partial(BUILDERS[name], study))
 
 
 def cases(study: StudyFile) -> Iterator[Case]:
     """Every operation on one slider with each set of effects, on the study's scenes, and on its grid.
 
-    The grid has one rod angle and every tenth coefficient of friction.
+    The grid has one rod angle, and every tenth coefficient of friction and pusher angle.
     """
     for effects in study.grid.effects:
         scene = Scene(
@@ -105,7 +88,8 @@ def cases(study: StudyFile) -> Iterator[Case]:
         for operation in OPERATIONS:
             yield _scene_case("one slider", operation, scene)
         few = {"effects": (effects,), "rod_angle": (study.slider.rod_angle,)}
-        few["contact_friction_coefficient"] = study.grid.contact_friction_coefficient[::10]
+        for axis in ("contact_friction_coefficient", "pusher_angle"):
+            few[axis] = getattr(study.grid, axis)[::10]
         grid = study.grid.model_copy(update=few)
         for name in BUILDERS:
             yield _dataset_case(name, study.model_copy(update={"grid": grid}))
@@ -115,10 +99,22 @@ def cases(study: StudyFile) -> Iterator[Case]:
             yield _scene_case(name, operation, scene)
 
 
+def _tally(run: Callable[[], object]) -> Counter[str]:
+    with counting() as tally:
+        run()
+    return tally
+
+
 def evaluations(study: StudyFile) -> xr.Dataset:
-    """Evaluations of each effect in each case, over `case` and `effect`; the same on every machine."""
-    found, names = list(cases(study)), list(NAMES.values())
-    tallies = [case.run() for case in found]
+    """Evaluations of each effect in each case, over `case` and `effect`; the same on every machine.
+
+    Raises
+    ------
+    PlanarPushingError
+        Where the mechanics are compiled, as in `counting`.
+    """
+    found, names = list(cases(study)), [str(kind) for kind in EffectKind]
+    tallies = [_tally(case.run) for case in found]
     counts = np.array([[tally[name] for name in names] for tally in tallies])
     dataset = xr.Dataset(
         {"evaluations": (("case", "effect"), counts)},
@@ -137,10 +133,9 @@ def evaluations(study: StudyFile) -> xr.Dataset:
     )
 
 
-def measure(study: StudyFile) -> xr.Dataset:
-    """Evaluations, and the time of each case in each repeat on this machine."""
-    counted = evaluations(study)
-    taken = seconds([case.plain for case in cases(study)], REPEATS)
+def measure(study: StudyFile, counted: xr.Dataset) -> xr.Dataset:
+    """Evaluations of a study, with the time of each case in each repeat on this machine."""
+    taken = seconds([case.run for case in cases(study)], REPEATS)
     measured = describe(
         counted.assign(time=(("case", "repeat"), taken)),
         title="What each effect costs: evaluations counted, time measured on one machine",

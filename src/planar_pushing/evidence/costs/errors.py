@@ -9,7 +9,7 @@ from flint import arb, ctx
 
 from planar_pushing.certified import radians, ring
 from planar_pushing.certified.balls import PRECISION, precise
-from planar_pushing.evidence.internals import Array
+from planar_pushing.mechanics.plane import Array
 
 
 @lru_cache(maxsize=4096)

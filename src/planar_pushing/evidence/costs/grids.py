@@ -13,10 +13,10 @@ import h5py
 import numpy as np
 
 from planar_pushing.evidence.costs.errors import angle_errors
-from planar_pushing.evidence.internals import Array
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.blocks import blocks
 

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.costs import grids, motion
-from planar_pushing.evidence.costs.methods.cones import edges, inverses, motion_angles
+from planar_pushing.evidence.costs.methods.cones import cone_methods, edges
 from planar_pushing.evidence.costs.methods.wrench import batch, wrench_methods
 from planar_pushing.evidence.costs.tables import (
     SPIN_RATIOS,
@@ -39,12 +39,10 @@ def wrench_times() -> Variables:
 def cone_times() -> Variables:
     """Seconds for both edges of a motion cone at every setting, each repeat."""
     length, angle = edges()
-    rows = [(each, setting) for each in inverses() for setting in each.settings]
+    rows = [(each, setting) for each in cone_methods() for setting in each.settings]
     count = np.array([each.budget * length.size // 2 for each, _ in rows])
     calls = [
-        partial(
-            motion_angles, each, setting, np.tile(length, each.budget), np.tile(angle, each.budget)
-        )
+        partial(each.run, np.tile(length, each.budget), np.tile(angle, each.budget), setting)
         for each, setting in rows
     ]
     taken = seconds(calls) / count[:, None]

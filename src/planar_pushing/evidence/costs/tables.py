@@ -8,18 +8,19 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.costs.errors import angle_errors, relative_error, wrench
-from planar_pushing.evidence.costs.methods.cones import ROD_ANGLE, edges, inverses, motion_angles
+from planar_pushing.evidence.costs.methods.cones import ROD_ANGLE, cone_methods, edges
 from planar_pushing.evidence.costs.methods.models import rim_errors
 from planar_pushing.evidence.costs.methods.wrench import wrench_methods
-from planar_pushing.evidence.internals import Array
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.quantities import DATASET, Quantities, attributes
 
 SPIN_RATIOS = np.array([1e-8, 0.1, 0.9, 1 - 1e-3, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e8])
 
-#: Name: (unit, long name), "1" for ratios, counts and labels.
-VARIABLES = {
+#: Units and long names; a name may mean something else than in the other datasets.
+VARIABLES: Quantities = {
     "method": ("1", "method"),
     "setting": ("1", "number of points, table entries or steps, or tolerance; 0 for none"),
-    "spin_ratio": ("1", "spin ratio R omega / v"),
+    "spin_ratio": DATASET["spin_ratio"],
     "error": ("1", "largest relative error of force and torque; inf where a part is no number"),
     "evaluations": ("1", "evaluations of an integrand, or of the wrench, for one result"),
     "batch": ("1", "results that a timed call computes"),
@@ -48,8 +49,7 @@ Variables = dict[str, Any]
 def described(dataset: xr.Dataset) -> xr.Dataset:
     """Give every variable its unit and name."""
     for name, variable in dataset.variables.items():
-        units, long_name = VARIABLES[str(name)]
-        variable.attrs = {"units": units, "long_name": long_name}
+        variable.attrs = attributes(VARIABLES, str(name))
     return dataset
 
 
@@ -84,8 +84,8 @@ def _wrench_error(force: Array, torque: Array) -> list[float]:
 def cone_errors() -> xr.Dataset:
     """Errors and evaluations of every method for motion cones, and of the models for a rim."""
     length, angle = edges()
-    rows = [(each, setting) for each in inverses() for setting in each.settings]
-    results = [motion_angles(each, setting, length, angle) for each, setting in rows]
+    rows = [(each, setting) for each in cone_methods() for setting in each.settings]
+    results = [each.run(length, angle, setting) for each, setting in rows]
     errors = [angle_errors(each, length, angle, ROD_ANGLE) for each, _ in results]
     rim = rim_errors()
     variables = {

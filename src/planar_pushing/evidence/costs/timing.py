@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from planar_pushing.evidence.internals import Array
+from planar_pushing.mechanics.plane import Array
 
 #: Rounds that are kept; one more, the first, warms up.
 REPEATS = 9

@@ -9,7 +9,7 @@ from typing import NamedTuple, Protocol, runtime_checkable
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
-from planar_pushing.mechanics.domain import Number, required
+from planar_pushing.mechanics.domain import Number, require_fields
 from planar_pushing.mechanics.errors import InvalidValue
 
 
@@ -41,7 +41,7 @@ class Coulomb:
     friction_coefficient: Number
 
     def __post_init__(self) -> None:
-        required("friction_coefficient", self.friction_coefficient)
+        require_fields(self, "friction_coefficient")
 
     @property
     def force_angles(self) -> AngleInterval:

@@ -12,9 +12,11 @@ from typing import Any, Protocol
 
 from planar_pushing.mechanics.compiled import compiled, generic
 
-#: Of each kind of effect, the function behind `response` and the one behind `made`.
+#: Of each kind of effect, the functions behind `response`, `made`, `spin_ratio_alone`, `leverages_alone`.
 RESPONSES: dict[type, Callable[..., Any]] = {}
 MAKERS: dict[type, Callable[..., Any]] = {}
+SPIN_RATIOS: dict[type, Callable[..., Any]] = {}
+LEVERAGES: dict[type, Callable[..., Any]] = {}
 #: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration.
 WEIGHT, MASS, GYRATION = range(3)
 COLUMNS = 3
@@ -78,3 +80,15 @@ def _made_single(effects, row):
 @compiled
 def _made_all(effects, row):
     return (made(effects[0], row), *made(effects[1:], row))
+
+
+@generic
+def spin_ratio_alone(kind: Any) -> Callable[..., Any]:
+    """Spin ratio ``k = s / v`` of an effect that alone meets a force of a moment arm >= 0, in radii."""
+    return SPIN_RATIOS[kind]
+
+
+@generic
+def leverages_alone(kind: Any) -> Callable[..., Any]:
+    """Least and greatest moment arm per spin ratio, ``h / k``, of an effect that is alone."""
+    return LEVERAGES[kind]

@@ -6,8 +6,15 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.domain import Number, required
-from planar_pushing.mechanics.effects.base import GYRATION, MAKERS, MASS, RESPONSES
+from planar_pushing.mechanics.domain import Number, require_fields
+from planar_pushing.mechanics.effects.base import (
+    GYRATION,
+    LEVERAGES,
+    MAKERS,
+    MASS,
+    RESPONSES,
+    SPIN_RATIOS,
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,8 +38,7 @@ class Inertia:
     gyration_radius: Number = 1.0
 
     def __post_init__(self) -> None:
-        required("mass", self.mass)
-        required("gyration_radius", self.gyration_radius)
+        require_fields(self, "mass", "gyration_radius")
 
     @property
     def degree(self) -> int:
@@ -57,4 +63,15 @@ def _made(effect, row):
     return Mass(row[MASS], row[GYRATION])
 
 
+@compiled
+def _spin_ratio(effect, arm):
+    return arm / effect.gyration  # Eq. (10)
+
+
+@compiled
+def _leverages(effect):
+    return effect.gyration, effect.gyration
+
+
 RESPONSES[Mass], MAKERS[Mass] = _response, _made
+SPIN_RATIOS[Mass], LEVERAGES[Mass] = _spin_ratio, _leverages

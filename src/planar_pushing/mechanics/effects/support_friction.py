@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.domain import Number, required
-from planar_pushing.mechanics.effects.base import MAKERS, RESPONSES, WEIGHT
-from planar_pushing.mechanics.supports.ring import ring_response
+from planar_pushing.mechanics.domain import Number, require_fields
+from planar_pushing.mechanics.effects.base import LEVERAGES, MAKERS, RESPONSES, SPIN_RATIOS, WEIGHT
+from planar_pushing.mechanics.supports.ring import ring_response, ring_spin_ratio
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,7 +29,7 @@ class RingFriction:
     weight: Number = 1.0
 
     def __post_init__(self) -> None:
-        required("weight", self.weight)
+        require_fields(self, "weight")
 
     @property
     def degree(self) -> int:
@@ -44,15 +44,9 @@ class RingSupport(NamedTuple):
 
 @compiled
 def _response(effect, speed, spin):
-    force, torque, curvature = ring_response(speed, spin)
-    bend = effect.weight * curvature
-    return (
-        effect.weight * force,
-        effect.weight * torque,
-        bend * spin * spin,
-        -bend * spin * speed,
-        bend * speed * speed,
-    )
+    weight = effect.weight
+    force, torque, vv, vs, ss = ring_response(speed, spin)
+    return weight * force, weight * torque, weight * vv, weight * vs, weight * ss
 
 
 @compiled
@@ -60,4 +54,16 @@ def _made(effect, row):
     return RingSupport(row[WEIGHT])
 
 
+@compiled
+def _spin_ratio(effect, arm):
+    return ring_spin_ratio(arm)
+
+
+@compiled
+def _leverages(effect):
+    """``H(k) / k``: 1/2 for a motion centre far away, 2 for one at the ring's centre."""
+    return 0.5, 2.0
+
+
 RESPONSES[RingSupport], MAKERS[RingSupport] = _response, _made
+SPIN_RATIOS[RingSupport], LEVERAGES[RingSupport] = _spin_ratio, _leverages

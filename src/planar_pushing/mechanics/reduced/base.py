@@ -97,3 +97,12 @@ def motion_angle(kinds: Any) -> Callable[..., Any]:
     force : Direction
     """
     return isotropic.motion_angle
+
+
+@generic
+def motion_angles(kinds: Any) -> Callable[..., Any]:
+    """Least and greatest angle of the contact's motion under a force, over all magnitudes of the motion.
+
+    Parameters are those of `motion_angle`.
+    """
+    return isotropic.motion_angles

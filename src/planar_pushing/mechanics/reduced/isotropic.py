@@ -19,12 +19,14 @@ from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.base import response
+from planar_pushing.mechanics.effects.base import (
+    leverages_alone,
+    response,
+    spin_ratio_alone,
+)
 from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm
 from planar_pushing.mechanics.root import EQUATIONS, root
-from planar_pushing.mechanics.supports.ring import ring_spin_ratio
 
 #: Speed that stands for one below the smallest double, so that its force has a direction.
 SLOWEST = 1e-300
@@ -55,22 +57,6 @@ class Sustained(NamedTuple):
     blur: float
 
 
-@generic
-def spin_ratio(kinds: Any) -> Callable[..., Any]:
-    """Spin ratio k under a force of a moment arm >= 0, the centre at unit speed."""
-    return {(RingSupport,): _of_ring, (Mass,): _of_mass}.get(kinds, _of_both)
-
-
-@compiled
-def _of_ring(effects, arm):
-    return ring_spin_ratio(arm)
-
-
-@compiled
-def _of_mass(effects, arm):
-    return arm / effects[0].gyration
-
-
 class SpinOfSpeed(NamedTuple):
     """Torque about the contact that a motion with a given centre speed leaves, over the spin."""
 
@@ -89,26 +75,30 @@ EQUATIONS[SpinOfSpeed] = _spin_of_speed
 
 
 @generic
-def _spin_ratios(kinds: Any) -> Callable[..., Any]:
-    """Least and greatest spin ratio under a force of a moment arm >= 0, over all magnitudes."""
-    return _one_spin_ratio if len(kinds) == 1 else _two_spin_ratios
+def spin_ratios(kinds: Any) -> Callable[..., Any]:
+    """Ends of the spin ratios under a force of a moment arm >= 0, over all magnitudes of the motion."""
+    return _spin_ratios_of_one if len(kinds) == 1 else _spin_ratios_of_all
 
 
 @compiled
-def _one_spin_ratio(effects, arm):
-    ratio = spin_ratio(effects, arm)
+def _spin_ratios_of_one(effects, arm):
+    ratio = spin_ratio_alone(effects[0], arm)
     return ratio, ratio
 
 
 @compiled
-def _two_spin_ratios(effects, arm):
-    one, other = spin_ratio(effects[:1], arm), spin_ratio(effects[1:], arm)
-    return min(one, other), max(one, other)
+def _spin_ratios_of_all(effects, arm):
+    low, high = spin_ratios(effects[:1], arm)
+    other_low, other_high = spin_ratios(effects[1:], arm)
+    return min(low, other_low), max(high, other_high)
 
 
 @compiled
-def _of_both(effects, arm):
-    low, high = _two_spin_ratios(effects, arm)
+def spin_ratio(effects, arm):
+    """Spin ratio under a force of a moment arm >= 0, the centre at unit speed."""
+    low, high = spin_ratios(effects, arm)
+    if low == high:
+        return low
     return root(SpinOfSpeed(effects, arm, 1.0), low, high, sqrt(low * high))[0]
 
 
@@ -125,37 +115,29 @@ def motion_angle(effects, own, force):
     return contact_motion_angle(own, force, signed_spin_ratio(effects, own, force))
 
 
-@generic
-def _leverage(kinds: Any) -> Callable[..., Any]:
-    """Moment arm per spin ratio, ``h / k``, of the motion that sticks; rho^2 under inertia."""
-    return _leverage_of_mass if kinds == (Mass,) else _leverage_found
-
-
 @compiled
-def _leverage_of_mass(effects, length, along, aside):
-    return effects[0].gyration
+def motion_angles(effects, own, force):
+    """As `base.motion_angles`."""
+    arm = moment_arm(own, force)
+    low, high = spin_ratios(effects, abs(arm))
+    one = contact_motion_angle(own, force, copysign(low, arm))
+    other = contact_motion_angle(own, force, copysign(high, arm)) if high > low else one
+    return min(one, other), max(one, other)
 
 
 @generic
 def _leverages(kinds: Any) -> Callable[..., Any]:
-    """Least and greatest h / k of any motion: between 1/2 and 2 for the ring."""
-    if len(kinds) > 1:
-        return _all_leverages
-    return {RingSupport: _leverages_of_ring, Mass: _leverages_of_mass}[kinds[0]]
+    """Least and greatest moment arm per spin ratio, ``h / k``, of any motion."""
+    return _leverages_of_one if len(kinds) == 1 else _leverages_of_all
 
 
 @compiled
-def _leverages_of_ring(effects):
-    return 0.5, 2.0
+def _leverages_of_one(effects):
+    return leverages_alone(effects[0])
 
 
 @compiled
-def _leverages_of_mass(effects):
-    return effects[0].gyration, effects[0].gyration
-
-
-@compiled
-def _all_leverages(effects):
+def _leverages_of_all(effects):
     low, high = _leverages(effects[:1])
     other_low, other_high = _leverages(effects[1:])
     return min(low, other_low), max(high, other_high)
@@ -189,16 +171,17 @@ EQUATIONS[ContactTorque] = _contact_torque
 
 
 @compiled
-def _leverage_found(effects, length, along, aside):
-    """Of all twists with this contact motion the one of least potential; `aside` >= 0.
+def _leverage(effects, length, along, aside):
+    """H / k of the motion that sticks: of all twists with this contact motion that of least potential.
 
     The torque about the contact, the potential's slope, increases with the rotation. The root is sought
     in h / k, which has narrow bounds whatever the length of the rod, and from which neither part of the
-    motion across the rod is a difference.
+    motion across the rod is a difference. `aside` >= 0.
     """
     low, high = _leverages(effects)
-    equation = ContactTorque(effects, length, along, aside)
-    return root(equation, low, high, sqrt(low * high))[0]
+    if low == high:
+        return low
+    return root(ContactTorque(effects, length, along, aside), low, high, sqrt(low * high))[0]
 
 
 @compiled
@@ -241,7 +224,7 @@ EQUATIONS[SpeedOfSpin] = _speed_of_spin
 def held_on_edge(effects, own, edge, moved):
     """As `base.held_on_edge`."""
     arm, spin = abs(moment_arm(own, edge)), abs(moved.spin)
-    low, high = _spin_ratios(effects, arm)
+    low, high = spin_ratios(effects, arm)
     speed = moved.along * edge.along + moved.aside * edge.aside
     if own.length * spin > speed:
         at_spin = SpeedOfSpin(effects, arm, spin)
@@ -284,24 +267,17 @@ def steady_slips(effects, own, edge, normal, found):
 @generic
 def _curve_speed(kinds: Any) -> Callable[..., Any]:
     """Centre speed on the limit curve: that of the kinetic energy of a unit translation, or any."""
-    if len(kinds) > 1:
-        return _curve_speed_of_both
-    return {RingSupport: _curve_speed_of_ring, Mass: _curve_speed_of_mass}[kinds[0]]
+    return _speed_of_unit_energy if Mass in kinds else _unit_speed
 
 
 @compiled
-def _curve_speed_of_ring(effects, ratio):
+def _unit_speed(effects, ratio):
     return 1.0
 
 
 @compiled
-def _curve_speed_of_mass(effects, ratio):
-    return 1.0 / sqrt(1.0 + effects[0].gyration * ratio * ratio)
-
-
-@compiled
-def _curve_speed_of_both(effects, ratio):
-    return _curve_speed_of_mass(effects[1:], ratio)
+def _speed_of_unit_energy(effects, ratio):
+    return 1.0 / sqrt(1.0 + effects[-1].gyration * ratio * ratio)
 
 
 class CurveImbalance(NamedTuple):
@@ -331,7 +307,7 @@ def _curve_spin_ratio(kinds: Any) -> Callable[..., Any]:
 
 @compiled
 def _curve_spin_ratio_of_both(effects, arm):
-    low, high = _two_spin_ratios(effects, arm)
+    low, high = spin_ratios(effects, arm)
     return root(CurveImbalance(effects, arm), low, high, sqrt(low * high))[0]
 
 

@@ -20,11 +20,10 @@ import numpy as np
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import response
+from planar_pushing.mechanics.effects.base import response, spin_ratio_alone
 from planar_pushing.mechanics.plane import moment_arm
 from planar_pushing.mechanics.reduced.isotropic import (
     slip,
-    spin_ratio,
     steady_slips,
     without_noise,
 )
@@ -188,10 +187,11 @@ def _speed(effects, edge, normal, k):
 
 @compiled
 def slips(effects, own, towards, normal, found):
-    """Motions under a force towards an edge; parameters as in `base.slips`."""
+    """Motions under a force towards an edge, slow ones first; parameters as in `base.slips`."""
     arm = moment_arm(own, towards)
     edge = Edge(abs(arm), towards.y, copysign(own.length, arm) * own.x)
-    slow, fast = spin_ratio(effects[:1], edge.arm), spin_ratio(effects[1:], edge.arm)
+    slow = spin_ratio_alone(effects[0], edge.arm)
+    fast = spin_ratio_alone(effects[1], edge.arm)
     if abs(fast - slow) <= RESOLUTION * max(slow, fast):
         return steady_slips(effects, own, towards, normal, found)
     roots = np.empty(SLIPS)
@@ -203,8 +203,9 @@ def slips(effects, own, towards, normal, found):
         roots[0] = edge.normal / edge.lever if edge.lever != 0.0 else -1.0
         count = 1 if low.k * (1.0 + RESOLUTION) < roots[0] < high.k * (1.0 - RESOLUTION) else 0
     for i in range(count):
-        speed = _speed(effects, edge, normal, roots[i])
-        slip(effects, towards, speed, copysign(roots[i], arm), found[i])
+        k = roots[i] if slow < fast else roots[count - 1 - i]
+        speed = _speed(effects, edge, normal, k)
+        slip(effects, towards, speed, copysign(k, arm), found[i])
     return count
 
 

@@ -107,12 +107,13 @@ def _far(k):
 @compiled
 def _near(small, large):
     """f, t and t' at ``k = small / large`` from NEAR_RING to 1; at 1, where t' is infinite, it is large."""
-    k = small / large
-    x = max((large - small) * (large + small) / (large * large), LEAST)
+    k, gap = small / large, (large - small) / large
+    x = max(gap * (2.0 - gap), LEAST)
     half_log = -log(x) / 2
-    force = 1.0 + x * (half_log * _polynomial(FORCE_LOG, x) + _polynomial(FORCE_REST, x))
-    torque = 1.0 + x * (half_log * _polynomial(TORQUE_LOG, x) + _polynomial(TORQUE_REST, x))
-    slope = (force - torque) / x - force  # K - E
+    first = half_log * _polynomial(FORCE_LOG, x) + _polynomial(FORCE_REST, x)
+    second = half_log * _polynomial(TORQUE_LOG, x) + _polynomial(TORQUE_REST, x)
+    force, torque = 1.0 + x * first, 1.0 + x * second
+    slope = first - second - force  # K - E; 1 / x would carry the rounding of force and torque
     return 2 / pi * force, 2 / pi * torque / k, 2 / pi * slope / (k * k)
 
 
@@ -126,7 +127,7 @@ def inner(small, large):
 
 @compiled
 def ring_response(speed, spin):
-    """Force along the motion, torque, and curvature of the potential; Eqs. (2)-(3).
+    """Force along the motion, torque, and their derivatives; Eqs. (2)-(3).
 
     Parameters
     ----------
@@ -135,19 +136,17 @@ def ring_response(speed, spin):
 
     Returns
     -------
-    force, torque : float
-        Per unit weight and radius.
-    curvature : float
-        The c in the potential's second derivative, ``c (s, -v) (s, -v)^T`` over (v, s).
+    force, torque, vv, vs, ss : float
+        Per unit weight and radius, and the derivatives of both by v and s.
     """
     size = abs(spin)
     if size <= speed:
         force, torque, slope = inner(size, speed)
-        curvature = slope / (speed * speed * speed)
-    else:
-        torque, force, slope = inner(speed, size)
-        curvature = slope / (size * size * size)
-    return force, torque if spin >= 0.0 else -torque, curvature
+        k, ss = spin / speed, slope / speed
+        return force, torque if spin >= 0.0 else -torque, k * k * ss, -k * ss, ss
+    torque, force, slope = inner(speed, size)
+    k, vv = speed / spin, slope / size
+    return force, torque if spin >= 0.0 else -torque, vv, -k * vv, k * k * vv
 
 
 @compiled

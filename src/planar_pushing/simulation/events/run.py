@@ -27,9 +27,9 @@ class Task(NamedTuple):
     times: Array
 
 
-#: Vectors of a run, each with the entries of the state: the state, that at the end of the step, two on which
-#: functions work, typical sizes; slopes in the stages of a step, coefficients of the dense output, and what
-#: the stiff method works on.
+#: Vectors of a run, each with the entries of the state: the state, that at the end of the step, two on
+#: which functions work, typical sizes; slopes in the stages of a step, coefficients of the dense output,
+#: and what the stiff method works on.
 STATE, REACHED, TRIAL, PASSING, SCALES, SLOPES = range(6)
 DENSE = SLOPES + STAGES
 IMPLICIT = DENSE + 7

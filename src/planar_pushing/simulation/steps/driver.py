@@ -30,9 +30,9 @@ INCONSISTENT, LIES = int(Stop.INCONSISTENT), int(Stop.LIES)
 #: Nodes and weights of the quadrature that turns a velocity into a displacement.
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
-#: Where a run is: `mark` and `step` count the intervals between the times that are recorded and the steps in
-#: one; place of the contact over the fence, fence, rod angle and twist; mean force of the last step, energies
-#: so far.
+#: Where a run is: `mark` and `step` count the intervals between the times that are recorded and the
+#: steps in one; place of the contact over the fence, fence, rod angle and twist; mean force of the last
+#: step, energies so far.
 CLOCK = np.dtype(
     [
         ("time", "f8"), ("start", "f8"), ("along", "f8"), ("gap", "f8"), ("slip", "f8"),

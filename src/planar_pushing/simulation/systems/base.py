@@ -22,16 +22,16 @@ from planar_pushing.simulation.fence import Span
 SYSTEMS: dict[type, Any] = {}
 
 #: Where the state holds what: place of the contact relative to the fence, rod angle, slip accumulated,
-#: energy dissipated at the contact, work of the fence, energy dissipated by friction of the support. A system
-#: with inertia adds the velocity of the contact over the fence and the rotation.
+#: energy dissipated at the contact, work of the fence, energy dissipated by friction of the support. A
+#: system with inertia adds the velocity of the contact over the fence and the rotation.
 ALONG, GAP, ANGLE, SLIP, LOST, WORK, RUBBED, OVER, RISE, SPIN = range(10)
 #: Entries of the state without and with inertia.
 STILL, MOVING = OVER, SPIN + 1
 #: Policies in the core, in the order of `Policy`.
 KEEPS, LEAVES, STAYS = range(3)
 
-#: What the slider does: the contact modes, of which `SEPARATE` is a flight, and rests clear of the fence and
-#: on it.
+#: What the slider does: the contact modes, of which `SEPARATE` is a flight, and rests clear of the fence
+#: and on it.
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
 SLIP_RIGHT, SLIP_LEFT = int(ContactMode.SLIP_RIGHT), int(ContactMode.SLIP_LEFT)
 CLEAR, HELD = 4, 5
@@ -64,10 +64,10 @@ FIRST_WATCHES = (LIFTS, STOPS, KINK, TURNS, TURNS_ALONG)
 WATCHES = tuple(cause in FIRST_WATCHES for cause in range(CAUSES))
 
 
-#: What of a scene does not change while it moves: l / R; edges of the friction cone and their angles, and
-#: what the law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such effect; typical
-#: speed and force, to which slacks are relative; initial gap. And what does change: how often the motion was
-#: evaluated.
+#: What of a scene does not change while it moves: l / R; edges of the friction cone and their angles,
+#: and what the law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such
+#: effect; typical speed and force, to which slacks are relative; initial gap. And what does change: how
+#: often the motion was evaluated.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
@@ -138,7 +138,7 @@ def initial(kind: Any) -> Callable[..., Any]:
 
 @generic
 def scales(kind: Any) -> Callable[..., Any]:
-    """Write down typical sizes of the state, to which the tolerance is relative near zero: system, sizes."""
+    """Write down typical sizes of the state, for the tolerance near zero: system, sizes."""
     return SYSTEMS[kind].scales
 
 

@@ -5,8 +5,8 @@ import pytest
 
 import planar_pushing as pp
 from evidence.claims.ledgers import judged
+from mechanics.builders import BOTH, PSI, make_scene
 from planar_pushing.mechanics.plane import direction
-from unit.builders import BOTH, PSI, make_scene
 
 VALUES = {each.claim.id: each.evidence.value for each in judged()}
 

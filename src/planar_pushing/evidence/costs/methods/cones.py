@@ -1,4 +1,4 @@
-"""Methods for the edges of a motion cone: they differ in how the moment arm becomes a spin ratio."""
+"""Methods for the edges of a motion cone; all but ours turn a moment arm into a spin ratio first."""
 
 from __future__ import annotations
 
@@ -12,8 +12,12 @@ from scipy.optimize import brentq, elementwise
 from planar_pushing.evidence.costs.methods.base import BATCH, CLOSED, Method, Run
 from planar_pushing.evidence.costs.methods.models import fitted_quartic
 from planar_pushing.evidence.costs.methods.quadrature import adaptive
-from planar_pushing.evidence.internals import Array, contact_motion_angle, moment_arm
+from planar_pushing.mechanics.cones import motion_angle
+from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.effects import RingFriction
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.wrench import ring_profile
 
 #: Cones whose edges are computed: every rod length with every coefficient of friction. With the last four
 #: the edges' lines of force almost touch the ring.
@@ -27,6 +31,7 @@ SIZES = tuple(2.0**n for n in range(4, 17, 2))
 #: Spin ratios for positive moment arms, and evaluations for each: of an integrand for `brentq on quad`,
 #: of the wrench for the others.
 Ratios = tuple[Array, Array]
+Inverse = Callable[[Array, float], Ratios]
 
 
 def edges() -> tuple[Array, Array]:
@@ -37,18 +42,32 @@ def edges() -> tuple[Array, Array]:
     return length.ravel(), angle.ravel()
 
 
-def motion_angles(
-    inverse: Method, setting: float, length: Array, angle: Array
-) -> tuple[Array, Array]:
-    """Motion angles of edges, radians, and evaluations for each."""
-    arm = moment_arm(length, ROD_ANGLE, angle)
-    ratio, evaluations = inverse.run(np.abs(arm), setting)
-    ratio = np.copysign(ratio, arm)
-    return contact_motion_angle(angle, ratio, length, ROD_ANGLE), evaluations
+def _ours(length: Array, angle: Array, setting: float) -> Ratios:
+    slider = Slider(rod_length=length, rod_angle=ROD_ANGLE)
+    scene = Scene(slider=slider, contact=InfiniteFriction(), effects=(RingFriction(),))
+    return motion_angle(scene, angle), np.ones(angle.shape, dtype=int)
 
 
-def _ours(arm: Array, setting: float) -> Ratios:
-    return RingFriction().spin_ratio(arm), np.ones(arm.shape, dtype=int)
+def _arms(length: Array, angle: Array) -> Array:
+    """Moment arms, Eq. (10); next to a tangent to the ring what the subtraction rounds off counts."""
+    lean = ROD_ANGLE - angle
+    back = lean - ROD_ANGLE
+    rounding = (ROD_ANGLE - (lean - back)) - (angle + back)
+    force = direction(angle)
+    across = np.sin(ROD_ANGLE) * force[:, 0]
+    return length * np.where(force[:, 1] == 0, across, np.sin(lean) + rounding * np.cos(lean))
+
+
+def _through(inverse: Inverse) -> Run:
+    """Motion angles by an inverse, from Eqs. (10)-(12) as the paper has them."""
+
+    def run(length: Array, angle: Array, setting: float) -> Ratios:
+        lean, arm = ROD_ANGLE - angle, _arms(length, angle)
+        ratio, evaluations = inverse(np.abs(arm), setting)
+        pull = np.copysign(ratio, arm) * length
+        return angle - np.arctan2(pull * np.cos(lean), 1 + pull * np.sin(lean)), evaluations
+
+    return run
 
 
 def _brentq(arm: Array, tolerance: float) -> Ratios:
@@ -72,10 +91,8 @@ def _brentq_one(arm: float, tolerance: float) -> tuple[float, int]:
 
 
 def _find_root(arm: Array, tolerance: float) -> Ratios:
-    ring = RingFriction()
-
     def excess(k: Array, h: Array) -> Array:
-        force, torque = ring.profile(k)
+        force, torque = ring_profile(k)
         return np.asarray(torque - h * force)
 
     limits = {
@@ -88,7 +105,7 @@ def _find_root(arm: Array, tolerance: float) -> Ratios:
     return np.asarray(found.x), np.asarray(found.nfev)
 
 
-def _folded(table: Callable[[int], Callable[[Array], Array]]) -> Run:
+def _folded(table: Callable[[int], Callable[[Array], Array]]) -> Inverse:
     """Look up arms in [0, 1] and, since H is self-dual, all others."""
 
     def run(arm: Array, size: float) -> Ratios:
@@ -100,7 +117,7 @@ def _folded(table: Callable[[int], Callable[[Array], Array]]) -> Run:
 
 def _nodes(size: int) -> tuple[Array, Array]:
     k = np.linspace(0, 1, size)
-    force, torque = RingFriction().profile(k)
+    force, torque = ring_profile(k)
     return torque / force, k
 
 
@@ -116,23 +133,24 @@ def _cubic(size: int) -> Callable[[Array], Array]:
     return spline
 
 
-def _model(spin_ratio: Callable[[Array], Array]) -> Run:
+def _model(spin_ratio: Callable[[Array], Array]) -> Inverse:
     def run(arm: Array, setting: float) -> Ratios:
         return spin_ratio(arm), np.zeros(arm.shape, dtype=int)
 
     return run
 
 
-def inverses() -> tuple[Method, ...]:
+def cone_methods() -> tuple[Method, ...]:
     """The methods for the motion cone, our own first; a budget is how often a call repeats the cones."""
     copies = max(1, BATCH // (2 * ROD_LENGTHS.size * FRICTION_COEFFICIENTS.size))
 
-    def fast(name: str, run: Run, settings: tuple[float, ...] = CLOSED) -> Method:
-        return Method(name=name, settings=settings, run=run, budget=copies)
+    def fast(name: str, inverse: Inverse, settings: tuple[float, ...] = CLOSED) -> Method:
+        return Method(name=name, settings=settings, run=_through(inverse), budget=copies)
 
+    slow = TOLERANCES[:-1]
     return (
-        fast("closed form", _ours),
-        Method(name="brentq on quad", settings=TOLERANCES[:-1], run=_brentq, budget=1),
+        Method(name="closed form", settings=CLOSED, run=_ours, budget=copies),
+        Method(name="brentq on quad", settings=slow, run=_through(_brentq), budget=1),
         fast("find_root", _find_root, TOLERANCES),
         fast("linear table", _folded(_linear), SIZES),
         fast("cubic table", _folded(_cubic), SIZES),

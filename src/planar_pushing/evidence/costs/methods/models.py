@@ -12,8 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planar_pushing.evidence.internals import Array
 from planar_pushing.mechanics.effects import RingFriction
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.wrench import wrench
 
 #: Twists, uniform on the unit sphere of (v_x, v_y, R omega), that a fit or a mean runs over.
 SAMPLES = 20000
@@ -92,11 +93,11 @@ def sphere(count: int = SAMPLES) -> Array:
 
 def fitted_quartic(twists: Array | None = None) -> Quartic:
     """Quartic of least squares: P = 1 at the ring's wrenches under twists even on the sphere."""
-    wrench = RingFriction().wrench(sphere() if twists is None else twists)
-    square, torque = (wrench[..., :2] ** 2).sum(axis=-1), wrench[..., 2] ** 2
+    found = wrench(RingFriction(), sphere() if twists is None else twists)
+    square, torque = (found[..., :2] ** 2).sum(axis=-1), found[..., 2] ** 2
     terms = np.stack([square**2, square * torque, torque**2], axis=-1)
-    found, *_ = np.linalg.lstsq(terms, np.ones(len(terms)))
-    a, b, c = map(float, found)
+    fit, *_ = np.linalg.lstsq(terms, np.ones(len(terms)))
+    a, b, c = map(float, fit)
     return Quartic(a=a, b=b, c=c)
 
 
@@ -126,6 +127,6 @@ def rim_errors(points: int = 100) -> dict[str, float]:
     a twist along the wrench.
     """
     twist = sphere()
-    wrench = rim_wrench(twist, points)
-    predictions = {"ellipsoid": wrench, "quartic": fitted_quartic().twist(wrench)}
+    felt = rim_wrench(twist, points)
+    predictions = {"ellipsoid": felt, "quartic": fitted_quartic().twist(felt)}
     return {name: float(direction_error(each, twist).mean()) for name, each in predictions.items()}

@@ -12,7 +12,7 @@ from functools import lru_cache
 import numpy as np
 from scipy.integrate import quad, tanhsinh
 
-from planar_pushing.evidence.internals import Array
+from planar_pushing.mechanics.plane import Array
 
 #: Force, torque and evaluations of an integrand for each spin ratio.
 Wrenches = tuple[Array, Array, Array]

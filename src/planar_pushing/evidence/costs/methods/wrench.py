@@ -11,8 +11,8 @@ from planar_pushing.evidence.costs.methods import quadrature
 from planar_pushing.evidence.costs.methods.base import BATCH, CLOSED, Method, Run
 from planar_pushing.evidence.costs.methods.models import ellipsoid_profile, fitted_quartic
 from planar_pushing.evidence.costs.methods.quadrature import Wrenches
-from planar_pushing.evidence.internals import Array
-from planar_pushing.mechanics.effects import RingFriction
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.wrench import ring_profile
 
 TINY = np.finfo(float).tiny
 
@@ -74,7 +74,7 @@ def wrench_methods() -> tuple[Method, ...]:
         return Method(name=name, settings=CLOSED, run=run, budget=BATCH)
 
     return (
-        closed("closed form", _whole(RingFriction().profile)),
+        closed("closed form", _whole(ring_profile)),
         closed("hyp2f1", _dual(_hypergeometric)),
         closed("Carlson", _dual(_carlson)),
         closed("textbook E and K", _dual(_textbook)),

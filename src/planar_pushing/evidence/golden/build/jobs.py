@@ -23,7 +23,8 @@ COEFFICIENTS = (0.0, 0.5, 1.0, 1.25, 1.3, 1.4, 1.5, 2.0, 5.0, 100.0, float("inf"
 
 def contacts(coefficients: tuple[float, ...]) -> dict[str, tuple[str, modes.Law]]:
     """Contact laws by the labels of the datasets."""
-    coulomb = {f"coulomb_{mu:g}": ("coulomb", modes.coulomb(mu)) for mu in coefficients}
+    numbers = {mu: repr(float(mu)).removesuffix(".0") for mu in coefficients}
+    coulomb = {f"coulomb_{n}": ("coulomb", modes.coulomb(mu)) for mu, n in numbers.items()}
     return coulomb | {
         "infinite_friction_free": ("infinite_friction", modes.INFINITE_FREE),
         "infinite_friction_none": ("infinite_friction", modes.INFINITE_NONE),

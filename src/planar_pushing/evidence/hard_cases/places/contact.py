@@ -18,13 +18,13 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 
 ROD_ANGLE = np.pi / 4
-COEFFICIENTS = (0.0, 1e-300, 1e-8, 1.0, 1e8, 1e16, 1e300, math.inf)
+COEFFICIENTS = (0.0, 1e-300, 1e-8, 1.0, 1e8, 1e9, math.inf)
 SHARES = ((0.0, "friction"), (1.0, "inertia"))
 
 
 def _edge(side: int, share: float, length: float, psi: float, mu: float) -> float:
     cone = motion_cone(make_scene(length, psi, share=share, mu=mu))
-    return cone.right if side > 0 else cone.left
+    return float(cone.right if side > 0 else cone.left)
 
 
 def _exact_edge(side: int, share: float, length: arb, psi: arb, mu: arb) -> arb:
@@ -35,7 +35,7 @@ def _stick(length: float, psi: float, pusher: float) -> float:
     scene = make_scene(length, psi, share=0.0)
     rough = Scene(slider=scene.slider, contact=PerfectlyRough(), effects=scene.effects)
     (stick,) = (each for each in solve(rough, pusher) if each.mode is ContactMode.STICK)
-    return stick.spin_ratio
+    return float(stick.spin_ratio)
 
 
 def _exact_stick(length: arb, psi: arb, pusher: arb) -> arb:

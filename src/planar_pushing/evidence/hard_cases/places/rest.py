@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
 from flint import arb
 
 from planar_pushing.certified import radians
 from planar_pushing.evidence.hard_cases.case import Case, Quantity
 from planar_pushing.mechanics.effects import RingFriction
+from planar_pushing.mechanics.wrench import wrench
 
 TWISTS = (
     (0.0, 0.0),
@@ -22,11 +22,11 @@ TWISTS = (
 
 
 def _force(speed: float, spin: float) -> float:
-    return float(RingFriction().wrench(np.array([speed, 0.0, spin]))[0])
+    return float(wrench(RingFriction(), [speed, 0.0, spin])[0])
 
 
 def _torque(speed: float, spin: float) -> float:
-    return float(RingFriction().wrench(np.array([speed, 0.0, spin]))[2])
+    return float(wrench(RingFriction(), [speed, 0.0, spin])[2])
 
 
 def _exact_force(speed: arb, spin: arb) -> arb:

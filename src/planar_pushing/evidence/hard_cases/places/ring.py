@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from planar_pushing.certified import radians
 from planar_pushing.evidence.hard_cases.case import Case, Quantity
-from planar_pushing.evidence.internals import ring_profile, ring_spin_ratio
+from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
 #: Distances from 1, in both directions where they are doubles.
 GAPS = (0.0, 2.0**-53, 2.0**-52, 1e-12, 1e-9, 1e-6, 1e-3)
@@ -23,7 +23,7 @@ def _torque(k: float) -> float:
 
 
 def _spin(arm: float) -> float:
-    return float(ring_spin_ratio(arm))
+    return float(ring_spin_ratios(arm))
 
 
 def _cases(line: int, x: float) -> Iterator[Case]:

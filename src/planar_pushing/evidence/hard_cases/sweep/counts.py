@@ -9,35 +9,36 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planar_pushing.evidence.hard_cases.sweep import decisions, kernels
+from planar_pushing.evidence.hard_cases.sweep import conditions, decisions, kernels
 from planar_pushing.evidence.hard_cases.sweep.adversarial import Generator
 from planar_pushing.evidence.hard_cases.sweep.decisions import Decision
 
-#: Checks of the kernels, and by how much fewer inputs each gets: roots of both effects cost more.
-KERNELS: dict[str, tuple[Callable[[Generator, int], kernels.Wrong], int]] = {
-    "ring_profile": (kernels.ring_profiles, 1),
-    "ring_spin_ratio": (kernels.ring_spin_ratios, 1),
-    "motion_angle, friction": (kernels.motion_angles, 1),
-    "motion_angle, inertia": (kernels.motion_angles_of_inertia, 1),
-    "motion_angle, both": (kernels.motion_angles_of_both, 20),
-    "motion cone edges": (kernels.cone_edges, 1),
-    "limit_curve": (kernels.limit_curves, 1),
+#: Checks of the functions of arrays.
+KERNELS: dict[str, Callable[[Generator, int], kernels.Wrong]] = {
+    "ring_profile": kernels.ring_profiles,
+    "ring_spin_ratio": kernels.inverses,
+    "motion_angle, friction": kernels.motion_angles,
+    "motion_angle, inertia": kernels.motion_angles_of_inertia,
+    "motion_angle, both": kernels.motion_angles_of_both,
+    "motion cone edges": kernels.cone_edges,
+    "limit_curve": kernels.limit_curves,
 }
+#: Scenes of one set of effects and one law that are solved at once.
+BLOCK = 500
 Counts = dict[str, dict[str, int]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Budget:
-    """How many inputs: of each kernel, scenes with `pushers` each, and scenes one at a time."""
+    """How many inputs: of each kernel, scenes in arrays, scenes one at a time, and certified ones."""
 
     kernels: int
     scenes: int
-    pushers: int
     scalar: int
     decided: int
 
 
-FULL = Budget(kernels=1_000_000, scenes=5000, pushers=200, scalar=5000, decided=10_000)
+FULL = Budget(kernels=1_000_000, scenes=1_000_000, scalar=5000, decided=10_000)
 
 
 def sweep(budget: Budget, seed: int = 1995) -> Counts:
@@ -58,17 +59,15 @@ def sweep(budget: Budget, seed: int = 1995) -> Counts:
 
 
 def _kernel(name: str, budget: Budget, seed: int) -> dict[str, int]:
-    check, fewer = KERNELS[name]
-    wrong = check(np.random.default_rng(seed), budget.kernels // fewer)
+    wrong = KERNELS[name](np.random.default_rng(seed), budget.kernels)
     return {"inputs": wrong.size, "failures": int(wrong.sum())}
 
 
 def _vectorised(budget: Budget, seed: int) -> dict[str, int]:
-    rngs = (np.random.default_rng([seed, i]) for i in range(budget.scenes))
-    found = [decisions.vectorised(rng, budget.pushers) for rng in rngs]
-    failures = sum(int(wrong.sum()) for wrong in found if wrong is not None)
-    refused = budget.pushers * sum(wrong is None for wrong in found)
-    return {"inputs": budget.scenes * budget.pushers, "failures": failures, "refused": refused}
+    blocks = range(budget.scenes // BLOCK)
+    rngs = (np.random.default_rng([seed, i]) for i in blocks)
+    wrong = [conditions.checked(rng, i, BLOCK) for i, rng in zip(blocks, rngs, strict=True)]
+    return {"inputs": BLOCK * len(wrong), "failures": sum(int(each.sum()) for each in wrong)}
 
 
 def _scalar(budget: Budget, seed: int) -> dict[str, int]:

@@ -8,69 +8,12 @@ from mpmath import mp, mpf
 
 import planar_pushing as pp
 import reference
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
+from mechanics.builders import BOTH, DEFINITION_2, EFFECT_SETS, FRICTION, INERTIA, PSI, make_scene
 
 RADIANS = 1e-12
 LENGTHS = 10.0 ** np.arange(-3, 4)
 COEFFICIENTS = [0.0, 3.0, 1e6, np.inf]
 EPS = np.finfo(float).eps
-
-K_INSIDE = [5e-324, 1e-300, 1e-160, 1e-9, 1e-3, 0.1, 0.5, 0.7, 0.9 - EPS, 0.9, 0.95, 0.999]
-K_AT_RING = [1 - 1e-6, 1 - 1e-9, 1 - EPS, 1.0, 1 + EPS, 1 + 1e-9, 1 + 1e-6]
-K_OUTSIDE = [1.001, 1.1, 1.2, 2.0, 30.0, 1e3, 1e9, 1e160, 1e300]
-
-
-def ulps(value, exact):
-    return abs(mpf(float(value)) - exact) / mpf(np.spacing(abs(float(exact))))
-
-
-@pytest.mark.parametrize("k", [*K_INSIDE, *K_AT_RING, *K_OUTSIDE])
-def test_ring_wrench_to_4_ulp(k):
-    """Eqs. (2)-(3), both signs of the spin ratio."""
-    for sign in (1, -1):
-        force, _, torque = pp.RingFriction().wrench(np.array([1.0, 0.0, sign * k]))
-        assert ulps(force, reference.ring_force(k)) <= 4
-        assert ulps(torque, reference.ring_torque(sign * k)) <= 4
-
-
-def test_ring_wrench_without_rotation_and_without_translation():
-    ring = pp.RingFriction(weight=3.0)
-    assert np.array_equal(ring.wrench(np.array([0.0, -2.0, 0.0])), [0.0, -3.0, 0.0])
-    assert np.array_equal(ring.wrench(np.array([0.0, 0.0, -1e-300])), [0.0, 0.0, -3.0])
-    force, torque = ring.profile(np.array([0.0, np.inf, -np.inf]))
-    assert np.array_equal(force, [3.0, 0.0, 0.0])
-    assert np.array_equal(torque, [0.0, 3.0, -3.0])
-
-
-def test_ring_wrench_on_the_ring_is_two_over_pi():
-    assert pp.RingFriction().wrench(np.array([1.0, 0.0, 1.0])) == pytest.approx(
-        [2 / np.pi, 0, 2 / np.pi], rel=2 * EPS
-    )
-
-
-@pytest.mark.parametrize("k", [0.0, 1e-300, 0.3, 1 - 1e-9, 1.0, 1 + EPS, 3.0, 1e300])
-def test_ring_potential_to_4_ulp(k):
-    """Euler on Eqs. (2)-(3): D = f + k t for a unit speed."""
-    exact = reference.ring_force(k) + mpf(k) * reference.ring_torque(k)
-    assert ulps(pp.RingFriction().potential(np.array([0.6, 0.8, k])), exact) <= 4
-
-
-ARMS = [1e-300, 1e-12, 1e-8, 0.99e-6, 1.01e-6, 1e-3, 0.3, 0.9, 1.0, 7.0, 1e3, 0.99e6, 1e12, 1e300]
-ARMS_AT_RING = [1 - 1e-4, 1 - 1e-5, 1 - 1e-7, 1 - 1e-9, 1 - EPS, 1 + EPS, 1 + 1e-9, 1 + 1e-5]
-
-
-@pytest.mark.parametrize("arm", [*ARMS, *ARMS_AT_RING])
-def test_inverse_of_the_moment_arm(arm):
-    """Eq. (7): k from h, relative to k."""
-    exact = reference.friction_spin_ratio(arm)
-    for sign in (1, -1):
-        k = pp.RingFriction().spin_ratio(sign * arm)
-        assert abs(mpf(float(k)) / exact - sign) <= 8 * EPS
-
-
-def test_inverse_of_zero_is_zero():
-    assert pp.RingFriction().spin_ratio(0.0) == 0
-    assert pp.Inertia().spin_ratio(0.0) == 0
 
 
 @pytest.mark.parametrize("psi", [PSI, 2.0])
@@ -160,26 +103,58 @@ def test_sticking_force_maps_back_to_the_pusher(effects, length, pusher_angle):
     assert abs(pusher_angle - exact) < RADIANS * max(1.0, length**2 / 10)
 
 
-@pytest.mark.parametrize("phi", [0.2, 0.9, 2.6])
-@pytest.mark.parametrize("length", [0.3, 2.0, 20.0])
-def test_limit_curve_with_both_effects(length, phi):
-    """W f + m v with v = 1 / sqrt(1 + rho^2 k^2), on the line of force h."""
-    weight, mass, rho = 2.0, 3.0, 0.7
-    effects = [pp.RingFriction(weight=weight), pp.Inertia(mass=mass, gyration_radius=rho)]
-    curve = pp.limit_curve(make_scene(length, effects=effects), phi)
-    k = mpf(float(curve.spin_ratio))
-    speed = 1 / mp.sqrt(1 + mpf(rho) ** 2 * k**2)
-    force = weight * reference.ring_force(k) + mass * speed
-    torque = weight * reference.ring_torque(k) + mass * speed * mpf(rho) ** 2 * k
-    assert float(curve.magnitude) == pytest.approx(float(force), rel=1e-14)
-    assert float(torque / force) == pytest.approx(length * np.sin(PSI - phi), rel=1e-13)
-    exact = reference.motion_angle(length, phi, PSI, k)
-    assert float(curve.motion_angle) == pytest.approx(float(exact), abs=RADIANS)
+@pytest.mark.parametrize(
+    "law", [pp.Coulomb(2.0), pp.InfiniteFriction(), pp.PerfectlyRough()], ids=str
+)
+def test_motion_cone_is_closed_like_its_friction_cone_unless_it_is_a_union(law):
+    for effects in EFFECT_SETS.values():
+        closed = pp.motion_cone(make_scene(2.0, law, effects)).closed
+        assert closed == (effects != BOTH)
+    assert not pp.motion_cone(make_scene(2.0, DEFINITION_2)).closed
 
 
-@pytest.mark.parametrize("phi", [0.2, PSI, 2.6])
-@pytest.mark.parametrize("length", [1e-3, 1.0, 1e3])
-def test_limit_curve_of_friction(length, phi):
-    curve = pp.limit_curve(make_scene(length, effects=[pp.RingFriction(weight=2.0)]), phi)
-    k = reference.friction_spin_ratio(reference.moment_arm(length, phi, PSI))
-    assert float(curve.magnitude) == pytest.approx(float(2 * reference.ring_force(k)), rel=1e-13)
+def test_motion_cone_with_both_effects_is_closed_where_the_effects_agree():
+    """Without a rod both effects translate the slider along the force."""
+    assert pp.motion_cone(make_scene(0.0, 1.0, BOTH)).closed
+
+
+def test_pulls_to_both_sides():
+    assert pp.can_pull(make_scene(2.0, 2.0))
+    assert pp.can_pull(make_scene(2.0, 2.0, psi=np.pi - PSI))
+    assert not pp.can_pull(make_scene(2.0, 2.0, psi=np.pi / 2))
+    assert not pp.can_pull(make_scene(0.0, np.inf))
+    assert pp.can_pull(make_scene(2.0, pp.PerfectlyRough()))
+
+
+def test_slips_while_pushing_needs_a_law_that_slips():
+    assert pp.slips_while_pushing(make_scene(2.0, np.inf))
+    assert not pp.slips_while_pushing(make_scene(2.0, DEFINITION_2))
+    assert not pp.slips_while_pushing(make_scene(2.0, pp.PerfectlyRough()))
+    assert pp.slips_while_pushing(make_scene(0.0, 1.0))
+
+
+def test_vectorised_maps_broadcast_force_angle_against_share():
+    scene = make_scene(2.0, np.inf, BOTH)
+    phi, share = np.linspace(0, 3, 4)[:, None], np.array([0.0, 0.5, 1.0])
+    angles = pp.motion_angle(scene, phi, share)
+    assert angles.shape == pp.spin_ratio(scene, phi, share).shape == (4, 3)
+    assert angles[2, 1] == pp.motion_angle(scene, phi[2, 0], 0.5)
+    assert pp.motion_centers(scene, phi, share).shape == (4, 3, 2)
+    curve = pp.limit_curve(scene, phi)
+    assert curve.force.shape == curve.contact_motion.shape == (4, 1, 2)
+
+
+def test_empty_arrays():
+    for effects in EFFECT_SETS.values():
+        scene = make_scene(2.0, 1.0, effects)
+        assert pp.motion_angle(scene, [], 0.5 if effects == BOTH else None).shape == (0,)
+        assert pp.limit_curve(scene, []).magnitude.shape == (0,)
+
+
+def test_pure_spin_ratios_bound_every_share():
+    scene = make_scene(3.0, np.inf, BOTH)
+    phi = np.linspace(0, np.pi, 37)
+    near, far = np.sort([np.abs(pp.spin_ratio(scene, phi, share)) for share in (0, 1)], axis=0)
+    for share in (0.01, 0.5, 0.99):
+        k = np.abs(pp.spin_ratio(scene, phi, share))
+        assert np.all((near - 1e-14 <= k) & (k <= far * (1 + 1e-14)))

@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from unit.builders import DEFINITION_2, EFFECT_SETS, FRICTION, INERTIA, make_scene, names, numbers
+from mechanics.builders import (
+    DEFINITION_2,
+    EFFECT_SETS,
+    FRICTION,
+    INERTIA,
+    make_scene,
+    names,
+    numbers,
+)
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 LAWS = [pp.Coulomb(0.0), pp.Coulomb(2.0), pp.InfiniteFriction(), DEFINITION_2, pp.PerfectlyRough()]
@@ -15,7 +23,7 @@ EVERY_LAW = pytest.mark.parametrize("law", LAWS, ids=str)
 
 @EVERY_EFFECT
 @EVERY_LAW
-@pytest.mark.parametrize("length", [0.0, 0.5, 1e8])
+@pytest.mark.parametrize("length", [0.0, 0.5, 1e6])
 def test_directions_next_to_the_fence_have_finite_solutions(effects, law, length):
     scene = make_scene(length, law, effects)
     for fence in (0.0, np.pi):

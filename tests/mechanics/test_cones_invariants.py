@@ -8,7 +8,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from properties.strategies import (
+from mechanics.builders import make_scene, scaled
+from mechanics.strategies import (
     both,
     coefficients,
     effect_sets,
@@ -20,7 +21,6 @@ from properties.strategies import (
     scenes,
     share_of,
 )
-from unit.builders import make_scene
 
 RIGHT_ANGLE = np.pi / 2
 
@@ -98,7 +98,7 @@ def test_motion_angles_depend_on_lengths_through_their_ratios(scene, phi, expone
             radius=factor,
         ),
         contact=scene.contact,
-        effects=tuple(effect.scaled(1 / factor) for effect in scene.effects),
+        effects=tuple(scaled(effect, factor) for effect in scene.effects),
     )
     share = share_of(scene)
     expected = pp.motion_angle(scene, phi, share)

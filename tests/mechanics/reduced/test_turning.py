@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from scipy.special import ellipe, ellipkm1, hyp2f1
 
 import planar_pushing as pp
-from properties.strategies import powers, rod_angles
-from unit.builders import make_scene
+from mechanics.builders import make_scene
+from mechanics.strategies import powers, rod_angles
 
 FEW = settings(max_examples=30)
 

@@ -7,46 +7,56 @@ import pytest
 from scipy.optimize import brentq
 
 import planar_pushing as pp
-from planar_pushing.mechanics.response import resistance
-from planar_pushing.mechanics.slipping import slip_motions
-from unit.builders import INFINITE, make_scene, names, numbers
+from mechanics.builders import INFINITE, make_scene, names, numbers
 
 
 def scene(length, psi, law, *effects):
     return make_scene(length, law, effects, psi)
 
 
-def test_root_next_to_a_small_end_stays_in_its_bracket():
-    """The spin ratios of friction and of inertia are 1e50 apart."""
-    length, psi = 1985701788925619.8, 1e-12
-    effects = (
-        pp.RingFriction(weight=1.6660623540760646e289),
-        pp.Inertia(mass=6.1295178456373226e-238, gyration_radius=9.002922477794457e-26),
-    )
-    (slip,) = pp.solve(scene(length, psi, INFINITE, *effects), -3.1415926535897936, 380266857.8)
+def inertia(gyration_radius, mass=1.0):
+    return pp.Inertia(mass=mass, gyration_radius=gyration_radius)
+
+
+def refused(name, call):
+    with pytest.raises(pp.InvalidValue) as caught:
+        call()
+    assert caught.value.name == name
+
+
+def test_sliders_that_cannot_be_are_refused():
+    """They once took formulas to their limits: rods of 1e15 radii, masses within 1e-60 of the centre."""
+    refused("rod_length", lambda: pp.Slider(rod_length=1985701788925619.8, rod_angle=1e-12))
+    refused("rod_length", lambda: pp.Slider(rod_length=1e213, rod_angle=1e-12, radius=1e155))
+    for ratio in (9e-26, 5e-45, 2e64):
+        refused("gyration_radius", lambda ratio=ratio: scene(1.0, 1.0, 1.0, inertia(ratio)))
+    for mu in (5e241, 1.9e281):
+        refused("friction_coefficient", lambda mu=mu: scene(1.0, np.pi / 2, mu, inertia(1.0)))
+
+
+@pytest.mark.parametrize("push", [1e-12, 1e12])
+def test_root_next_to_a_small_end_stays_in_its_bracket(push):
+    """The spin ratios of friction and of inertia are up to 1e14 apart."""
+    length, psi = 1e6, 1e-12
+    rod = scene(length, psi, INFINITE, pp.RingFriction(), inertia(1e-4))
+    (slip,) = pp.solve(rod, -3.1415926535897936, push)
     assert slip.mode is pp.ContactMode.SLIP_RIGHT
     friction = pp.spin_ratio(scene(length, psi, INFINITE, pp.RingFriction()), np.pi)
-    assert slip.spin_ratio == pytest.approx(friction, rel=1e-12)
+    dynamic = pp.spin_ratio(scene(length, psi, INFINITE, inertia(1e-4)), np.pi)
+    assert abs(friction) <= abs(slip.spin_ratio) <= abs(dynamic)
 
 
 def test_both_edges_of_a_cone_narrower_than_rounding_count_once():
-    slider = pp.Slider(
-        rod_length=1.4017676298267888e213, rod_angle=1e-12, radius=4.9217645737401445e155
-    )
-    inertia = pp.Inertia(mass=6.124034278360438e199, gyration_radius=8.842013952537603e183)
-    rod = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(inertia,))
+    """The motion cone is narrower than an ulp: R = 1, rho = 1e-4, l = 1e6."""
+    rod = scene(1e6, 1e-12, 1.0, inertia(1e-4))
     assert len(pp.solve(rod, np.pi / 2, 0.5)) == 1
 
 
-def test_a_slip_beyond_the_doubles_is_refused_with_a_remedy():
-    inertia = pp.Inertia(gyration_radius=5e-45)
-    with pytest.raises(pp.InvalidValue) as caught:
-        pp.solve(scene(1.0, np.pi / 2, 5e241, inertia), 1.0)
-    assert caught.value.name == "friction_coefficient"
-    assert caught.value.remedy == "use the law of infinite friction"
-    (found,) = pp.solve(scene(1.0, np.pi / 2, INFINITE, inertia), 1.0)
-    assert found.mode is pp.ContactMode.STICK
-    assert np.all(np.isfinite(numbers([found])))
+def test_greatest_coefficient_sticks_like_infinite_friction():
+    for law in (1e9, INFINITE):
+        (found,) = pp.solve(scene(1.0, np.pi / 2, law, inertia(1e-4)), 1.0)
+        assert found.mode is pp.ContactMode.STICK
+        assert np.all(np.isfinite(numbers([found])))
 
 
 def test_edge_of_infinite_friction_is_a_half_turn_to_a_long_rod():
@@ -59,13 +69,13 @@ def test_edge_of_infinite_friction_is_a_half_turn_to_a_long_rod():
 @pytest.mark.parametrize("tilt", [5e-324, 1e-300, 1e-45])
 def test_an_upright_rod_keeps_a_push_that_hardly_leaves_the_fence(tilt):
     """The cosine of the double next to a quarter turn, 6e-17, would pass for the push and stick."""
-    rod = scene(1e20, np.pi / 2, 1.0, pp.Inertia())
+    rod = scene(1e6, np.pi / 2, 1.0, pp.Inertia())
     assert names(pp.solve(rod, tilt)) == ["SLIP_LEFT"]
 
 
-@pytest.mark.parametrize("gyration_radius", [1e-2, 1e-5, 1e-8, 1e-60])
+@pytest.mark.parametrize("gyration_radius", [1e-2, 1e-3, 1e-4])
 def test_slip_whose_spin_ratio_is_a_small_part_of_its_range(gyration_radius):
-    """From friction to inertia the spin ratio runs over up to 120 decades; n . u turns in the first one."""
+    """From friction to inertia the spin ratio runs over eight decades; n . u turns in the first one."""
     effects = pp.RingFriction(), pp.Inertia(gyration_radius=gyration_radius)
     rod = scene(1.0, 0.8069, 1.0, *effects)
     assert names(pp.solve(rod, 0.05, 1e-6)) == ["SLIP_LEFT"]
@@ -89,7 +99,7 @@ def test_long_rod_along_the_fence(length, gyration_radius, pusher, size, modes):
     assert names(pp.solve(rod, pusher, size)) == modes
 
 
-@pytest.mark.parametrize("length", [1e-5, 1e-20, 1e-43])
+@pytest.mark.parametrize("length", [1e-2, 3e-3, 2.2e-3])
 def test_slip_whose_normal_motion_has_a_plateau(length):
     """Between spin ratios of 1 and 1 / l friction has no more torque to give: n . u is even to rounding."""
     effects = pp.RingFriction(), pp.Inertia(gyration_radius=length**1.5)
@@ -101,16 +111,10 @@ def test_slip_whose_normal_motion_has_a_plateau(length):
     assert slip.spin_ratio == pytest.approx(friction, rel=0.1)
 
 
-def test_torque_beyond_the_doubles_is_no_warning():
-    """That of a slip which is none; the stick is the answer."""
-    rod = scene(1e67, np.pi / 2, 1.9e281, pp.Inertia(gyration_radius=2e64))
-    assert names(pp.solve(rod, 1.0)) == ["STICK"]
-
-
 @pytest.mark.parametrize("beyond", [1e-9, 1e-6, 1e-3])
 def test_long_rod_along_an_edge_of_the_friction_cone(beyond):
     """An ulp of the edge's angle moves the motion cone by l^2 ulp: stick and slip must take it for one."""
-    rod = scene(1e9, np.nextafter(np.pi / 4, 1.0), 1.0, pp.Inertia())
+    rod = scene(1e6, np.nextafter(np.pi / 4, 1.0), 1.0, inertia(1e-3))
     edge = pp.motion_cone(rod).right
     assert edge < -0.7
     assert names(pp.solve(rod, edge - beyond)) == ["SEPARATE"]
@@ -132,10 +136,13 @@ def test_slip_next_to_friction_that_moves_along_the_fence(steepness):
     assert names(found) == ["SLIP_LEFT"]
 
 
-@pytest.mark.parametrize("length", 10.0 ** np.arange(-60, 61, 10))
+@pytest.mark.parametrize("length", 10.0 ** np.arange(-9, 7, 3))
 @pytest.mark.parametrize("part", [1e-9, 1e-4, 1e4, 1e9])
 def test_a_plateau_is_not_cut_at_its_rounding(length, part):
     """Friction's torque is even to rounding over many decades; each turn of n . u would be a branch."""
-    effects = pp.RingFriction(), pp.Inertia(gyration_radius=length * part)
-    _, spin_ratio, _ = slip_motions(resistance(effects), length, 1.8, 2.5, 1e-3)
-    assert spin_ratio.shape[-1] <= 2
+    ratio = np.clip(length * part, 1e-4, 1e4)
+    rod = scene(length, 1.8, -1 / np.tan(2.5), pp.RingFriction(), inertia(ratio))
+    for across in (1e-9, 1e-3, 1.0, 1e3):
+        for along in (-1e4, 1e4):
+            found = pp.solve(rod, np.arctan2(across, along), np.hypot(across, along))
+            assert sum(mode > pp.ContactMode.STICK for mode in found.modes) <= 2

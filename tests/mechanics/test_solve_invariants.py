@@ -8,7 +8,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from properties.strategies import (
+from mechanics.builders import make_scene, names, scaled
+from mechanics.strategies import (
     both,
     coefficients,
     effect_sets,
@@ -20,7 +21,6 @@ from properties.strategies import (
     rod_angles,
     scenes,
 )
-from unit.builders import make_scene, names
 
 
 def replace_effects(scene, effects):
@@ -60,8 +60,7 @@ def check_balance(scene, solution):
     slider = scene.slider
     wrench = np.zeros(3)
     for effect in scene.effects:
-        scaled = solution.twist * np.array([1, 1, slider.radius])
-        wrench += effect.scaled(slider.radius).wrench(scaled) * np.array([1, 1, slider.radius])
+        wrench += pp.wrench(effect, solution.twist, slider)
     size = np.hypot(*wrench[:2]) + 1e-300
     assert solution.force == pytest.approx(wrench[:2], abs=1e-13 * size)
     fx, fy = solution.force
@@ -179,7 +178,7 @@ def test_modes_do_not_see_the_unit_of_length(scene, angle, magnitude, factor):
         rod_angle=scene.slider.rod_angle,
         radius=factor,
     )
-    effects = tuple(effect.scaled(1 / factor) for effect in scene.effects)
+    effects = tuple(scaled(effect, factor) for effect in scene.effects)
     larger = pp.Scene(slider=slider, contact=scene.contact, effects=effects)
     found, other = pp.solve(scene, angle, magnitude), pp.solve(larger, angle, magnitude)
     assert names(found) == names(other)

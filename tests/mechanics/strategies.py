@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from unit.builders import make_scene
+from mechanics.builders import make_scene
 
 
 def powers(low, high):

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.mechanics.contact.laws import friction_coefficient
-from unit.builders import BOTH, PSI, make_scene, names
+from mechanics.builders import BOTH, PSI, make_scene, names
 
 PHI = np.linspace(0, np.pi, 13)
 SPLIT_RING = (pp.RingFriction(weight=0.5), pp.RingFriction(weight=1.5))
@@ -85,20 +84,6 @@ def test_degrees():
     assert pp.Inertia().degree == 2
 
 
-def test_scaling_an_effect_scales_its_lengths():
-    assert pp.Inertia(mass=2.0, gyration_radius=3.0).scaled(2.0) == pp.Inertia(
-        mass=2.0, gyration_radius=1.5
-    )
-    assert pp.RingFriction(weight=2.0).scaled(5.0) == pp.RingFriction(weight=2.0)
-
-
-def test_inertia_wrench_and_potential():
-    inertia = pp.Inertia(mass=2.0, gyration_radius=3.0)
-    twist = np.array([[1.0, -2.0, 0.5]])
-    assert np.array_equal(inertia.wrench(twist), [[2.0, -4.0, 9.0]])
-    assert inertia.potential(twist) == pytest.approx([2 * (5 + 9 * 0.25) / 2])
-
-
 def test_values_are_frozen():
     scene = make_scene(2.0, 2.0, BOTH)
     for value in (scene, scene.slider, scene.contact, *scene.effects, pp.motion_cone(scene)):
@@ -115,12 +100,17 @@ def test_scene_turns_a_list_of_effects_into_a_tuple():
     assert slider.length_ratio == 1.0
 
 
-def test_coefficient_of_every_law():
-    assert friction_coefficient(pp.Coulomb(0.3)) == 0.3
-    assert friction_coefficient(pp.InfiniteFriction()) == np.inf
-    assert friction_coefficient(pp.PerfectlyRough()) == np.inf
-
-
-def test_kinks_name_the_centre_on_the_ring():
-    assert pp.RingFriction().kinks == (1.0,)
-    assert pp.Inertia().kinks == ()
+def test_scene_in_numbers():
+    scene = pp.Scene(
+        slider=pp.Slider(rod_length=3.0, rod_angle=PSI, radius=2.0),
+        contact=pp.Coulomb(1.0),
+        effects=(pp.Inertia(mass=5.0, gyration_radius=3.0), pp.RingFriction(weight=7.0)),
+    )
+    assert scene.slider.length_ratio == 1.5
+    assert (scene.weight, scene.inertia) == (7.0, (5.0, 2.25))
+    assert [type(each).__name__ for each in scene.kinds] == ["RingSupport", "Mass"]
+    assert len(make_scene(1.0, effects=BOTH[:1]).kinds) == 1
+    assert len(make_scene(1.0, effects=BOTH[1:]).kinds) == 1
+    assert scene.stores_energy
+    assert not make_scene(1.0, effects=BOTH[:1]).stores_energy
+    assert scene.friction == [pp.RingFriction(weight=7.0)]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 
 import planar_pushing as pp
@@ -17,7 +19,7 @@ EFFECT_SETS = {"friction": FRICTION, "inertia": INERTIA, "both": BOTH}
 
 def make_scene(length, contact=INFINITE, effects=FRICTION, psi=PSI, radius=1.0):
     """A scene; a bare number as `contact` is a friction coefficient, inf included."""
-    if not isinstance(contact, (pp.Coulomb, pp.InfiniteFriction, pp.PerfectlyRough)):
+    if np.asarray(contact).dtype != object:
         contact = INFINITE if np.isinf(contact) else pp.Coulomb(contact)
     slider = pp.Slider(rod_length=length, rod_angle=psi, radius=radius)
     return pp.Scene(slider=slider, contact=contact, effects=tuple(effects))
@@ -33,3 +35,10 @@ def numbers(solutions):
     return np.array(
         [[*s.force, *s.contact_motion, *s.twist, s.spin_ratio] for s in solutions], dtype=float
     )
+
+
+def scaled(effect, factor):
+    """The effect with its lengths multiplied by a factor."""
+    if not isinstance(effect, pp.Inertia):
+        return effect
+    return dataclasses.replace(effect, gyration_radius=factor * effect.gyration_radius)
