@@ -222,7 +222,7 @@ def test_lengths_scale(effects):
     """Twice the radius and the lengths, at the same angles."""
     logs = []
     for size in (1.0, 2.0):
-        parts = tuple(e.scaled(1 / size) for e in effects)
+        parts = tuple(pp.Inertia(gyration_radius=size) if e.degree == 2 else e for e in effects)
         scene = make_scene(2 * size, 2.0, parts, radius=size)
         # Speeds grow with the root of the lengths where friction and inertia compete.
         speed = math.sqrt(size)

@@ -84,6 +84,7 @@ def _flat(array: Array, shape: tuple[int, ...]) -> Any:
 
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
+    """Call a function for each start on all cores; Ctrl-C ends it after the calls under way."""
     with ThreadPoolExecutor(numba.config.NUMBA_NUM_THREADS) as pool:
         try:
             for _ in pool.map(block, starts):

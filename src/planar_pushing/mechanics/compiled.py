@@ -28,6 +28,8 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 #: Packages whose sources are compiled. Numba's cache sees changes in a function's own file only; the
 #: digest of all these files keeps stale callees out.
 SOURCES = ("mechanics", "simulation")
+#: How every function is compiled: to run beside others, to divide as numpy does, and exactly.
+OPTIONS = {"nogil": True, "error_model": "numpy"}
 LOG = logging.getLogger("planar_pushing")
 PACKAGE = Path(__file__).parents[1]
 
@@ -61,7 +63,7 @@ def compiled(function: Function) -> Function:
     """Compile a function of numbers, without fast mathematics: every run gives the same results."""
     before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, CACHE
     try:
-        made = numba.njit(nogil=True, error_model="numpy", cache=True)(function)
+        made = numba.njit(cache=True, **OPTIONS)(function)
     finally:
         numba.config.CACHE_DIR = before
     return made  # type: ignore[no-any-return]
@@ -73,8 +75,7 @@ def inlined(function: Function) -> Function:
     The compiler optimises a function together with all that it calls, so each layer of functions above a
     large one costs its time again; a layer that is inlined costs nothing.
     """
-    made = numba.njit(inline="always", nogil=True, error_model="numpy")(function)
-    return made  # type: ignore[no-any-return]
+    return numba.njit(inline="always", **OPTIONS)(function)  # type: ignore[no-any-return]
 
 
 @contextmanager
@@ -104,10 +105,11 @@ def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
         return choose(_kind(first))(first, *rest)
 
     def typed(first: Any, *rest: Any) -> Any:
+        # Not a call of the body: a layer between would be optimised with all that the body calls.
         body = choose(_kind_of_type(first))
-        return lambda first, *rest: body(first, *rest)
+        return getattr(body, "py_func", body)
 
-    overload(function, strict=False)(typed)
+    overload(function, jit_options=OPTIONS, strict=False)(typed)
     return function
 
 

@@ -13,7 +13,7 @@ ITERATIONS = 2000
 
 @inlined
 def _part(a, b, c, at_a, at_b, at_c):
-    """Part of the bracket from a to b where inverse quadratic interpolation has the root, else the middle."""
+    """Part of the bracket from a to b where inverse quadratic interpolation has the root, or half."""
     part = 0.5
     if c != b and at_c != at_a and at_c != at_b:
         place, height = (a - b) / (c - b), (at_a - at_b) / (at_c - at_b)

@@ -23,7 +23,7 @@ SHORTEST, MOST = 2.0**-30, 4096
 
 
 class Piece(NamedTuple):
-    """The fence's velocity up to a time: coefficients along the fence and normal to it, shape (2, degree + 1)."""
+    """The fence's velocity up to a time: coefficients, shape (2, degree + 1), and what is rounding."""
 
     end: float
     velocity: Array
@@ -50,7 +50,9 @@ class Piece(NamedTuple):
         return found
 
 
-def pieces_of(velocity: Callable[[float], tuple[float, float]], start: float, end: float) -> list[Piece]:
+def pieces_of(
+    velocity: Callable[[float], tuple[float, float]], start: float, end: float
+) -> list[Piece]:
     """Pieces of a velocity between two times, halved until each is a polynomial to rounding."""
     found, left = [], [(start, end)]
     while left:

@@ -17,8 +17,9 @@ from planar_pushing.mechanics.compiled import compiled
 VELOCITY, ACCELERATION, MEAN = 0, 2, 4
 #: Coefficients of a piece at most.
 POINTS = 16
-#: A piece, in radii of the slider: its time, its degree, the pieces of its span from `first` to before `last`,
-#: what rounding leaves of each part of its velocity, the displacement at its start, and its coefficients.
+#: A piece, in radii of the slider: its time, its degree, the pieces of its span from `first` to before
+#: `last`, what rounding leaves of each part of its velocity, the displacement at its start, and its
+#: coefficients.
 PIECE = np.dtype(
     [
         ("start", "f8"), ("end", "f8"), ("degree", "i8"), ("first", "i8"), ("last", "i8"),
@@ -45,7 +46,9 @@ def span(fence, index):
     """The span of a piece; the fence is an array of pieces."""
     piece = fence[index]
     constant = piece.last - piece.first == 1 and piece.degree == 0
-    return Span(fence[piece.first].start, fence[piece.last - 1].end, piece.first, piece.last, constant)
+    return Span(
+        fence[piece.first].start, fence[piece.last - 1].end, piece.first, piece.last, constant
+    )
 
 
 @compiled

@@ -102,7 +102,7 @@ def _coefficients(given: Any, contact: Any) -> Array:
     except (TypeError, ValueError):
         required("friction_coefficient", given)
         raise
-    required("friction_coefficient", np.where(mu == np.inf, 0.0, mu)[...])
+    required("friction_coefficient", np.atleast_1d(np.where(mu == np.inf, 0.0, mu)))
     return mu
 
 
@@ -129,9 +129,7 @@ def _shape(shapes: list[tuple[int, ...]]) -> tuple[int]:
         shape = ()
     if len(shape) != 1 or not shape[0]:
         different = sorted(set(shapes))
-        raise InvalidValue(
-            "shapes", different, "() or (scenes,)", "give one number for each scene"
-        )
+        raise InvalidValue("shapes", different, "() or (scenes,)", "give one number for each scene")
     return shape
 
 

@@ -9,8 +9,8 @@ import numpy as np
 
 #: Value of `mode` where no mode is consistent; otherwise it is one of `ContactMode`.
 NO_MODE = -1
-#: One instant, lengths in radii of the slider: ring centre, rod angle in radians, twist with R omega, displacement
-#: of the fence, and energies since the start. `stopped` is a `Stop`.
+#: One instant, lengths in radii of the slider: ring centre, rod angle in radians, twist with R omega,
+#: displacement of the fence, and energies since the start. `stopped` is a `Stop`.
 ROW = np.dtype(
     [
         ("time", "f8"), ("position", "f8", (2,)), ("rod_angle", "f8"), ("twist", "f8", (3,)),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events.run import LATER, NOW, STATE, TRIAL, candidate
 from planar_pushing.simulation.fence import span
 from planar_pushing.simulation.systems.base import (
@@ -50,7 +50,7 @@ def holds(system, mode, time, state, run):
     return True
 
 
-@compiled
+@inlined
 def choose(system, run, policy, excluded):
     """Take a consistent mode by the policy, `excluded` apart; whether there is one."""
     during = span(system.fence, run.span)

@@ -1,8 +1,8 @@
 """The driver: from event to event, and a choice of mode at each.
 
 A mode is integrated until one of its guards says that it ends; then the modes whose conditions hold are
-enumerated and the policy takes one. The driver knows nothing of the equations. It works in phases, so that it
-can hand on its rows, and go on, at any time.
+enumerated and the policy takes one. The driver knows nothing of the equations. It works in phases, so that
+it can hand on its rows, and go on, at any time.
 """
 
 from __future__ import annotations
@@ -200,10 +200,9 @@ def _move_on(system, run):
     """Go to the end of a step, and change the method where steps in a row say so."""
     during = span(system.fence, run.span)
     bound = (run.until - run.time) * settling(system, during, run.until, run.vectors[REACHED])
+    changes = bound < run.stable / 2
     if run.explicit:
         changes = bound > 0.0 and explicit.stiffness(run) > STIFF
-    else:
-        changes = bound < run.stable / 2
     run.agree = run.agree + 1 if changes else 0
     run.time, run.phase = run.until, STEPS
     run.vectors[STATE] = run.vectors[REACHED]

@@ -1,4 +1,4 @@
-"""Steps of DOP853, an explicit method of order 8 (Hairer, Norsett and Wanner I, Secs. II.4, II.5 and II.10)."""
+"""Steps of DOP853, an explicit method of order 8 (Hairer, Norsett and Wanner I, Secs. II.4 and II.10)."""
 
 from __future__ import annotations
 

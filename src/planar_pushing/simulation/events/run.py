@@ -20,30 +20,32 @@ RADAU = 3
 
 
 class Task(NamedTuple):
-    """What is to be integrated: samples at these times, steps to a relative tolerance, choices by a policy."""
+    """What is asked of a run: a relative tolerance, a policy, and samples at these times."""
 
     rtol: float
     policy: int
     times: Array
 
 
-#: Vectors of a run, of which each has the entries of the state: the state, that at the end of the step, two on which
-#: functions work, typical sizes; slopes in the stages of a step, coefficients of the dense output, and what the
-#: stiff method works on.
+#: Vectors of a run, each with the entries of the state: the state, that at the end of the step, two on
+#: which functions work, typical sizes; slopes in the stages of a step, coefficients of the dense output,
+#: and what the stiff method works on.
 STATE, REACHED, TRIAL, PASSING, SCALES, SLOPES = range(6)
 DENSE = SLOPES + STAGES
 IMPLICIT = DENSE + 7
 VECTORS = IMPLICIT + 3 * RADAU
-#: Guards of a run by cause: their signs, zero until a guard was away from zero; values at the start of the step and
-#: at its nodes, and two sets on which functions work.
+#: Guards of a run by cause: their signs, zero until a guard was away from zero; values at the start of the
+#: step and at its nodes, and two sets on which functions work.
 SIGNS, VALUES, NODE = range(3)
 NOW = NODE + len(NODES)
 LATER = NOW + 1
 
 
 def _dtype(entries: int) -> np.dtype[Any]:
-    """Where a run is: `phase` of `driver`; `time` of the state, `until` at the end of the step that is looked at, and
-    `event` in it, with its `cause`; `before` when the mode was chosen; `size` of the next step. `chosen` of the
+    """Where a run is.
+
+    `phase` of `driver`; `time` of the state, `until` at the end of the step that is looked at, and `event`
+    in it, with its `cause`; `before` when the mode was chosen; `size` of the next step. `chosen` of the
     `count` modes that might be, -1 where none is consistent.
     """
     return np.dtype(

@@ -1,5 +1,6 @@
-"""Steps of Radau IIA, an implicit method of order 5 (Hairer and Wanner, Solving Ordinary Differential Equations
-II, Secs. IV.5 and IV.8), for motions that friction turns much faster than the slider moves.
+"""Steps of Radau IIA, an implicit method of order 5, for motions that friction turns fast.
+
+Hairer and Wanner, Solving Ordinary Differential Equations II, Secs. IV.5 and IV.8.
 """
 
 from __future__ import annotations

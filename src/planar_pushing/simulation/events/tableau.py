@@ -1,5 +1,6 @@
-"""Coefficients of DOP853 (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, Sec. II.10).
+"""Coefficients of DOP853.
 
+Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, Sec. II.10.
 Twelve stages and the derivative at the end of the step give the result of order 8 and two estimates of its
 error; three more stages give a dense output of order 7.
 """

@@ -25,7 +25,7 @@ HALVINGS = 20
 NOTHING, MISJUDGED = -1, -2
 
 
-@compiled
+@inlined
 def start_watch(system, mode, run):
     """Look at the guards at the start of a mode."""
     guards(system, mode, run.time, run.vectors[STATE], run.guards[VALUES])
@@ -41,7 +41,7 @@ def _sign(cause, value):
     return -1.0 if WATCHES[cause] and value < -SLACK else 0.0
 
 
-@compiled
+@inlined
 def first_event(system, mode, run):
     """Write down the first event of a step; its cause, `NOTHING`, or `MISJUDGED`.
 
@@ -113,11 +113,12 @@ def _dip(system, mode, run, cause):
         c = run.guards[NODE + j, cause]
         bend = a - 2.0 * b + c
         if min(a, b, c) > 0.0 and b <= min(a, c) and bend > 0.0:
+            low, high = _node(run, j - 1), _node(run, j + 1)
+            time, value = low, b
             # The parabola through the three falls below a fifth of the middle one.
             if b - (c - a) * (c - a) / (8.0 * bend) < 0.2 * b:
-                low, high = _node(run, j - 1), _node(run, j + 1)
                 time, value = least(system, mode, run, cause, low, high)
-                if value < -SLACK:
-                    return crossing(system, mode, run, cause, low, time)
+            if value < -SLACK:
+                return crossing(system, mode, run, cause, low, time)
         a, b = b, c
     return inf

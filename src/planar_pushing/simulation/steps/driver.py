@@ -16,7 +16,7 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.plane import Array, Rod, contact_motion
 from planar_pushing.mechanics.push import spin_ratio
-from planar_pushing.simulation.fence import displacement, span, velocity
+from planar_pushing.simulation.fence import span, velocity
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.steps.trials import TRIALS, Step, enumerate_trials
 from planar_pushing.simulation.systems.base import SEPARATE, STICK, rank
@@ -30,8 +30,9 @@ INCONSISTENT, LIES = int(Stop.INCONSISTENT), int(Stop.LIES)
 #: Nodes and weights of the quadrature that turns a velocity into a displacement.
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
-#: Where a run is: `mark` and `step` count the intervals between the times that are recorded and the steps in one;
-#: place of the contact over the fence, fence, rod angle and twist; mean force of the last step, energies so far.
+#: Where a run is: `mark` and `step` count the intervals between the times that are recorded and the
+#: steps in one; place of the contact over the fence, fence, rod angle and twist; mean force of the last
+#: step, energies so far.
 CLOCK = np.dtype(
     [
         ("time", "f8"), ("start", "f8"), ("along", "f8"), ("gap", "f8"), ("slip", "f8"),
@@ -45,7 +46,7 @@ CLOCK = np.dtype(
 
 
 class Plan(NamedTuple):
-    """The intervals of a run: their ends, steps in each, the piece of the fence that it begins in; the policy."""
+    """Intervals of a run: ends, steps in each, pieces of the fence in which they begin; and the policy."""
 
     ends: Array
     counts: Array

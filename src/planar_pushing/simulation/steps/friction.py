@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from math import nan, sqrt
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.plane import Direction, toward
 from planar_pushing.mechanics.reduced import base
-from planar_pushing.simulation.steps.trials import INCREMENTS
-from planar_pushing.simulation.systems.base import QuasiStatic
 
 
 @compiled
@@ -40,6 +37,3 @@ def slips(system, step, angle, found):
         found[i, 3] *= step.size
         found[i, 4] *= step.size
     return count
-
-
-INCREMENTS[QuasiStatic] = sys.modules[__name__]

@@ -8,7 +8,6 @@ limit surface times h.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from math import atan2, copysign, cos, pi, sin, sqrt
 from typing import Any, NamedTuple
@@ -20,8 +19,7 @@ from planar_pushing.mechanics.plane import contact_motion, moment_arm, toward
 from planar_pushing.mechanics.reduced.isotropic import spin_ratio
 from planar_pushing.mechanics.root import EQUATIONS, root
 from planar_pushing.simulation.bracket import bracketed
-from planar_pushing.simulation.steps.trials import INCREMENTS, PARTS, SLACK, Step
-from planar_pushing.simulation.systems.base import Inertial
+from planar_pushing.simulation.steps.trials import PARTS, SLACK, Step
 
 #: A target below this part of the speeds is a contact that stands still.
 STILL = 1e-14
@@ -131,7 +129,7 @@ def free(system, step):
 
 
 class Turned(NamedTuple):
-    """Torque about the contact that a sticking step lacks, over its rotation; `stiffness` is that of inertia."""
+    """Torque about the contact that a sticking step lacks, over its rotation."""
 
     effects: tuple[Any, ...]
     step: Step
@@ -299,10 +297,9 @@ def _every_size(effects, lifted, low, high, found):
         size = low + (high - low) * i / PARTS
         value = _lifted(lifted, size)[0]
         if (at_last < 0.0) != (value < 0.0):
-            found[count, 0] = bracketed(lifted, last, size, at_last, value) if at_last != 0.0 else last
+            found[count, 0] = (
+                bracketed(lifted, last, size, at_last, value) if at_last != 0.0 else last
+            )
             count += 1
         last, at_last = size, value
     return count
-
-
-INCREMENTS[Inertial] = sys.modules[__name__]

@@ -15,10 +15,11 @@ from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, in_units, reason, records
 from planar_pushing.simulation.steps import friction, inertia
 from planar_pushing.simulation.steps.driver import CLOCK, Plan, advance, begin, ended
+from planar_pushing.simulation.steps.trials import INCREMENTS
+from planar_pushing.simulation.systems.base import Inertial, QuasiStatic
 from planar_pushing.simulation.systems.setup import ANGLE, GAP, V_X, row_of, system_of
 
-__all__ = ["TimeStepping", "friction", "inertia"]
-
+INCREMENTS.update({QuasiStatic: friction, Inertial: inertia})
 #: Steps of a run whose step is not given.
 STEPS = 1000
 #: Rows handed on at once.

@@ -69,7 +69,7 @@ def stick(kind: Any) -> Callable[..., Any]:
 
 @generic
 def slips(kind: Any) -> Callable[..., Any]:
-    """Write down the steps under an impulse on an edge, whose contact moves along the normal with the fence.
+    """Write down the steps under an impulse on an edge, whose normal motion is the fence's.
 
     Parameters
     ----------

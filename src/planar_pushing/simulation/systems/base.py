@@ -1,7 +1,7 @@
 """What a simulation is made of: a system, its state, and modes that last while margins are positive.
 
-A system is a named tuple of a kind of its own; the functions below choose by that kind, so that what a scene
-does not list is not compiled into its integrators.
+A system is a named tuple of a kind of its own; the functions below choose by that kind, so that what a
+scene does not list is not compiled into its integrators.
 """
 
 from __future__ import annotations
@@ -21,16 +21,17 @@ from planar_pushing.simulation.fence import Span
 #: Of each kind of system, the module of its equations.
 SYSTEMS: dict[type, Any] = {}
 
-#: Where the state holds what: place of the contact relative to the fence, rod angle, slip accumulated, energy
-#: dissipated at the contact, work of the fence, energy dissipated by friction of the support. A system with
-#: inertia adds the velocity of the contact over the fence and the rotation.
+#: Where the state holds what: place of the contact relative to the fence, rod angle, slip accumulated,
+#: energy dissipated at the contact, work of the fence, energy dissipated by friction of the support. A
+#: system with inertia adds the velocity of the contact over the fence and the rotation.
 ALONG, GAP, ANGLE, SLIP, LOST, WORK, RUBBED, OVER, RISE, SPIN = range(10)
 #: Entries of the state without and with inertia.
 STILL, MOVING = OVER, SPIN + 1
 #: Policies in the core, in the order of `Policy`.
 KEEPS, LEAVES, STAYS = range(3)
 
-#: What the slider does: the contact modes, of which `SEPARATE` is a flight, and rests clear of the fence and on it.
+#: What the slider does: the contact modes, of which `SEPARATE` is a flight, and rests clear of the fence
+#: and on it.
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
 SLIP_RIGHT, SLIP_LEFT = int(ContactMode.SLIP_RIGHT), int(ContactMode.SLIP_LEFT)
 CLEAR, HELD = 4, 5
@@ -63,9 +64,10 @@ FIRST_WATCHES = (LIFTS, STOPS, KINK, TURNS, TURNS_ALONG)
 WATCHES = tuple(cause in FIRST_WATCHES for cause in range(CAUSES))
 
 
-#: What of a scene does not change while it moves: l / R; edges of the friction cone and their angles, and what the
-#: law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such effect; typical speed and
-#: force, to which slacks are relative; initial gap. And what does: how often the motion was evaluated.
+#: What of a scene does not change while it moves: l / R; edges of the friction cone and their angles,
+#: and what the law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such
+#: effect; typical speed and force, to which slacks are relative; initial gap. And what does change: how
+#: often the motion was evaluated.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
@@ -136,7 +138,7 @@ def initial(kind: Any) -> Callable[..., Any]:
 
 @generic
 def scales(kind: Any) -> Callable[..., Any]:
-    """Write down the typical size of each entry of the state, to which the tolerance is relative near zero."""
+    """Write down typical sizes of the state, for the tolerance near zero: system, sizes."""
     return SYSTEMS[kind].scales
 
 
@@ -148,7 +150,7 @@ def pace(kind: Any) -> Callable[..., Any]:
 
 @generic
 def settling(kind: Any) -> Callable[..., Any]:
-    """Rate at which friction turns the twist towards its quasi-static direction: system, span, time, state."""
+    """Rate at which friction turns the twist to its quasi-static direction: system, span, time, state."""
     return SYSTEMS[kind].settling
 
 
@@ -181,7 +183,7 @@ def rates(kind: Any) -> Callable[..., Any]:
 
 @generic
 def guards(kind: Any) -> Callable[..., Any]:
-    """Write down margins and watches by cause, NaN where there is none: system, mode, time, state, found."""
+    """Write down margins and watches by cause, NaN where none is: system, mode, time, state, found."""
     return SYSTEMS[kind].guards
 
 

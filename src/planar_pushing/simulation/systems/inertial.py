@@ -6,10 +6,9 @@ sticks has no relative velocity at all, and one that slips no normal one.
 
 from __future__ import annotations
 
-import sys
 from math import cos, sin, sqrt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.push import spin_ratio
 from planar_pushing.simulation.fence import span, velocity
 from planar_pushing.simulation.systems.base import (
@@ -29,9 +28,7 @@ from planar_pushing.simulation.systems.base import (
     STARTS,
     STICK,
     STOPS,
-    SYSTEMS,
     TOUCHES,
-    Inertial,
     Mode,
 )
 from planar_pushing.simulation.systems.impacts import impact
@@ -45,7 +42,18 @@ from planar_pushing.simulation.systems.inertial_motion import (
 )
 from planar_pushing.simulation.systems.rest import AT_REST, from_rest, set_off, stopped
 
-__all__ = ["after", "enter", "guards", "initial", "modes", "pace", "rates", "scales", "settling", "write"]
+__all__ = [
+    "after",
+    "enter",
+    "guards",
+    "initial",
+    "modes",
+    "pace",
+    "rates",
+    "scales",
+    "settling",
+    "write",
+]
 
 
 @compiled
@@ -75,12 +83,10 @@ def pace(system, during, time):
 @compiled
 def settling(system, during, time, state):
     body = system.body
-    return body.weight / (
-        body.mass * max(size(system, during, time, state), AT_REST * body.speed)
-    )
+    return body.weight / (body.mass * max(size(system, during, time, state), AT_REST * body.speed))
 
 
-@compiled
+@inlined
 def enter(system, index, state, kind, policy):
     """A jump of the fence's velocity is an impact on what it touches."""
     during = span(system.fence, index)
@@ -105,7 +111,7 @@ def _touches(system, state):
     return state[GAP] <= SLACK and abs(state[RISE]) <= SLACK * system.body.speed
 
 
-@compiled
+@inlined
 def modes(system, during, time, state, kinds, starts):
     starts[:] = 0.0
     body = system.body
@@ -118,7 +124,7 @@ def modes(system, during, time, state, kinds, starts):
     return _in_motion(system, during, time, state, kinds)
 
 
-@compiled
+@inlined
 def _in_motion(system, during, time, state, kinds):
     """Modes of a contact on the fence whose slider moves."""
     body, slip, count = system.body, state[OVER], 0
@@ -139,7 +145,7 @@ def _in_motion(system, during, time, state, kinds):
     return count
 
 
-@compiled
+@inlined
 def after(system, cause, mode, time, state, policy):
     if cause == TOUCHES:
         state[GAP] = 0.0
@@ -163,6 +169,3 @@ def write(system, mode, time, state, row):
     row.force[0], row.force[1] = contact_force(system, mode, now)
     row.spin_ratio = spin_ratio(sqrt(now.v_x * now.v_x + now.v_y * now.v_y), state[SPIN])
     row.kinetic_energy = kinetic_energy(system, mode.during, time, state)
-
-
-SYSTEMS[Inertial] = sys.modules[__name__]

@@ -5,7 +5,6 @@ The state needs no twist, and the contact stays on the fence because the gap is 
 
 from __future__ import annotations
 
-import sys
 from math import copysign, cos, inf, nan, sin, sqrt
 from typing import NamedTuple
 
@@ -35,12 +34,10 @@ from planar_pushing.simulation.systems.base import (
     SLIP_RIGHT,
     STARTS,
     STICK,
-    SYSTEMS,
     TOUCHES,
     TURNS,
     TURNS_ALONG,
     WORK,
-    QuasiStatic,
     edge_of,
     margin,
 )
@@ -50,7 +47,7 @@ PUSHES = 2e-10
 
 
 class Flow(NamedTuple):
-    """The motion at an instant: R omega, speed of the centre, velocity of the contact over the fence, force.
+    """The motion at an instant: R omega, centre's speed, velocity of the contact over the fence, force.
 
     `advance` is the normal motion of a slipping contact in a motion of unit size.
     """
@@ -229,6 +226,3 @@ def write(system, mode, time, state, row):
     row.force[0], row.force[1] = flow.f_x, flow.f_y
     row.spin_ratio = spin_ratio(flow.speed, flow.spin)
     row.kinetic_energy = 0.0
-
-
-SYSTEMS[QuasiStatic] = sys.modules[__name__]

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.compiled import compiled, generic, inlined
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.modes import MOST, contact_modes
@@ -119,7 +119,7 @@ def _driven(effects, size):
     return RingSupport(weight / unit), Mass(mass / unit, effects[1].gyration)
 
 
-@compiled
+@inlined
 def _slipping_starts(effects, body, own, size, normal, slip, kinds, starts):
     """Starts under a fence that already slips along below the slider and begins to push it."""
     count = 0
@@ -138,7 +138,7 @@ def _slipping_starts(effects, body, own, size, normal, slip, kinds, starts):
     return count
 
 
-@compiled
+@inlined
 def _set_off(effects, system, mode, time, state, policy):
     state[GAP] = 0.0
     kinds, starts = np.empty(MOST, np.int64), np.zeros((MOST, 3))
@@ -162,7 +162,7 @@ def _set_off(effects, system, mode, time, state, policy):
     return 0
 
 
-@compiled
+@inlined
 def stopped(system, mode, time, state):
     """Finish a motion that dies out: speeds fall in proportion to the time that is left; the time then.
 

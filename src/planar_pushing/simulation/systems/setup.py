@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import sqrt
 from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import COLUMNS, GYRATION, MASS, WEIGHT, made
-from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.plane import Array, unit_vector
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.fence import typical_speed
@@ -18,17 +16,17 @@ from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.systems import inertial, quasi_static
 from planar_pushing.simulation.systems.base import (
     BODY,
+    SYSTEMS,
     Inertial,
     QuasiStatic,
     initial,
 )
 
 #: Columns of a row behind those of the effects; twist and gap in radii.
-LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(
-    COLUMNS, COLUMNS + 11
-)
+LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(COLUMNS, COLUMNS + 11)
 #: Systems by whether they have inertia.
-SYSTEMS = {False: QuasiStatic, True: Inertial}
+KINDS = {False: QuasiStatic, True: Inertial}
+SYSTEMS.update({QuasiStatic: quasi_static, Inertial: inertial})
 
 
 def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
@@ -80,7 +78,7 @@ def system_of(scene: Scene, row: Array, fence: Any) -> Any:
     """The system of one scene, from its row and its fence."""
     body = records(BODY, 1)[0]
     fill(row, fence, body)
-    return SYSTEMS[scene.stores_energy](made(scene.kinds, row), body, fence)
+    return KINDS[scene.stores_energy](made(scene.kinds, row), body, fence)
 
 
 def row_of(scene: Scene, twist: Any, gap: float) -> Array:
