@@ -99,10 +99,7 @@ def _dataset(rows: Any, changes: Any, given: Scenes, parts: Array | None) -> xr.
         values = np.rad2deg(values) if name == "rod_angle" else values
         dims = (*over, "xy") if name == "position" else over
         variables[name] = dims, np.array(values[:, -1] if parts is None else values)
-    variables |= {
-        "mode_changes": ("scene", changes),
-        "evaluations": ("scene", rows["evaluations"][:, -1].copy()),
-    }
+    variables |= {"mode_changes": ("scene", changes), "evaluations": ("scene", rows["evaluations"][:, -1].copy())}
     coords: dict[str, Any] = {"xy": ("xy", ["x", "y"])}
     for name, each in given.coordinates.items():
         coords[name] = ("scene", "xy")[: each.ndim], np.array(each)

@@ -100,7 +100,9 @@ def _block(kinds, scenes, motions, times, rtol, policy, fence, body, run, rows, 
         if motions.shape[1] > 0:
             count = _constant_pieces(motions[i], times[i, times.shape[1] - 1], fence)
         task = Task(rtol, policy, times[i])
-        changes[i] = _simulated(kinds, scenes[i], fence[:count], body, task, run, rows, found[i])
+        changes[i] = _simulated(
+            kinds, scenes[i], fence[:count], body, task, run, rows, found[i]
+        )
 
 
 def run_scenes(
@@ -137,9 +139,7 @@ def run_scenes(
         part = slice(start, min(start + block, size))
         given = np.zeros((1, 0, 3)) if callable(motions) else motions[part]
         fence = motions(start) if callable(motions) else records(PIECE, motions.shape[1])
-        desk = Desk(
-            fence, records(BODY, 1)[0], records(RUNS[_moves(kinds)], 1)[0], records(ROW, ROWS)
-        )
+        desk = Desk(fence, records(BODY, 1)[0], records(RUNS[_moves(kinds)], 1)[0], records(ROW, ROWS))
         _block(
             kinds, scenes[part], given, times[part], rtol, policy, *desk, found[part], changes[part]
         )

@@ -50,9 +50,7 @@ class Piece(NamedTuple):
         return found
 
 
-def pieces_of(
-    velocity: Callable[[float], tuple[float, float]], start: float, end: float
-) -> list[Piece]:
+def pieces_of(velocity: Callable[[float], tuple[float, float]], start: float, end: float) -> list[Piece]:
     """Pieces of a velocity between two times, halved until each is a polynomial to rounding."""
     found, left = [], [(start, end)]
     while left:

@@ -45,9 +45,7 @@ def span(fence, index):
     """The span of a piece; the fence is an array of pieces."""
     piece = fence[index]
     constant = piece.last - piece.first == 1 and piece.degree == 0
-    return Span(
-        fence[piece.first].start, fence[piece.last - 1].end, piece.first, piece.last, constant
-    )
+    return Span(fence[piece.first].start, fence[piece.last - 1].end, piece.first, piece.last, constant)
 
 
 @compiled

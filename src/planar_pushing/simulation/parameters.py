@@ -129,7 +129,9 @@ def _shape(shapes: list[tuple[int, ...]]) -> tuple[int]:
         shape = ()
     if len(shape) != 1 or not shape[0]:
         different = sorted(set(shapes))
-        raise InvalidValue("shapes", different, "() or (scenes,)", "give one number for each scene")
+        raise InvalidValue(
+            "shapes", different, "() or (scenes,)", "give one number for each scene"
+        )
     return shape
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.plane import Array, Rod, contact_motion
 from planar_pushing.mechanics.push import spin_ratio
-from planar_pushing.simulation.fence import span, velocity
+from planar_pushing.simulation.fence import displacement, span, velocity
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.steps.trials import TRIALS, Step, enumerate_trials
 from planar_pushing.simulation.systems.base import SEPARATE, STICK, rank

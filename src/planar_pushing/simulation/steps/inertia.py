@@ -299,9 +299,7 @@ def _every_size(effects, lifted, low, high, found):
         size = low + (high - low) * i / PARTS
         value = _lifted(lifted, size)[0]
         if (at_last < 0.0) != (value < 0.0):
-            found[count, 0] = (
-                bracketed(lifted, last, size, at_last, value) if at_last != 0.0 else last
-            )
+            found[count, 0] = bracketed(lifted, last, size, at_last, value) if at_last != 0.0 else last
             count += 1
         last, at_last = size, value
     return count

@@ -64,8 +64,7 @@ def impact(system, during, time, state, kind, policy):
 @compiled
 def _impulse(body, angle, before_x, before_y, previous, policy):
     """Rank, impulse, and velocity of the contact after it: of none, of one that ends the relative motion, and
-    of those on an edge of the cone after which the contact slips away from it.
-    """
+    of those on an edge of the cone after which the contact slips away from it."""
     slack = SLACK * body.speed
     inertia = contact_inertia(body, angle)
     best = NONE, 0.0, 0.0, before_x, before_y

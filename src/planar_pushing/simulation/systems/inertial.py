@@ -45,18 +45,7 @@ from planar_pushing.simulation.systems.inertial_motion import (
 )
 from planar_pushing.simulation.systems.rest import AT_REST, from_rest, set_off, stopped
 
-__all__ = [
-    "after",
-    "enter",
-    "guards",
-    "initial",
-    "modes",
-    "pace",
-    "rates",
-    "scales",
-    "settling",
-    "write",
-]
+__all__ = ["after", "enter", "guards", "initial", "modes", "pace", "rates", "scales", "settling", "write"]
 
 
 @compiled
@@ -86,7 +75,9 @@ def pace(system, during, time):
 @compiled
 def settling(system, during, time, state):
     body = system.body
-    return body.weight / (body.mass * max(size(system, during, time, state), AT_REST * body.speed))
+    return body.weight / (
+        body.mass * max(size(system, during, time, state), AT_REST * body.speed)
+    )
 
 
 @compiled

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import sqrt
 from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import COLUMNS, GYRATION, MASS, WEIGHT, made
+from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.plane import Array, unit_vector
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.fence import typical_speed
 from planar_pushing.simulation.rows import records
+from planar_pushing.simulation.systems import inertial, quasi_static
 from planar_pushing.simulation.systems.base import (
     BODY,
     Inertial,
@@ -21,7 +24,9 @@ from planar_pushing.simulation.systems.base import (
 )
 
 #: Columns of a row behind those of the effects; twist and gap in radii.
-LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(COLUMNS, COLUMNS + 11)
+LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(
+    COLUMNS, COLUMNS + 11
+)
 #: Systems by whether they have inertia.
 SYSTEMS = {False: QuasiStatic, True: Inertial}
 
