@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import multiprocessing
 import time
+from concurrent.futures import ProcessPoolExecutor
 from typing import Any
 
 from planar_pushing.commands.arguments import Commands, command
+from planar_pushing.mechanics.options import EffectSet, Method
 
 
 def add(commands: Commands) -> None:
@@ -17,37 +20,39 @@ def add(commands: Commands) -> None:
 
 def compile_core(args: argparse.Namespace) -> dict[str, Any]:
     """Call every compiled function once; what is compiled is kept beside the sources."""
-    import planar_pushing as pp
     from planar_pushing.mechanics.compiled import CACHE
-    from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
     start = time.perf_counter()
-    friction, inertia = pp.RingFriction(), pp.Inertia()
-    slider = pp.Slider(rod_length=2.0, rod_angle=1.0)
-    for effects in ((friction,), (inertia,), (friction, inertia)):
-        scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=effects)
-        _solve(scene, None if len(effects) == 1 else 0.5)
-        _simulate(scene)
-    for effect in (friction, inertia):
-        pp.wrench(effect, (1.0, 0.0, 1.0))
-    ring_profile(1.0)
-    ring_spin_ratios(1.0)
+    with ProcessPoolExecutor(mp_context=multiprocessing.get_context("spawn")) as pool:
+        for _ in pool.map(call_all, reversed(EffectSet)):  # the longest first
+            pass
     return {"compiled": CACHE, "seconds": round(time.perf_counter() - start, 1)}
 
 
-def _solve(scene: Any, share: float | None) -> None:
+def call_all(kinds: EffectSet) -> None:
+    """Call every compiled function for a set of effects."""
     import planar_pushing as pp
+    from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
+    known = {"support_friction": pp.RingFriction(), "inertia": pp.Inertia()}
+    effects = tuple(known[kind] for kind in kinds.split("+"))
+    slider = pp.Slider(rod_length=2.0, rod_angle=1.0)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=effects)
+    share = None if len(effects) == 1 else 0.5
     pp.solve(scene, 1.0)
     pp.limit_curve(scene, 1.0)
     pp.motion_cone(scene)
     pp.conservative_motion_cone(scene)
     for function in (pp.spin_ratio, pp.motion_angle, pp.motion_centers):
         function(scene, 1.0, share)
-
-
-def _simulate(scene: Any) -> None:
-    import planar_pushing as pp
-
-    for method in ("event-driven", "time-stepping"):
-        pp.simulate(scene, pusher=pp.Pusher(velocity=(0.0, 1.0)), duration=1e-3, method=method)
+    for effect in effects:
+        pp.wrench(effect, (1.0, 0.0, 1.0))
+    ring_profile(1.0)
+    ring_spin_ratios(1.0)
+    pusher = pp.Pusher(velocity=(0.0, 1.0))
+    for method in Method:
+        pp.simulate(scene, pusher=pusher, duration=1e-3, method=method)
+    pp.simulate_batch(
+        rod_length=2.0, rod_angle=1.0, friction_coefficient=1.0, velocity=(0.0, 1.0), duration=1e-3,
+        effects=effects,
+    )  # fmt: skip
