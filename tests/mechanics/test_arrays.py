@@ -144,7 +144,7 @@ def test_dataarrays_are_broadcast_by_name_and_have_units(name):
         "force_angle": VALUES["force_angle"],
     }  # fmt: skip
     expected = numbers(call(name, plain))
-    parts = [found.right, found.left] if isinstance(found, pp.AngleInterval) else [found]
+    parts = [found.right, found.left] if isinstance(found, xr.Dataset) else [found]
     for part, array in zip(parts, expected, strict=False):
         assert set(part.dims) <= {"length", "mu", "phi", "xy"}
         assert part.attrs["units"] == UNITS[name]
@@ -154,6 +154,25 @@ def test_dataarrays_are_broadcast_by_name_and_have_units(name):
         shape = [3 if each in ("length", "phi") else 2 for each in order]
         assert list(ordered.shape) == shape
         assert np.array_equal(ordered.values.squeeze(), array.squeeze())
+
+
+@pytest.mark.parametrize("name", CONES)
+def test_a_labelled_cone_is_a_dataset(name):
+    found = call(name, {**BASE, "friction_coefficient": labelled("friction_coefficient", "mu")})
+    plain = call(name, {**BASE, "friction_coefficient": VALUES["friction_coefficient"]})
+    assert set(found.data_vars) == {"right", "left", "closed"}
+    units = {key: found[key].attrs["units"] for key in ("right", "left", "closed")}
+    assert units == {"right": "radian", "left": "radian", "closed": "1"}
+    for key in units:
+        assert np.array_equal(found[key], np.broadcast_to(getattr(plain, key), found[key].shape))
+
+
+@pytest.mark.parametrize("name", FLAGS)
+def test_a_labelled_flag_has_a_name_and_a_unit(name):
+    found = call(name, {**BASE, "rod_length": labelled("rod_length", "length")})
+    assert found.dims == ("length",)
+    assert found.attrs["units"] == "1"
+    assert np.array_equal(found, call(name, {**BASE, "rod_length": VALUES["rod_length"]}))
 
 
 def test_coordinates_are_kept():
@@ -187,10 +206,7 @@ def test_lazy_arrays_stay_lazy_and_equal_the_eager_ones(name):
         for key, each in eager.items()
     }
     found, expected = call(name, lazy), call(name, eager)
-    if isinstance(found, pp.AngleInterval):
-        pairs = [(found.right, expected.right), (found.left, expected.left)]
-        pairs += [(found.closed, expected.closed)] if name == "motion_cone" else []
-    elif isinstance(found, xr.Dataset):
+    if isinstance(found, xr.Dataset):
         pairs = [(found[each], expected[each]) for each in found.data_vars]
     else:
         pairs = [(found, expected)]

@@ -17,7 +17,7 @@ import pytest
 import planar_pushing as pp
 from mechanics.builders import EFFECT_SETS, make_scene
 from planar_pushing.mechanics import compiled as core
-from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.compiled import announced, compiled, generic, inlined
 
 SOURCES = Path(core.__file__).parents[1]
 TESTS = Path(__file__).parents[1]
@@ -301,3 +301,43 @@ def test_other_packages_keep_their_cache_folder():
     compiled(lambda x: x)
     assert before == numba.config.CACHE_DIR
     assert before != core.CACHE
+
+
+@python_mode
+def test_a_call_that_compiles_says_so_once(caplog):
+    @numba.njit
+    def doubled(x):
+        return 2 * x
+
+    def call(value):
+        caplog.clear()
+        with caplog.at_level("INFO", "planar_pushing"), announced(doubled):
+            doubled(value)
+        return caplog.messages
+
+    ready = Path(core.CACHE)
+    (message,) = call(1.0)
+    assert message.startswith("compiled doubled in 0 s; later runs read it from")
+    assert str(ready) in message
+    assert call(2.0) == []
+    assert len(call(2)) == 1
+
+
+def test_a_python_function_is_not_announced(caplog):
+    with caplog.at_level("INFO", "planar_pushing"), announced(print):
+        pass
+    assert caplog.messages == []
+
+
+@inlined
+def tripled(x):
+    return 3.0 * x
+
+
+@compiled
+def raised(x):
+    return tripled(x) + 1.0
+
+
+def test_an_inlined_function_is_a_part_of_its_caller():
+    assert raised(2.0) == tripled(2.0) + 1.0 == 7.0

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.effects.base import COLUMNS, made, response
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.mechanics.supports.ring import ring_response, ring_spin_ratio
+from planar_pushing.mechanics.supports.ring import ring_spin_ratio, ring_wrench
 
 V_X, V_Y, SPIN = range(COLUMNS, COLUMNS + 3)
 WRENCH = (Output("wrench", (("wrench_component", 3),)),)
@@ -79,7 +79,7 @@ def _profiles(kinds, rows, forces, torques):
     for i in range(len(rows)):
         k = rows[i, 0]
         if abs(k) < inf:
-            forces[i], torques[i], _, _, _ = ring_response(1.0, k)
+            forces[i], torques[i], _ = ring_wrench(1.0, k)
         else:
             forces[i], torques[i] = 0.0, 1.0 if k > 0.0 else -1.0
 

@@ -29,8 +29,8 @@ Function = Callable[..., Any]
 PLACES: tuple[tuple[EffectKind, dict[Any, Any], Any], ...] = (
     (EffectKind.SUPPORT_FRICTION, vars(ring), "inner"),
     (EffectKind.INERTIA, base.RESPONSES, Mass),
-    (EffectKind.INERTIA, vars(isotropic), "_of_mass"),
-    (EffectKind.INERTIA, vars(isotropic), "_leverage_of_mass"),
+    (EffectKind.INERTIA, base.SPIN_RATIOS, Mass),
+    (EffectKind.INERTIA, base.LEVERAGES, Mass),
     (EffectKind.INERTIA, vars(turning), "_node"),
     (EffectKind.INERTIA, EQUATIONS, isotropic.CurveImbalance),
 )

@@ -126,8 +126,8 @@ def inner(small, large):
 
 
 @compiled
-def ring_response(speed, spin):
-    """Force along the motion, torque, and their derivatives; Eqs. (2)-(3).
+def ring_wrench(speed, spin):
+    """Force along the motion, torque, and their slope over the ratio <= 1 of the two speeds; Eqs. (2)-(3).
 
     Parameters
     ----------
@@ -136,17 +136,26 @@ def ring_response(speed, spin):
 
     Returns
     -------
-    force, torque, vv, vs, ss : float
-        Per unit weight and radius, and the derivatives of both by v and s.
+    force, torque, slope : float
+        Per unit weight and radius.
     """
     size = abs(spin)
     if size <= speed:
         force, torque, slope = inner(size, speed)
+    else:
+        torque, force, slope = inner(speed, size)
+    return force, torque if spin >= 0.0 else -torque, slope
+
+
+@compiled
+def ring_response(speed, spin):
+    """Force and torque as `ring_wrench`, and the derivatives vv, vs = sv and ss of the potential."""
+    force, torque, slope = ring_wrench(speed, spin)
+    if abs(spin) <= speed:
         k, ss = spin / speed, slope / speed
-        return force, torque if spin >= 0.0 else -torque, k * k * ss, -k * ss, ss
-    torque, force, slope = inner(speed, size)
-    k, vv = speed / spin, slope / size
-    return force, torque if spin >= 0.0 else -torque, vv, -k * vv, k * k * vv
+        return force, torque, k * k * ss, -k * ss, ss
+    k, vv = speed / spin, slope / abs(spin)
+    return force, torque, vv, -k * vv, k * k * vv
 
 
 @compiled
