@@ -54,7 +54,8 @@ def pieces_of(
     velocity: Callable[[float], tuple[float, float]], start: float, end: float
 ) -> list[Piece]:
     """Pieces of a velocity between two times, halved until each is a polynomial to rounding."""
-    found, left = [], [(start, end)]
+    found: list[Piece] = []
+    left = [(start, end)]
     while left:
         low, high = left.pop()
         piece, resolved = _interpolated(velocity, low, high)

@@ -71,18 +71,27 @@ def _moving(of, low, high):
 
 @generic
 def _slowed(kinds: Any) -> Callable[..., Any]:
-    """Speed and rotation after friction took its part of an impulse; both zero at rest."""
+    """Twist after friction took its part of an impulse and of a turn: effects, both, length of the step."""
     return _not_slowed if kinds == (Mass,) else _slowed_by_friction
 
 
 @compiled
-def _not_slowed(effects, push, turn, size):
-    return push / effects[0].mass, turn / (effects[0].mass * effects[0].gyration)
+def _not_slowed(effects, b_x, b_y, turn, size):
+    mass, gyration = effects[0]
+    return b_x / mass, b_y / mass, turn / (mass * gyration)
 
 
 @compiled
-def _slowed_by_friction(effects, push, turn, size):
-    """The unknown is the angle of (v, R omega).
+def _slowed_by_friction(effects, b_x, b_y, turn, size):
+    push = sqrt(b_x * b_x + b_y * b_y)
+    speed, spin = _speeds(effects, push, abs(turn), size)
+    scale = speed / push if push > 0.0 else 0.0
+    return scale * b_x, scale * b_y, copysign(spin, turn)
+
+
+@compiled
+def _speeds(effects, push, turn, size):
+    """Speed and rotation that are left; both zero at rest. The unknown is the angle of (v, R omega).
 
     Where the impulse lies inside the limit surface times h the motion at the root is negative; elsewhere
     the root sought last lies between the directions that friction alone and inertia alone would give.
@@ -117,10 +126,8 @@ def _after(system, step, p_x, p_y, torque):
     body = system.body
     body.evaluations += 1
     b_x, b_y = body.mass * step.v_x + p_x, body.mass * step.v_y + p_y
-    push, turn = sqrt(b_x * b_x + b_y * b_y), body.moment * step.spin + torque
-    speed, spin = _slowed(system.effects, push, abs(turn), step.size)
-    scale = speed / push if push > 0.0 else 0.0
-    return scale * b_x, scale * b_y, copysign(spin, turn)
+    turn = body.moment * step.spin + torque
+    return _slowed(system.effects, b_x, b_y, turn, step.size)
 
 
 @compiled

@@ -20,6 +20,7 @@ from planar_pushing.simulation.systems.base import (
     SLIP_RIGHT,
     STICK,
     margin,
+    member,
 )
 
 #: Relative to the speeds of a step, and in radians: what rounding leaves of a slip or of a margin.
@@ -58,13 +59,13 @@ class Step(NamedTuple):
 @generic
 def free(kind: Any) -> Callable[..., Any]:
     """Twist after a step without contact force: system, step."""
-    return INCREMENTS[kind].free
+    return member(INCREMENTS[kind], "free")
 
 
 @generic
 def stick(kind: Any) -> Callable[..., Any]:
     """Twist and impulse of the step whose contact moves with the fence: system, step."""
-    return INCREMENTS[kind].stick
+    return member(INCREMENTS[kind], "stick")
 
 
 @generic
@@ -84,7 +85,7 @@ def slips(kind: Any) -> Callable[..., Any]:
     int
         How many there are.
     """
-    return INCREMENTS[kind].slips
+    return member(INCREMENTS[kind], "slips")
 
 
 @compiled

@@ -130,28 +130,34 @@ def rank(policy, previous, kind):
     return kind
 
 
+def member(module: Any, name: str) -> Callable[..., Any]:
+    """A function of a member of a family, which is a module."""
+    found: Callable[..., Any] = getattr(module, name)
+    return found
+
+
 @generic
 def initial(kind: Any) -> Callable[..., Any]:
     """Write down the state at time 0: system, rod angle, gap, twist, state."""
-    return SYSTEMS[kind].initial
+    return member(SYSTEMS[kind], "initial")
 
 
 @generic
 def scales(kind: Any) -> Callable[..., Any]:
     """Write down typical sizes of the state, for the tolerance near zero: system, sizes."""
-    return SYSTEMS[kind].scales
+    return member(SYSTEMS[kind], "scales")
 
 
 @generic
 def pace(kind: Any) -> Callable[..., Any]:
     """Time in which the motion takes the slider about one length: system, span, time."""
-    return SYSTEMS[kind].pace
+    return member(SYSTEMS[kind], "pace")
 
 
 @generic
 def settling(kind: Any) -> Callable[..., Any]:
     """Rate at which friction turns the twist to its quasi-static direction: system, span, time, state."""
-    return SYSTEMS[kind].settling
+    return member(SYSTEMS[kind], "settling")
 
 
 @generic
@@ -160,31 +166,31 @@ def enter(kind: Any) -> Callable[..., Any]:
 
     Returns 0, or the `Stop` that says why there is no such state.
     """
-    return SYSTEMS[kind].enter
+    return member(SYSTEMS[kind], "enter")
 
 
 @generic
 def modes(kind: Any) -> Callable[..., Any]:
     """Write down the modes that may be: system, span, time, state, kinds, starts; their number."""
-    return SYSTEMS[kind].modes
+    return member(SYSTEMS[kind], "modes")
 
 
 @generic
 def after(kind: Any) -> Callable[..., Any]:
     """Change the state just after an event: system, cause, mode, time, state, policy; time and `Stop`."""
-    return SYSTEMS[kind].after
+    return member(SYSTEMS[kind], "after")
 
 
 @generic
 def rates(kind: Any) -> Callable[..., Any]:
     """Write down the derivative of the state: system, mode, time, state, found."""
-    return SYSTEMS[kind].rates
+    return member(SYSTEMS[kind], "rates")
 
 
 @generic
 def guards(kind: Any) -> Callable[..., Any]:
     """Write down margins and watches by cause, NaN where none is: system, mode, time, state, found."""
-    return SYSTEMS[kind].guards
+    return member(SYSTEMS[kind], "guards")
 
 
 @generic
@@ -193,7 +199,7 @@ def write(kind: Any) -> Callable[..., Any]:
 
     The displacement of the fence is in the row already.
     """
-    return SYSTEMS[kind].write
+    return member(SYSTEMS[kind], "write")
 
 
 @compiled
