@@ -10,7 +10,7 @@ from planar_pushing.mechanics.cones import motion_angle, motion_cone
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.options import EffectSet
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.datasets.base import axis, parameters
+from planar_pushing.study.datasets.base import axis, ordered, parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.models import StudyFile
 
@@ -39,7 +39,7 @@ def build(study: StudyFile) -> xr.Dataset:
         }
     )
     return describe(
-        dataset.transpose("rod_length", "force_angle", "inertia_share"),
+        ordered(dataset.transpose("rod_length", "force_angle", "inertia_share")),
         title="Acceleration centres and cones with support friction and inertia",
         source="Sec. 4, Fig. 12: the paper's conservative bound and the exact set",
         parameters=parameters(study),

@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactLaw
@@ -30,12 +29,14 @@ def over_effects(study: StudyFile, part: Callable[[tuple[Any, ...]], xr.Dataset]
     """The parts of the grid's sets of effects, along the axis `effects`."""
     names = list(study.grid.effects)
     index = xr.Variable("effects", names)
-    return xr.concat([part(study.effects(name)) for name in names], index)
+    return ordered(xr.concat([part(study.effects(name)) for name in names], index))
 
 
-def values(array: xr.DataArray, dims: Sequence[str]) -> npt.NDArray[Any]:
-    """Numbers of an array with its dimensions in this order."""
-    return np.asarray(array.transpose(*dims).values)
+def ordered(dataset: xr.Dataset) -> xr.Dataset:
+    """The same with its variables before its coordinates, and these in the order of the dimensions."""
+    dims = next(iter(dataset.data_vars.values())).dims
+    variables = {name: each.variable for name, each in dataset.data_vars.items()}
+    return xr.Dataset(variables, {name: dataset[name] for name in dims if name in dataset.coords})
 
 
 def parameters(study: StudyFile) -> dict[str, object]:

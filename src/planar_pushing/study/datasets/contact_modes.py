@@ -86,9 +86,12 @@ def build(study: StudyFile) -> xr.Dataset:
     def part(effects: tuple[Any, ...]) -> xr.Dataset:
         found = solve(Scene(slider=slider, contact=contact, effects=effects), angle, magnitude)
         found = found.transpose(*INNER, ...)
-        extremes = _extremes(found, slider.radius).items()
-        variables: dict[str, Any] = {name: ((*INNER, "mode"), value) for name, value in extremes}
-        variables["outcome"] = INNER, found.outcome.values
+        extremes = _extremes(found, slider.radius)
+        variables: dict[str, Any] = {
+            "consistent": ((*INNER, "mode"), extremes.pop("consistent")),
+            "outcome": (INNER, found.outcome.values),
+        }
+        variables |= {name: ((*INNER, "mode"), value) for name, value in extremes.items()}
         return xr.Dataset(variables, {name: found[name] for name in INNER})
 
     dataset = over_effects(study, part).assign_coords(
