@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf, sin, sqrt
+from math import inf, log, sin, sqrt
 from typing import NamedTuple
 
 import numba
@@ -52,6 +52,12 @@ class Cusp(NamedTuple):
     place: float
 
 
+class Tangent(NamedTuple):
+    """``g (1 - log |g|)`` of the distance g: like the ring's torque next to k = 1."""
+
+    place: float
+
+
 class Line(NamedTuple):
     """A straight line that writes down where it is evaluated."""
 
@@ -90,6 +96,14 @@ def cusp(of, x):
 
 
 @compiled
+def tangent(of, x):
+    gap = x - of.place
+    if gap == 0.0:
+        return 0.0, inf
+    return gap * (1.0 - log(abs(gap))), -log(abs(gap))
+
+
+@compiled
 def line(of, x):
     count = int(of.seen[0]) + 1
     of.seen[0], of.seen[count] = count, x
@@ -97,6 +111,7 @@ def line(of, x):
 
 
 EQUATIONS.update({Power: power, Kepler: kepler, Jump: jump, Kink: kink, Cusp: cusp, Line: line})
+EQUATIONS[Tangent] = tangent
 
 
 @compiled
@@ -152,6 +167,15 @@ def test_an_infinite_slope_at_the_root(place, start):
     found, sure = solved(Cusp(place), 1e-10, 1e2, start)
     assert sure
     assert found == pytest.approx(place, rel=1e-15)
+
+
+@pytest.mark.parametrize("place", [1.0, 0.7, 2.3])
+def test_steps_that_shrink_slowly_beside_a_logarithm_go_on_to_the_last_places(place):
+    """The first step below 1e-12 may leave two hundred units in the last place."""
+    for start in place + 0.4 * np.random.default_rng(1).uniform(-1, 1, 40):
+        found, sure = solved(Tangent(place), place - 0.45, place + 0.45, float(start))
+        assert sure
+        assert abs(found - place) <= 8 * np.spacing(place)
 
 
 @pytest.mark.parametrize("slope", [1e-9, 1.0, inf, -1.0, 0.0])
