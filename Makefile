@@ -39,7 +39,7 @@ dictionary: $(READY) ## write results/README.md from the attributes of the datas
 	$(BIN)/python -m planar_pushing.study.dictionary
 
 schemas: $(READY) ## write workflow/schemas from the models of scene and study files
-	$(BIN)/python -m planar_pushing.study.schemas
+	$(BIN)/python -m planar_pushing.study.files.schemas
 
 report: all ## write results/report.html, Snakemake's report of the last run
 	$(BIN)/snakemake --report results/report.html

@@ -21,11 +21,6 @@ from .mechanics.contact import (
     PerfectlyRough,
 )
 from .mechanics.effects import Inertia, RingFriction
-from .mechanics.errors import (
-    InvalidFile,
-    InvalidValue,
-    PlanarPushingError,
-)
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solve import Solution, SolutionArrays, Solutions, solve
@@ -33,8 +28,13 @@ from .mechanics.wrench import potential, wrench
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
-from .study.files import load_scene, save_scene
+from .study.files.scenes import load_scene, save_scene
 from .study.store import open_dataset
+from .terms.errors import (
+    InvalidFile,
+    InvalidValue,
+    PlanarPushingError,
+)
 
 __all__ = [
     "AngleInterval",

@@ -2,7 +2,7 @@
 
 import pytest
 
-from planar_pushing.study.files import load_scene_file
+from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 
 LOGS = ("figure_14a", "figure_14b", "figure_15", "pulling_with_inertia", "impact")

@@ -8,10 +8,10 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures import render, style
 from planar_pushing.figures.parts import arrows, drawing
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.dependencies import modules
 from planar_pushing.study.figures import ALL, FIGURES
-from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.terms.errors import InvalidValue
 
 
 def test_an_unknown_figure_is_named():

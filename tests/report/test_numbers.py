@@ -16,7 +16,6 @@ from planar_pushing.evidence.golden.compare import Check
 from planar_pushing.evidence.golden.verdict import verdict
 from planar_pushing.evidence.writing import json_text, write_text
 from planar_pushing.figures.render import select
-from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import Results
@@ -30,10 +29,11 @@ from planar_pushing.report.tables import (
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES, OURS
-from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from report.costs import write_costs
 from report.setting import claim, claims
 

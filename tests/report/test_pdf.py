@@ -8,10 +8,10 @@ import sys
 import pytest
 from pypdf import PdfReader
 
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.typeset import compiled, typeset
 from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.terms.errors import InvalidFile
 from report.setting import REPORT, SUPPLEMENT, set_up
 
 #: Minus sign, quote and times sign as they are typed.

@@ -4,7 +4,7 @@ import pytest
 
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.files import load_scene_file
+from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from planar_pushing.study.catalog import AXES, dataset_file, number_label
-from planar_pushing.study.models import Grid
+from planar_pushing.study.files.models import Grid
 
 
 def test_axes_are_those_of_the_grid():

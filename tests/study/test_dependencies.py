@@ -9,7 +9,9 @@ def test_a_builder_does_not_depend_on_another():
     assert datasets == {
         f"planar_pushing.study.datasets.{name}" for name in ("base", "contact_modes")
     }
-    assert {"planar_pushing.mechanics.scene", "planar_pushing.study.replacing"} <= set(reached)
+    assert {"planar_pushing.mechanics.scene", "planar_pushing.study.files.replacing"} <= set(
+        reached
+    )
 
 
 def test_the_builders_depend_on_each_of_them():

@@ -3,9 +3,9 @@
 import json
 
 import planar_pushing as pp
-from planar_pushing.mechanics.quantities import DATASET
 from planar_pushing.study.catalog import DIMS
 from planar_pushing.study.store import group_names
+from planar_pushing.terms.quantities import DATASET
 
 
 def every(results):

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from planar_pushing import InvalidValue
-from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
 from planar_pushing.study.simulations import arguments, simulate_file, velocity
 
 

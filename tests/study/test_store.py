@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.store import group_names, read_attributes, read_dataset, write_dataset
+from planar_pushing.terms.errors import InvalidFile
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 DATASET = xr.Dataset(

@@ -1,11 +1,11 @@
 # The study, validated before any job starts, and what the rules look up in it.
 from snakemake.exceptions import WorkflowError
 
-from planar_pushing.mechanics.errors import PlanarPushingError
+from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.study.catalog import DATASETS, dataset_file
 from planar_pushing.study.dependencies import code_of
 from planar_pushing.study.figures import FIGURES, OURS, SUPPLEMENT, computes
-from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.study_file import load_study
 

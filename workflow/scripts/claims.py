@@ -6,7 +6,7 @@ with job_log(snakemake.log[0]) as log:
     from planar_pushing.evidence.claims.ledger import load_ledger
     from planar_pushing.evidence.claims.table import complaint, csv_text, json_text, judge_all
     from planar_pushing.evidence.writing import write_text
-    from planar_pushing.mechanics.errors import InvalidResult
+    from planar_pushing.terms.errors import InvalidResult
 
     judged = judge_all(load_ledger(snakemake.input.ledger))
     if problem := complaint(judged):

@@ -8,8 +8,8 @@ with job_log(snakemake.log[0]) as log:
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
     from planar_pushing.evidence.writing import json_text, write_text
-    from planar_pushing.mechanics.errors import InvalidResult
-    from planar_pushing.study.models import Tolerance
+    from planar_pushing.study.files.models import Tolerance
+    from planar_pushing.terms.errors import InvalidResult
 
     given = snakemake.params.tolerances.items()
     tolerances = {name: Tolerance.model_validate(values) for name, values in given}

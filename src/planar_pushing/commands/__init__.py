@@ -11,7 +11,7 @@ from planar_pushing.commands import animate, compilation, cone, draw, query, sim
 from planar_pushing.commands.arguments import check_push
 from planar_pushing.commands.text import text
 from planar_pushing.mechanics.entries import plain
-from planar_pushing.mechanics.errors import PlanarPushingError
+from planar_pushing.terms.errors import PlanarPushingError
 
 COMMANDS = (solve, cone, query, draw, simulate, animate, compilation)
 

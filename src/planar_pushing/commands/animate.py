@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from planar_pushing.commands.arguments import Commands, add_output, command
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile
 
 
 def add(commands: Commands) -> None:

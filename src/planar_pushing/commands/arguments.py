@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from planar_pushing.mechanics.errors import require_number, require_positive
+from planar_pushing.terms.errors import require_number, require_positive
 
 #: What `add_subparsers` returns, for which argparse has no public name.
 Commands = Any

@@ -9,7 +9,7 @@ from concurrent.futures import ProcessPoolExecutor
 from typing import Any
 
 from planar_pushing.commands.arguments import Commands, command
-from planar_pushing.mechanics.options import EffectSet, Method
+from planar_pushing.terms.options import EffectSet, Method
 
 
 def add(commands: Commands) -> None:
@@ -34,7 +34,7 @@ def call_all(kinds: EffectSet) -> None:
     import planar_pushing as pp
     from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
-    known = {"support_friction": pp.RingFriction(), "inertia": pp.Inertia()}
+    known: dict[str, Any] = {"support_friction": pp.RingFriction(), "inertia": pp.Inertia()}
     effects = tuple(known[kind] for kind in kinds.split("+"))
     slider = pp.Slider(rod_length=2.0, rod_angle=1.0)
     scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=effects)

@@ -6,9 +6,9 @@ import argparse
 from typing import Any
 
 from planar_pushing.commands.arguments import Commands, add_output, add_push, add_scene, command
-from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.models import PushEntry
+from planar_pushing.study.files.models import PushEntry
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.terms.errors import InvalidValue
 
 
 def add(commands: Commands) -> None:

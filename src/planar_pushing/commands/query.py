@@ -10,10 +10,10 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.commands.arguments import Commands, command
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.query import select
 from planar_pushing.study.store import open_dataset
+from planar_pushing.terms.errors import InvalidValue
 
 
 def add(commands: Commands) -> None:

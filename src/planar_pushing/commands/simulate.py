@@ -12,11 +12,11 @@ from pydantic import ValidationError
 
 from planar_pushing.commands.arguments import Commands, add_output, add_scene, command
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.mechanics.options import Method, Policy
-from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.scene_model import SceneFile
-from planar_pushing.study.simulate_model import SimulateEntry
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.simulate_model import SimulateEntry
+from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.options import Method, Policy
 
 ENDINGS = (".nc", ".h5")
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from planar_pushing.commands.arguments import Commands, add_push, add_scene, command
 from planar_pushing.commands.text import numbers
-from planar_pushing.study.files import load_scene
+from planar_pushing.study.files.scenes import load_scene
 
 
 def add(commands: Commands) -> None:

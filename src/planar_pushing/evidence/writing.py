@@ -7,7 +7,7 @@ import io
 import json
 from collections.abc import Mapping, Sequence
 
-from planar_pushing.study.replacing import PathLike, replacing
+from planar_pushing.study.files.replacing import PathLike, replacing
 
 Rows = Sequence[Mapping[str, object]]
 

@@ -13,10 +13,10 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import paper_style
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.figures import ALL
-from planar_pushing.study.replacing import replacing
+from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
+from planar_pushing.terms.errors import InvalidValue
 
 PathLike = str | os.PathLike[str]
 Draw = Callable[[Figure, xr.Dataset], object]

@@ -6,8 +6,8 @@ from planar_pushing.figures.parts.scene import draw_scene
 from planar_pushing.figures.render import PathLike, draw_to_files
 from planar_pushing.study.datasets.scenes import scene_dataset
 from planar_pushing.study.figures.base import COLUMN_WIDTH
-from planar_pushing.study.models import PushEntry
-from planar_pushing.study.scene_model import SceneFile
+from planar_pushing.study.files.models import PushEntry
+from planar_pushing.study.files.scene_model import SceneFile
 
 
 def render_scene(file: SceneFile, push: PushEntry, path: PathLike) -> None:

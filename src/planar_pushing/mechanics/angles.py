@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import dataset, is_labelled, named
-from planar_pushing.mechanics.domain import Number, is_lazy
-from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.mechanics.root import EPSILON
+from planar_pushing.mechanics.numerics.arrays import dataset, is_labelled, named
+from planar_pushing.mechanics.numerics.root import EPSILON
+from planar_pushing.terms.domain import Number, is_lazy
+from planar_pushing.terms.errors import InvalidValue
 
 #: Directions closer than this (radians) are one direction: a few ulp of pi.
 RESOLUTION = 8 * EPSILON

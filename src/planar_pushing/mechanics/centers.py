@@ -9,7 +9,6 @@ from typing import Any
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import interval
-from planar_pushing.mechanics.arrays import Output, elementwise, mapped
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.cones import (
     ANGLE,
@@ -20,8 +19,8 @@ from planar_pushing.mechanics.cones import (
     require_share,
     rod_columns,
 )
-from planar_pushing.mechanics.domain import Number, required, required_ratio
 from planar_pushing.mechanics.effects.base import made
+from planar_pushing.mechanics.numerics.arrays import Output, elementwise, mapped
 from planar_pushing.mechanics.plane import (
     contact_motion_angle,
     moment_arm,
@@ -31,6 +30,7 @@ from planar_pushing.mechanics.plane import (
 )
 from planar_pushing.mechanics.reduced.isotropic import signed_spin_ratio
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import Number, required, required_ratio
 
 #: Column behind those of `cones`: the rod's length from the origin of the centres.
 REACH = SECOND + 1

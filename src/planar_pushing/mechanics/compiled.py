@@ -20,7 +20,6 @@ from typing import Any, TypeVar
 
 import llvmlite.binding
 import numba
-from numba.core import types
 from numba.extending import overload
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -117,7 +116,7 @@ def _kind(value: Any) -> Any:
     return tuple(map(_kind, value)) if type(value) is tuple else type(value)
 
 
-def _kind_of_type(kind: types.Type) -> Any:
+def _kind_of_type(kind: Any) -> Any:
     if hasattr(kind, "instance_class"):
         return kind.instance_class
     return tuple(map(_kind_of_type, kind.types))

@@ -9,14 +9,14 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
-from planar_pushing.mechanics.arrays import Output, elementwise, mapped, named
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.domain import Number, required
 from planar_pushing.mechanics.effects.base import COLUMNS, made
-from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.mechanics.numerics.arrays import Output, elementwise, mapped, named
 from planar_pushing.mechanics.plane import rod, toward
 from planar_pushing.mechanics.reduced import base, isotropic
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import Number, required
+from planar_pushing.terms.errors import InvalidValue
 
 #: Columns of a row behind those of the effects.
 LENGTH, ANGLE, FIRST, SECOND = range(COLUMNS, COLUMNS + 4)

@@ -12,8 +12,8 @@ import numpy as np
 
 from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction, PerfectlyRough
 from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.errors import InvalidValue
 
 #: Packages whose versions datasets hold.
 PACKAGES = ("planar-pushing", "numpy", "scipy", "xarray", "h5netcdf", "h5py")

@@ -14,14 +14,20 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import Output, dataset, elementwise, is_labelled, mapped
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.cones import ANGLE, FIRST, LENGTH, rod_columns
-from planar_pushing.mechanics.domain import Number, required
 from planar_pushing.mechanics.effects.base import made
+from planar_pushing.mechanics.numerics.arrays import (
+    Output,
+    dataset,
+    elementwise,
+    is_labelled,
+    mapped,
+)
 from planar_pushing.mechanics.plane import Array, direction, rod, toward
 from planar_pushing.mechanics.reduced.base import limit_motion
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import Number, required
 
 OUTPUTS = (
     Output("force_angle"),

@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact.laws import Law
-from planar_pushing.mechanics.domain import required, required_ratio
 from planar_pushing.mechanics.effects.base import COLUMNS, made
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.modes import MOST, contact_modes
+from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import contact_motion, motion_center, rod, toward
+from planar_pushing.terms.domain import required, required_ratio
+from planar_pushing.terms.errors import InvalidValue
 
 #: Columns of a row behind those of the effects.
 LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, TOWARDS, SIZE, FORCE, RADIUS = range(

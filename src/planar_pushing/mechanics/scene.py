@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.contact.laws import as_numbers, is_law
-from planar_pushing.mechanics.domain import Number, require_fields, required_ratio
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.support_friction import RingSupport
-from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.terms.domain import Number, require_fields, required_ratio
+from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

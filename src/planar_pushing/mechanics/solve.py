@@ -10,13 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.arrays import dataset, elementwise, is_labelled
 from planar_pushing.mechanics.contact import ContactMode, Outcome
-from planar_pushing.mechanics.domain import Number
+from planar_pushing.mechanics.numerics.arrays import dataset, elementwise, is_labelled
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.push import outputs, solve_arrays
-from planar_pushing.mechanics.quantities import MECHANICS, attributes
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import Number
+from planar_pushing.terms.quantities import MECHANICS, attributes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,11 +7,11 @@ from math import hypot, inf
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.effects.base import COLUMNS, made, response
+from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.supports.ring import ring_spin_ratio, ring_wrench

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.replacing import PathLike
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.terms.errors import InvalidFile
 
 #: White that stays around a picture, points.
 KEPT = 2.0

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.report.results import Results
+from planar_pushing.terms.errors import InvalidValue
 
 Read = Callable[[Results], float | str]
 NOWHERE: Mapping[str, float | str] = {}

@@ -10,9 +10,9 @@ from typing import Any, get_args
 
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.fields import EffectsName
+from planar_pushing.study.files.fields import EffectsName
 from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
+from planar_pushing.terms.errors import InvalidFile
 
 #: What resists the motion, as the datasets name it.
 EFFECTS: tuple[str, ...] = get_args(EffectsName)

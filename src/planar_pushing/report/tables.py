@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 
 from planar_pushing.evidence.writing import csv_text, json_text
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.margins import margins
 from planar_pushing.report.numbers import numbers
@@ -18,7 +17,8 @@ from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, Results
 from planar_pushing.report.verdict import verdict_rows
 from planar_pushing.study.figures import FIGURES, OURS
-from planar_pushing.study.replacing import PathLike
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.terms.errors import InvalidFile
 
 #: Packages that the results and the report are made with.
 PACKAGES = (

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import typst
 
-from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.replacing import PathLike, replacing
+from planar_pushing.study.files.replacing import PathLike, replacing
+from planar_pushing.terms.errors import InvalidFile
 
 
 def compiled(source: PathLike, root: PathLike) -> bytes:

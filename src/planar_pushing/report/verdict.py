@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import Any
 
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.quantities import Quantity
 from planar_pushing.report.results import Results
+from planar_pushing.terms.errors import InvalidFile
 
 #: One comparison of the verdict.
 Check = dict[str, Any]

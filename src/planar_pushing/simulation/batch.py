@@ -9,15 +9,15 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics import quantities
 from planar_pushing.mechanics.effects import Effect, RingFriction
-from planar_pushing.mechanics.options import Policy
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.blocks import run_scenes
 from planar_pushing.simulation.log.variables import MODES
 from planar_pushing.simulation.parameters import Scenes, parts_of, scenes_of
 from planar_pushing.simulation.problem import policy, tolerance
 from planar_pushing.simulation.rows import Stop, in_units
+from planar_pushing.terms import quantities
+from planar_pushing.terms.options import Policy
 
 STOPS = {stop.name: int(stop) for stop in Stop}
 FLAGS = {"mode": MODES, "stopped": STOPS}

@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.arrays import in_threads
 from planar_pushing.mechanics.compiled import announced, compiled, generic
 from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import RUNS, STATE, Task

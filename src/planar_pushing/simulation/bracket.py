@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.mechanics.root import excess
+from planar_pushing.mechanics.numerics.root import excess
 
 #: Relative resolution of a root, some units in the last place.
 RESOLUTION = 1e-15

@@ -10,13 +10,13 @@ import numpy as np
 
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.contact.laws import friction_coefficient as coefficient_of
-from planar_pushing.mechanics.domain import required
-from planar_pushing.mechanics.errors import InvalidValue, require_number
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.simulation.problem import no_twist
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.systems.setup import LEFT, RIGHT, columns
+from planar_pushing.terms.domain import required
+from planar_pushing.terms.errors import InvalidValue, require_number
 
 
 class Scenes(NamedTuple):

@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.domain import required
-from planar_pushing.mechanics.errors import InvalidValue, require_number
-from planar_pushing.mechanics.options import TOLERANCE, Policy
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.terms.domain import required
+from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.options import TOLERANCE, Policy
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

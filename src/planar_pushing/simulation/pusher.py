@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.simulation.chebyshev import Piece, pieces_of
 from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
+from planar_pushing.terms.errors import InvalidValue
 
 Vector = tuple[float, float]
 Motion = Callable[[float], Vector]

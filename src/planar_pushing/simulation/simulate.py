@@ -10,8 +10,6 @@ import numpy as np
 import xarray as xr
 from tqdm import tqdm
 
-from planar_pushing.mechanics.errors import InvalidValue, require_number
-from planar_pushing.mechanics.options import Method, Policy
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.events.integrate import EventDriven
@@ -20,6 +18,8 @@ from planar_pushing.simulation.log.variables import dataset
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.steps.integrate import TimeStepping
+from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.options import Method, Policy
 
 
 def simulate(

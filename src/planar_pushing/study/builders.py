@@ -18,7 +18,7 @@ from planar_pushing.study.datasets import (
     motion_cones,
     scenes,
 )
-from planar_pushing.study.models import StudyFile
+from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.slices import sliced_study
 
 Built = xr.Dataset | dict[str, xr.Dataset]

@@ -6,7 +6,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.entries import to_json, versions
-from planar_pushing.mechanics.quantities import DATASET, NOTES, attributes
+from planar_pushing.terms.quantities import DATASET, NOTES, attributes
 
 FLAGS = {"mode": ContactMode, "outcome": Outcome}
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib.metadata import version
 
-from planar_pushing.mechanics.errors import PlanarPushingError
+from planar_pushing.terms.errors import PlanarPushingError
 
 PACKAGE = "planar_pushing"
 

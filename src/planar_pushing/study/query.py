@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.study.catalog import number_label
+from planar_pushing.terms.errors import InvalidValue
 
 
 def axis_names(dataset: xr.Dataset) -> list[str]:

@@ -7,12 +7,12 @@ from typing import Any
 
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
-from planar_pushing.study.replacing import PathLike
-from planar_pushing.study.scene_model import SceneFile
-from planar_pushing.study.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.terms.errors import InvalidValue
 
 
 def simulate_file(

@@ -6,9 +6,9 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from planar_pushing.mechanics.options import EffectKind
 from planar_pushing.study.catalog import AXES
-from planar_pushing.study.models import Grid, PushEntry, StudyFile
+from planar_pushing.study.files.models import Grid, PushEntry, StudyFile
+from planar_pushing.terms.options import EffectKind
 
 COMMON = ("slider", *map(str, EffectKind))
 

@@ -11,9 +11,9 @@ from typing import Any, Literal
 import h5netcdf
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.study.catalog import DATASETS, SIMULATIONS, dataset_file
-from planar_pushing.study.replacing import PathLike, replacing
+from planar_pushing.study.files.replacing import PathLike, replacing
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
 #: A variable of fewer bytes, a page, gains nothing from compression.

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
-from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.mechanics.options import EFFECT_TYPES
 from planar_pushing.study.figures import FIGURES, SCENES, computes
-from planar_pushing.study.files import load_model, load_scene_file
-from planar_pushing.study.models import FigureEntry, Grid, StudyFile
-from planar_pushing.study.replacing import PathLike
+from planar_pushing.study.files.models import FigureEntry, Grid, StudyFile
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.files.scenes import load_model, load_scene_file
+from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.options import EFFECT_TYPES
 
 
 def load_study(path: PathLike) -> StudyFile:

@@ -12,7 +12,7 @@ from planar_pushing.certified.balls import PRECISION, Undecided, in_degrees
 from planar_pushing.certified.motion import trajectories
 from planar_pushing.certified.motion.quadrature import _arm, arm, stick_angle
 from planar_pushing.evidence.golden.build import motions
-from planar_pushing.study.files import load_scene_file
+from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.store import read_dataset
 
 GOLDEN = Path("tests/golden")

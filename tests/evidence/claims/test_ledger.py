@@ -5,7 +5,7 @@ import pytest
 from evidence.claims.ledgers import LEDGER, ledger
 from planar_pushing.evidence.claims.ledger import NO_CHECK, load_ledger
 from planar_pushing.evidence.claims.proofs.registry import CHECKS
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile
 
 GOOD = """claims:
   - id: a-claim

@@ -9,16 +9,16 @@ from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.figures.images import TOLERANCE, difference
 from planar_pushing.figures.render import picture, save, select
 from planar_pushing.figures.style import paper_style
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES
-from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
+from planar_pushing.terms.errors import InvalidFile
 
 STUDY = load_study("workflow/config/paper.yaml")
 GOLDEN = Path("tests/golden")

@@ -16,10 +16,10 @@ from planar_pushing.evidence.hard_cases.dataset import build
 from planar_pushing.evidence.hard_cases.places import contact, lengths, painleve, rest, ring, shares
 from planar_pushing.evidence.hard_cases.scenes import make_scene
 from planar_pushing.figures.evidence import hard_cases
-from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.mechanics.quantities import DATASET as VARIABLES
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.figures import OURS
+from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.quantities import DATASET as VARIABLES
 
 FAMILIES = {"ring": ring, "lengths": lengths, "contact": contact, "shares": shares, "rest": rest,
             "painleve": painleve}  # fmt: skip

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from figures.conftest import LOGS
 from planar_pushing.figures.motion.timeline import contact, plotted, rows, runs
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile
 
 
 @pytest.mark.parametrize("name", LOGS)

@@ -7,7 +7,7 @@ import pytest
 from mpmath import mp, mpf
 
 import reference
-from planar_pushing.mechanics.arrays import BLOCK
+from planar_pushing.mechanics.numerics.arrays import BLOCK
 from planar_pushing.mechanics.supports.ring import (
     NEAR_ARM,
     NEAR_RING,

@@ -11,10 +11,10 @@ from pydantic import BeforeValidator, Field
 from planar_pushing.evidence.claims import checks as checks  # registers every check
 from planar_pushing.evidence.claims.proofs.registry import CHECKS, numbers_of
 from planar_pushing.evidence.claims.proofs.verdicts import Verdict
-from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.fields import FileModel, NotEmpty, Number, refuse
-from planar_pushing.study.files import load_model
-from planar_pushing.study.replacing import PathLike
+from planar_pushing.study.files.fields import FileModel, NotEmpty, Number, refuse
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.files.scenes import load_model
+from planar_pushing.terms.errors import InvalidFile
 
 #: Check of a claim that nothing can decide; its entry gives the reason.
 NO_CHECK = "not-reproducible"

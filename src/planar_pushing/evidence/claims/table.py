@@ -15,7 +15,7 @@ from planar_pushing.evidence import writing
 from planar_pushing.evidence.claims.ledger import NO_CHECK, Claim, Ledger
 from planar_pushing.evidence.claims.proofs.registry import CHECKS
 from planar_pushing.evidence.claims.proofs.verdicts import Evidence, Verdict
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile
 
 #: Correct digits of an enclosure that the table prints.
 DIGITS = 20

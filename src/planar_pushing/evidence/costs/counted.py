@@ -17,11 +17,11 @@ import numba
 
 from planar_pushing.mechanics.effects import base
 from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.errors import PlanarPushingError
-from planar_pushing.mechanics.options import EffectKind
+from planar_pushing.mechanics.numerics.root import EQUATIONS
 from planar_pushing.mechanics.reduced import isotropic, turning
-from planar_pushing.mechanics.root import EQUATIONS
 from planar_pushing.mechanics.supports import ring
+from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.options import EffectKind
 
 Function = Callable[..., Any]
 #: Where an effect is evaluated: friction in the one function behind the ring's wrench and its inverse,
@@ -45,7 +45,7 @@ def counting() -> Iterator[Counter[str]]:
     PlanarPushingError
         Where the mechanics are compiled.
     """
-    if not numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+    if not numba.config.DISABLE_JIT:
         raise PlanarPushingError(
             "compiled code cannot be counted; set NUMBA_DISABLE_JIT=1 before the process starts"
         )

@@ -15,13 +15,13 @@ from planar_pushing.evidence.costs.timing import seconds, stamped
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.limit_curve import limit_curve
-from planar_pushing.mechanics.options import EFFECT_DEGREES, EffectKind
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.datasets import contact_modes, limit_curves, motion_cones
 from planar_pushing.study.describe import describe
-from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.models import StudyFile
+from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.terms.options import EFFECT_DEGREES, EffectKind
 
 #: What is asked of a scene: the cone, a curve of 361 points, and every mode of one push.
 FORCE_ANGLES = np.deg2rad(np.arange(361.0))

@@ -12,12 +12,12 @@ from flint import fmpq
 from planar_pushing.certified.balls import in_degrees, precise
 from planar_pushing.certified.motion.trajectories import Instant, pulled, slipping
 from planar_pushing.evidence.costs.timing import seconds
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.simulate import simulate
-from planar_pushing.study.files import load_scene_file
+from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import arguments
+from planar_pushing.terms.errors import InvalidFile
 
 #: Scene files, and what certifies their motion.
 SCENES: dict[str, tuple[str, Callable[..., list[Instant]]]] = {

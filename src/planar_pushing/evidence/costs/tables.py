@@ -12,7 +12,7 @@ from planar_pushing.evidence.costs.methods.cones import ROD_ANGLE, cone_methods,
 from planar_pushing.evidence.costs.methods.models import rim_errors
 from planar_pushing.evidence.costs.methods.wrench import wrench_methods
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.quantities import DATASET, Quantities, attributes
+from planar_pushing.terms.quantities import DATASET, Quantities, attributes
 
 SPIN_RATIOS = np.array([1e-8, 0.1, 0.9, 1 - 1e-3, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e8])
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from planar_pushing.evidence.golden.compare import Check, compare
-from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.models import Tolerance
+from planar_pushing.study.files.models import Tolerance
 from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.errors import InvalidFile
 
 
 def golden_names(golden: Path) -> list[str]:

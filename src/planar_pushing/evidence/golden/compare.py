@@ -15,7 +15,7 @@ import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
-from planar_pushing.study.models import Tolerance
+from planar_pushing.study.files.models import Tolerance
 
 Floats = npt.NDArray[np.float64]
 #: A variable that no tolerance names must agree exactly.

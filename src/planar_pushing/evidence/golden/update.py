@@ -21,12 +21,12 @@ from planar_pushing.evidence.golden.build.motions import INSTANTS
 from planar_pushing.evidence.golden.build.scenes import CONE_SAMPLES
 from planar_pushing.evidence.golden.build.second import agreement, second_route
 from planar_pushing.evidence.golden.compare import MARKS
-from planar_pushing.mechanics.errors import InvalidResult
-from planar_pushing.study.files import load_scene_file
+from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.jobs import run_command
-from planar_pushing.study.models import StudyFile
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
+from planar_pushing.terms.errors import InvalidResult
 
 PROCESSES = 2
 #: Root attribute of a golden file: how many of its numbers the second route encloses as well.

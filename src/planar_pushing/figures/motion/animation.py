@@ -18,8 +18,8 @@ from planar_pushing.figures.motion.trajectory import box, paths, scene
 from planar_pushing.figures.parts import drawing
 from planar_pushing.figures.render import PathLike
 from planar_pushing.figures.style import GUIDE, NOTE_SIZE, paper_style
-from planar_pushing.mechanics.errors import InvalidValue, require_number
-from planar_pushing.study.replacing import replacing
+from planar_pushing.study.files.replacing import replacing
+from planar_pushing.terms.errors import InvalidValue, require_number
 
 #: Size of a picture, inches, and its pixels per inch.
 SIZE = (4.2, 3.2)

@@ -11,8 +11,8 @@ import xarray as xr
 
 from planar_pushing.figures.style import BLUE, DARK, GREY
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.terms.errors import InvalidFile
 
 #: Variables of a log that a picture shows; in the picture's data they are named path_*.
 PATH = ("position", "fence", "rod_angle", "slip", "gap", "force", "spin_ratio", "mode", "solutions")

@@ -9,8 +9,8 @@ from typing import NamedTuple, Protocol, runtime_checkable
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
-from planar_pushing.mechanics.domain import Number, require_fields
-from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.terms.domain import Number, require_fields
+from planar_pushing.terms.errors import InvalidValue
 
 
 @runtime_checkable

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.domain import Number, require_fields
 from planar_pushing.mechanics.effects.base import (
     GYRATION,
     LEVERAGES,
@@ -15,6 +14,7 @@ from planar_pushing.mechanics.effects.base import (
     RESPONSES,
     SPIN_RATIOS,
 )
+from planar_pushing.terms.domain import Number, require_fields
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.domain import Number, require_fields
 from planar_pushing.mechanics.effects.base import LEVERAGES, MAKERS, RESPONSES, SPIN_RATIOS, WEIGHT
 from planar_pushing.mechanics.supports.ring import ring_response, ring_spin_ratio
+from planar_pushing.terms.domain import Number, require_fields
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -25,8 +25,8 @@ from planar_pushing.mechanics.effects.base import (
     spin_ratio_alone,
 )
 from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm
-from planar_pushing.mechanics.root import EQUATIONS, root
 
 #: Speed that stands for one below the smallest double, so that its force has a direction.
 SLOWEST = 1e-300

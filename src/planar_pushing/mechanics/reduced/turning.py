@@ -21,13 +21,13 @@ import numpy as np
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import response, spin_ratio_alone
+from planar_pushing.mechanics.numerics.root import EPSILON, EQUATIONS, root
 from planar_pushing.mechanics.plane import moment_arm
 from planar_pushing.mechanics.reduced.isotropic import (
     slip,
     steady_slips,
     without_noise,
 )
-from planar_pushing.mechanics.root import EPSILON, EQUATIONS, root
 
 #: Slips under one edge that are written down; a segment has had four at most.
 SLIPS = 8

@@ -9,12 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.options import Policy
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import RUNS, STATE, Task
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, Stop, in_units, reason, records
 from planar_pushing.simulation.systems.setup import put, row_of, system_of
+from planar_pushing.terms.options import Policy
 
 #: Rows handed on at once.
 BATCH = 256

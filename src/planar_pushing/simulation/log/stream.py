@@ -15,10 +15,10 @@ from typing import Any
 import h5netcdf
 import h5py
 
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.log import variables as log
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.terms.errors import InvalidFile
 
 PathLike = str | os.PathLike[str]
 #: Instants in a chunk of the file.

@@ -7,14 +7,14 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics import quantities
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
-from planar_pushing.mechanics.options import EFFECT_DEGREES
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import NO_MODE
+from planar_pushing.terms import quantities
+from planar_pushing.terms.options import EFFECT_DEGREES
 
 
 class Variable(NamedTuple):

@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import response
 from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 from planar_pushing.mechanics.plane import contact_motion, moment_arm, toward
 from planar_pushing.mechanics.reduced.isotropic import spin_ratio
-from planar_pushing.mechanics.root import EQUATIONS, root
 from planar_pushing.simulation.bracket import bracketed
 from planar_pushing.simulation.steps.trials import PARTS, SLACK, Step
 

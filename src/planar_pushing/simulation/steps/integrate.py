@@ -9,8 +9,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.errors import require_positive
-from planar_pushing.mechanics.options import Policy
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, in_units, reason, records
 from planar_pushing.simulation.steps import friction, inertia
@@ -18,6 +16,8 @@ from planar_pushing.simulation.steps.driver import CLOCK, Plan, advance, begin, 
 from planar_pushing.simulation.steps.trials import INCREMENTS
 from planar_pushing.simulation.systems.base import Inertial, QuasiStatic
 from planar_pushing.simulation.systems.setup import ANGLE, GAP, V_X, row_of, system_of
+from planar_pushing.terms.errors import require_positive
+from planar_pushing.terms.options import Policy
 
 INCREMENTS.update({QuasiStatic: friction, Inertial: inertia})
 #: Steps of a run whose step is not given.

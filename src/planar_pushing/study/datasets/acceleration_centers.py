@@ -8,11 +8,11 @@ import xarray as xr
 from planar_pushing.mechanics.centers import Origin, conservative_motion_cone, motion_centers
 from planar_pushing.mechanics.cones import motion_angle, motion_cone
 from planar_pushing.mechanics.contact import InfiniteFriction
-from planar_pushing.mechanics.options import EffectSet
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import axis, ordered, parameters
 from planar_pushing.study.describe import describe
-from planar_pushing.study.models import StudyFile
+from planar_pushing.study.files.models import StudyFile
+from planar_pushing.terms.options import EffectSet
 
 
 def build(study: StudyFile) -> xr.Dataset:

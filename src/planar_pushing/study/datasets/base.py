@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.study.models import StudyFile
+from planar_pushing.study.files.models import StudyFile
 
 
 def axis(study: StudyFile, name: str) -> xr.DataArray:

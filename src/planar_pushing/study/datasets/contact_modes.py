@@ -23,7 +23,7 @@ from planar_pushing.mechanics.solve import solve
 from planar_pushing.study import catalog
 from planar_pushing.study.datasets.base import axis, law_axis, over_effects, parameters
 from planar_pushing.study.describe import describe
-from planar_pushing.study.models import StudyFile
+from planar_pushing.study.files.models import StudyFile
 
 INNER = ("contact", "rod_length", "pusher_magnitude", "pusher_angle")
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")

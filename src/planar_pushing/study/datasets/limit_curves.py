@@ -13,7 +13,7 @@ from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import axis, over_effects, parameters
 from planar_pushing.study.describe import describe
-from planar_pushing.study.models import StudyFile
+from planar_pushing.study.files.models import StudyFile
 
 
 def build(study: StudyFile) -> xr.Dataset:

@@ -11,14 +11,14 @@ import xarray as xr
 from planar_pushing.mechanics.centers import motion_centers
 from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_cone
 from planar_pushing.mechanics.effects import Inertia, RingFriction
-from planar_pushing.mechanics.options import EffectKind
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import Solutions, solve
 from planar_pushing.study.describe import describe
-from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.models import PushEntry, StudyFile
-from planar_pushing.study.scene_model import SceneFile
+from planar_pushing.study.files.models import PushEntry, StudyFile
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.terms.options import EffectKind
 
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181

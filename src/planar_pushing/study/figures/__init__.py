@@ -12,7 +12,7 @@ from planar_pushing.study.figures.ours import OURS, SUBJECTS, SUPPLEMENT
 from planar_pushing.study.figures.paper import BOTH, PAPER
 
 if TYPE_CHECKING:  # a job that draws a figure validates no file
-    from planar_pushing.study.models import StudyFile
+    from planar_pushing.study.files.models import StudyFile
 
 __all__ = ["ALL", "FIGURES", "OURS", "SCENES", "SUPPLEMENT", "computes"]
 

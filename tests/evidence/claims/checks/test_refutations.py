@@ -7,7 +7,7 @@ import pytest
 from evidence.claims.ledgers import claim, ledger, verdict_with
 from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 from planar_pushing.evidence.claims.table import judge
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile
 
 WRONG = [
     # formulas and identities

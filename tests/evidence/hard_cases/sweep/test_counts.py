@@ -22,9 +22,9 @@ from planar_pushing.evidence.hard_cases.sweep.counts import (
 )
 from planar_pushing.evidence.writing import json_text
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.options import EffectSet
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.terms.options import EffectSet
 
 SEED = 7
 FEW = Budget(kernels=20_000, scenes=24_000, scalar=80, decided=150)

@@ -8,11 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction, PerfectlyRough
-from planar_pushing.mechanics.domain import GYRATION, LONGEST, ROUGHEST, Number
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
-from planar_pushing.mechanics.options import EffectSet
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.terms.domain import GYRATION, LONGEST, ROUGHEST, Number
+from planar_pushing.terms.options import EffectSet
 
 Generator = np.random.Generator
 

@@ -19,13 +19,13 @@ from planar_pushing.evidence.hard_cases.sweep.adversarial import (
 )
 from planar_pushing.mechanics.cones import motion_angle
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.domain import SHARES
 from planar_pushing.mechanics.effects import Effect
-from planar_pushing.mechanics.options import EffectSet
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.solve import SolutionArrays, solve
 from planar_pushing.mechanics.wrench import wrench
+from planar_pushing.terms.domain import SHARES
+from planar_pushing.terms.options import EffectSet
 
 Wrong = npt.NDArray[np.bool_]
 #: Accuracy of a condition, relative to |f| for forces and to |v| + l |omega| for motions.

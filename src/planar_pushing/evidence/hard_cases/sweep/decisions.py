@@ -30,12 +30,12 @@ from planar_pushing.evidence.hard_cases.sweep.adversarial import (
 from planar_pushing.evidence.hard_cases.sweep.conditions import Pushes, wrong
 from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_cone
 from planar_pushing.mechanics.contact.laws import friction_coefficient
-from planar_pushing.mechanics.domain import GYRATION, LONGEST, ROUGHEST, SHARES
 from planar_pushing.mechanics.effects import Inertia
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.mechanics.modes import COINCIDENCE
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.terms.domain import GYRATION, LONGEST, ROUGHEST, SHARES
+from planar_pushing.terms.errors import InvalidValue
 
 #: Relative change of an input within which a decision may hang on rounding.
 NEXT_TO = (0.0, -(2.0**-44), 2.0**-44)

@@ -19,10 +19,10 @@ from planar_pushing.mechanics.cones import motion_angle, motion_cone, spin_ratio
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.limit_curve import limit_curve
-from planar_pushing.mechanics.options import EffectSet
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
+from planar_pushing.terms.options import EffectSet
 
 Wrong = npt.NDArray[np.bool_]
 #: Rounding that an invariant may carry.

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import planar_pushing as pp
 from planar_pushing import InvalidFile, load_scene
-from planar_pushing.study.files import load_scene_file, save_scene_file
+from planar_pushing.study.files.scenes import load_scene_file, save_scene_file
 
 POSITIVE = st.floats(1e-6, 1e6)
 

@@ -3,7 +3,7 @@
 import pytest
 
 from planar_pushing import InvalidFile
-from planar_pushing.study.files import load_scene_file
+from planar_pushing.study.files.scenes import load_scene_file
 
 SCENE = """\
 slider: {rod_length: 2, rod_angle: 30}

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from planar_pushing.study.schemas import SCHEMAS, schema_text
+from planar_pushing.study.files.schemas import SCHEMAS, schema_text
 
 
 @pytest.mark.parametrize("name", SCHEMAS)

@@ -11,7 +11,7 @@ import pytest
 from scipy.optimize import elementwise
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.root import EQUATIONS, STEPS, excess, root
+from planar_pushing.mechanics.numerics.root import EQUATIONS, STEPS, excess, root
 
 RATIOS = 10.0 ** np.random.default_rng(8).uniform(-8, 8, 1000)
 

@@ -10,11 +10,9 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction
-from planar_pushing.mechanics.domain import Number
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
-from planar_pushing.mechanics.options import EffectKind
 from planar_pushing.mechanics.scene import Slider
-from planar_pushing.study.fields import (
+from planar_pushing.study.files.fields import (
     Angles,
     Degrees,
     EffectsName,
@@ -33,6 +31,8 @@ from planar_pushing.study.fields import (
     Shares,
     refuse,
 )
+from planar_pushing.terms.domain import Number
+from planar_pushing.terms.options import EffectKind
 
 Axis = tuple[float, ...]
 

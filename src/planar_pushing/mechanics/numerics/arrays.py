@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import announced
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.quantities import MECHANICS, attributes
+from planar_pushing.terms.quantities import MECHANICS, attributes
 
 #: Rows of a block: a few milliseconds to some tens of work, so that Ctrl-C is heard.
 BLOCK = 8192

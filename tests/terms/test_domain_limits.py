@@ -8,7 +8,7 @@ import xarray as xr
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
-from mechanics.test_domain import check
+from terms.test_domain import check
 
 
 def slider(length=2.0, psi=PSI, radius=1.0):

@@ -7,7 +7,9 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.mechanics.options import (
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.simulate_model import SimulateEntry
+from planar_pushing.terms.options import (
     EFFECT_DEGREES,
     EFFECT_TYPES,
     TOLERANCE,
@@ -17,8 +19,6 @@ from planar_pushing.mechanics.options import (
     Method,
     Policy,
 )
-from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.simulate_model import SimulateEntry
 
 PULLING = "workflow/scenes/figure_14a.yaml"
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from planar_pushing.study.fields import FileModel
-from planar_pushing.study.models import StudyFile
-from planar_pushing.study.scene_model import SceneFile
+from planar_pushing.study.files.fields import FileModel
+from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.scene_model import SceneFile
 
 SCHEMAS: dict[str, type[FileModel]] = {"scene": SceneFile, "study": StudyFile}
 

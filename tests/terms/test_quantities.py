@@ -1,6 +1,6 @@
 """Units and long names: one table, with an entry of its own where a log means something else."""
 
-from planar_pushing.mechanics.quantities import BATCH, DATASET, LOG, LOG_NOTES, NOTES, attributes
+from planar_pushing.terms.quantities import BATCH, DATASET, LOG, LOG_NOTES, NOTES, attributes
 
 
 def test_an_entry_has_a_unit_and_a_long_name():

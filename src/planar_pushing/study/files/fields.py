@@ -19,7 +19,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from planar_pushing.mechanics.options import TOLERANCE, AtZeroNormal, EffectSet, Method, Policy
+from planar_pushing.terms.options import TOLERANCE, AtZeroNormal, EffectSet, Method, Policy
 
 
 def refuse(allowed: str) -> PydanticCustomError:

@@ -12,11 +12,11 @@ from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
 from planar_pushing.mechanics.entries import scene_entry
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.fields import FileModel
-from planar_pushing.study.replacing import PathLike, replacing
-from planar_pushing.study.scene_model import SceneFile
+from planar_pushing.study.files.fields import FileModel
+from planar_pushing.study.files.replacing import PathLike, replacing
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.terms.errors import InvalidFile
 
 Model = TypeVar("Model", bound=FileModel)
 

@@ -14,9 +14,8 @@ from planar_pushing.mechanics.contact import (
     PerfectlyRough,
 )
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
-from planar_pushing.mechanics.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.study.fields import (
+from planar_pushing.study.files.fields import (
     AtZeroNormalName,
     FileModel,
     FiniteFrictionCoefficient,
@@ -26,7 +25,8 @@ from planar_pushing.study.fields import (
     RodAngle,
     refuse,
 )
-from planar_pushing.study.simulate_model import SimulateEntry
+from planar_pushing.study.files.simulate_model import SimulateEntry
+from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 
 
 class SliderEntry(FileModel):

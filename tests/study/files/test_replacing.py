@@ -2,7 +2,7 @@
 
 import pytest
 
-from planar_pushing.study.replacing import replacing
+from planar_pushing.study.files.replacing import replacing
 
 
 def test_replacing_keeps_the_old_file_when_the_work_fails(tmp_path):

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue
 
 #: A number, a numpy array or a DataArray.
 Number = Any

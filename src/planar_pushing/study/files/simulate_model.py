@@ -7,8 +7,7 @@ from typing import Annotated, Self
 
 from pydantic import model_validator
 
-from planar_pushing.mechanics.options import Method, Policy
-from planar_pushing.study.fields import (
+from planar_pushing.study.files.fields import (
     Degrees,
     FileModel,
     FiniteNumber,
@@ -21,6 +20,7 @@ from planar_pushing.study.fields import (
     SampleCount,
     refuse,
 )
+from planar_pushing.terms.options import Method, Policy
 
 
 class PieceEntry(FileModel):
