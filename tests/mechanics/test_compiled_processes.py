@@ -120,7 +120,7 @@ def test_an_absent_effect_is_not_evaluated():
 
 #: Tests of the formulas; the others test what surrounds them.
 FORMULAS = (
-    "effects", "reduced", "supports/test_ring.py", "test_root.py", "test_plane.py", "test_wrench.py",
+    "effects", "reduced", "supports/test_ring.py", "numerics", "test_plane.py", "test_wrench.py",
     "test_cones.py", "test_limit_curve.py", "test_centers.py", "test_modes.py",
     "test_modes_limits.py", "test_modes_hard.py", "test_solve.py", "test_solve_backward_error.py",
     "test_push.py",
