@@ -62,7 +62,7 @@ def test_report(built):
         ("study/datasets/contact_modes.py", {"dataset": 1, "figure": 1}),
         ("mechanics/limit_curve.py", {"dataset": 2, "figure": 6}),
         (
-            "mechanics/slipping.py",
+            "mechanics/modes.py",
             {"dataset": 2, "figure": 10, "simulation": 3, "simulation_figure": 3},
         ),
         ("figures/motion/trajectory.py", {"figure": 2, "simulation_figure": 3}),

