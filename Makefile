@@ -5,16 +5,18 @@
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
+COMPILED := $(VENV)/compiled
+CORE := $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py')
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 
 .PHONY: all test lint bench golden images dictionary schemas lock report clean help
 .DELETE_ON_ERROR:
 
-all: $(READY)
+all: $(COMPILED)
 	$(BIN)/snakemake
 
-test: $(READY) lint
+test: $(COMPILED) lint
 	$(BIN)/pytest
 
 lint: $(READY)
@@ -24,11 +26,11 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
 
-bench: $(READY) ## time the wrench, its inverse and a motion cone against their floors
+bench: $(COMPILED) ## time the wrench, its inverse and a motion cone against their floors
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
 golden: $(READY) ## compute the golden data anew and print the differences; WRITE=1 stores them
-	$(BIN)/python -m planar_pushing.golden.update $(if $(WRITE),--write)
+	$(BIN)/python -m planar_pushing.evidence.golden.update $(if $(WRITE),--write)
 
 images: $(READY) ## compare the figures with their stored images; WRITE=1 stores them
 	$(BIN)/python -m planar_pushing.figures.images $(if $(WRITE),--write)
@@ -37,7 +39,7 @@ dictionary: $(READY) ## write results/README.md from the attributes of the datas
 	$(BIN)/python -m planar_pushing.study.dictionary
 
 schemas: $(READY) ## write workflow/schemas from the models of scene and study files
-	$(BIN)/python -m planar_pushing.study.schemas
+	$(BIN)/python -m planar_pushing.study.files.schemas
 
 report: all ## write results/report.html, Snakemake's report of the last run
 	$(BIN)/snakemake --report results/report.html
@@ -62,5 +64,8 @@ $(READY): requirements.lock pyproject.toml
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --disable-pip-version-check --require-hashes -r requirements.lock
 	$(BIN)/python -m pip install --disable-pip-version-check --quiet --no-deps --no-build-isolation --editable .
-	$(BIN)/python -m compileall -q src
+	@touch $@
+
+$(COMPILED): $(READY) $(CORE)
+	$(BIN)/planar-pushing compile
 	@touch $@

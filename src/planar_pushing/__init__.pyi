@@ -21,19 +21,20 @@ from .mechanics.contact import (
     PerfectlyRough,
 )
 from .mechanics.effects import Inertia, RingFriction
-from .mechanics.errors import (
+from .mechanics.limit_curve import LimitCurve, limit_curve
+from .mechanics.scene import Scene, Slider
+from .mechanics.solve import Solution, SolutionArrays, Solutions, solve
+from .mechanics.wrench import potential, wrench
+from .simulation.batch import simulate_batch
+from .simulation.pusher import Pusher
+from .simulation.simulate import simulate
+from .study.files.scenes import load_scene, save_scene
+from .study.store import open_dataset
+from .terms.errors import (
     InvalidFile,
     InvalidValue,
     PlanarPushingError,
 )
-from .mechanics.limit_curve import LimitCurve, limit_curve
-from .mechanics.scene import Scene, Slider
-from .mechanics.solve import Solution, Solutions, solve
-from .simulation.batch import simulate_batch
-from .simulation.pusher import Pusher
-from .simulation.simulate import simulate
-from .study.files import load_scene, save_scene
-from .study.store import open_dataset
 
 __all__ = [
     "AngleInterval",
@@ -52,6 +53,7 @@ __all__ = [
     "Scene",
     "Slider",
     "Solution",
+    "SolutionArrays",
     "Solutions",
     "can_pull",
     "conservative_motion_cone",
@@ -62,10 +64,12 @@ __all__ = [
     "motion_centers",
     "motion_cone",
     "open_dataset",
+    "potential",
     "save_scene",
     "simulate",
     "simulate_batch",
     "slips_while_pushing",
     "solve",
     "spin_ratio",
+    "wrench",
 ]

@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from unit.builders import BOTH, DEFINITION_2, EFFECT_SETS, FRICTION, INFINITE, make_scene, names
+from mechanics.builders import (
+    BOTH,
+    DEFINITION_2,
+    EFFECT_SETS,
+    FRICTION,
+    INFINITE,
+    make_scene,
+    names,
+)
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 DIRECTIONS = np.deg2rad([*np.arange(-172.5, 175, 15.0), 175.0])

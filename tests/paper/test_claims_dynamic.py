@@ -8,14 +8,14 @@ from mpmath import mp
 
 import planar_pushing as pp
 import reference
-from planar_pushing.mechanics.planar import direction
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
+from mechanics.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
+from planar_pushing.mechanics.plane import direction
 
 
 def wrench_line(effect, center, spin):
     """Force, and signed distance of its line from the ring centre, for a motion about `center`."""
     velocity = spin * np.array([center[1], -center[0]])  # omega x (0 - center)
-    wrench = effect.wrench(np.array([*velocity, spin]))
+    wrench = pp.wrench(effect, [*velocity, spin])
     return wrench[:2], wrench[2] / np.hypot(*wrench[:2]), velocity
 
 

@@ -8,8 +8,8 @@ from mpmath import mp
 
 import planar_pushing as pp
 import reference
-from planar_pushing.mechanics.planar import direction
-from unit.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
+from mechanics.builders import BOTH, FRICTION, INERTIA, PSI, make_scene, names
+from planar_pushing.mechanics.plane import direction
 
 LENGTHS = [0.25, 0.5, 1.0, 2.0, 5.0, 10.0]
 TURN = np.linspace(0, 2 * np.pi, 721)

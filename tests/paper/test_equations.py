@@ -8,7 +8,7 @@ from mpmath import mp
 
 import planar_pushing as pp
 import reference
-from unit.builders import INERTIA, PSI, make_scene
+from mechanics.builders import INERTIA, PSI, make_scene
 
 SPIN_RATIOS = [1e-6, 0.3, 0.95, 1.0, 1.0 + 1e-9, 1.7, 40.0]
 FORCES = [(1.0, 0.0), (0.3, 1.1), (-0.7, 0.4), (0.0, -2.0)]
@@ -17,7 +17,7 @@ FORCES = [(1.0, 0.0), (0.3, 1.1), (-0.7, 0.4), (0.0, -2.0)]
 def ring_wrench(phi, k, weight=1.0):
     """Wrench of the ring for a unit centre velocity along phi."""
     twist = np.array([np.cos(phi), np.sin(phi), k])
-    return pp.RingFriction(weight=weight).wrench(twist)
+    return pp.wrench(pp.RingFriction(weight=weight), twist)
 
 
 def inertia_twist(fx, fy, length, psi):
@@ -26,7 +26,7 @@ def inertia_twist(fx, fy, length, psi):
     k = float(pp.spin_ratio(make_scene(length, effects=INERTIA, psi=psi), phi))
     size = np.hypot(fx, fy)
     twist = size * np.array([np.cos(phi), np.sin(phi), k])
-    assert pp.Inertia().wrench(twist)[:2] == pytest.approx([fx, fy], rel=1e-14, abs=1e-15)
+    assert pp.wrench(pp.Inertia(), twist)[:2] == pytest.approx([fx, fy], rel=1e-14, abs=1e-15)
     return twist
 
 
@@ -43,7 +43,7 @@ def test_eq_02_friction_force(k):
     """Eq. (2), with the weight as its factor and the sign of v."""
     expected = float(reference.eq_02_force(k, weight=3))
     assert ring_wrench(0.0, k, weight=3.0)[0] == pytest.approx(expected, rel=1e-14)
-    backwards = pp.RingFriction(weight=3.0).wrench(np.array([-1.0, 0.0, -k]))
+    backwards = pp.wrench(pp.RingFriction(weight=3.0), [-1.0, 0.0, -k])
     assert backwards[0] == pytest.approx(-expected, rel=1e-14)
 
 

@@ -8,7 +8,7 @@ from mpmath import mp
 
 import planar_pushing as pp
 import reference
-from unit.builders import FRICTION, INERTIA, PSI, make_scene
+from mechanics.builders import FRICTION, INERTIA, PSI, make_scene
 
 TABLE = [
     (2.0, 2.0, FRICTION, -20.038457551638, 140.16416973393),

@@ -10,7 +10,7 @@ import xarray as xr
 
 from planar_pushing.study.store import read_dataset, write_dataset
 
-STORED = Path(__file__).parents[1] / "accuracy" / "golden_accuracy.nc"
+STORED = Path(__file__).parents[1] / "evidence/costs/golden_accuracy.nc"
 COMPUTED = {
     "one slider": ("motion_cone", "limit_curve", "solve"),
     "grid": ("limit_curves", "motion_cones", "contact_modes"),

@@ -7,11 +7,11 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
-from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
 from planar_pushing.report.quantities import Numbers
 from planar_pushing.report.supplement import NUMBERS as TIMES
+from planar_pushing.study.figures import FIGURES, OURS
 
 Entries = dict[str, dict[str, str]]
 #: Tables of the numbers of the report and of its supplement.
@@ -102,15 +102,15 @@ def set_up(root: Path) -> Setting:
         (pictures / f"{name}.svg").write_text(PICTURE, encoding="utf-8")
     figures = {
         name: {
-            "caption": CAPTIONS[name],
-            "promise": PROMISES[name],
-            "section": SECTIONS[name],
+            "caption": figure.caption,
+            "promise": figure.promise,
+            "section": figure.section,
             "margins": {"top": 1.0, "bottom": 2.0},
         }
-        for name in FIGURES
+        for name, figure in FIGURES.items()
     }
-    for number, (name, caption) in enumerate(OURS.items(), len(FIGURES) + 1):
-        figures[name] = figures["figure_01"] | {"caption": caption, "number": str(number)}
+    for number, (name, figure) in enumerate(OURS.items(), len(FIGURES) + 1):
+        figures[name] = figures["figure_01"] | {"caption": figure.caption, "number": str(number)}
     setting.write_numbers(zeros(NUMBERS))
     setting.write_numbers(zeros(TIMES), SUPPLEMENT)
     tables = {

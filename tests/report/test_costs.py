@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report import supplement
 from planar_pushing.report.cost_tables import COST_TABLES, spin_ratio_text
 from planar_pushing.report.costs import absent_evaluations, listed_evaluations
 from planar_pushing.report.parts.costs import ACCURACY, EFFECTS, HARD_CASES
 from planar_pushing.report.results import MEASURED, Results
 from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.errors import InvalidFile
 from report.costs import STORED, evaluations, write_costs, write_times
 
 NUMBERS = ACCURACY | HARD_CASES | EFFECTS

@@ -3,8 +3,8 @@
 import pytest
 from PIL import Image, ImageDraw
 
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.margins import KEPT, margins
+from planar_pushing.terms.errors import InvalidFile
 
 
 def test_margins_are_those_of_what_is_drawn(tmp_path):

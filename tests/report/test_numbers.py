@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import platform
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +12,10 @@ import pytest
 from PIL import Image
 from scipy import special
 
-from planar_pushing.figures.catalog import FIGURES, OURS
+from planar_pushing.evidence.golden.compare import Check
+from planar_pushing.evidence.golden.verdict import verdict
+from planar_pushing.evidence.writing import json_text, write_text
 from planar_pushing.figures.render import select
-from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import Results
@@ -24,12 +26,14 @@ from planar_pushing.report.tables import (
     provenance_text,
     verdict_text,
 )
-from planar_pushing.report.writing import write_text
+from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.models import FigureEntry
-from planar_pushing.study.slices import build_dataset, study_slice
+from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from report.costs import write_costs
 from report.setting import claim, claims
 
@@ -47,12 +51,11 @@ GRID = {
 SMALL = STUDY.model_copy(update={"grid": STUDY.grid.model_copy(update=GRID)})
 #: One rod length, which is all that is read of the contact modes.
 SHORT = STUDY.model_copy(update={"grid": SMALL.grid.model_copy(update={"rod_length": (2.0,)})})
-VERDICT = """passed: 340 values of 3 variables agree with the golden data
-
-ok   motion_cones: motion_cone_left: 100 agree; worst 4.6e-13 (32.6 ulp), allowed 5e-13 at a=1: computed 1
-ok   scenes.figure_02: force: 200 agree; worst 1e-16 (1 ulp), allowed 1e-14 at b=2: computed 1
-ok   scenes.figure_03: force: 40 agree; worst 0 (0 ulp), allowed 0
-"""
+CHECKS = [
+    Check(file="motion_cones", variable="left", count=100, error=4.6e-13, ulp=32.6, allowed=5e-13),
+    Check(file="scenes.figure_02", variable="force", count=200, error=1e-16, ulp=1, allowed=1e-14),
+    Check(file="scenes.figure_03", variable="force", count=40),
+]
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +83,7 @@ def results(tmp_path_factory):
         claim("force-at-the-dip", value="1.40897274354"),
         claim("force-at-the-return", value="2.2251848605567233649"),
     ]
-    write_text(VERDICT, folder / "tables/golden_verdict.txt")
+    write_text(json_text(verdict(CHECKS)), folder / "tables/golden_verdict.json")
     ledger = {"counts": {}, "claims": claims() + thresholds}
     write_text(json.dumps(ledger), folder / "tables/claims.json")
     return Results(folder, Path("tests/golden"))
@@ -226,15 +229,17 @@ def test_missing_tables_and_claims_are_named(results, tmp_path):
     empty = Results(tmp_path, tmp_path)
     with pytest.raises(InvalidFile, match="holds no golden data"):
         empty.golden_marks()
-    with pytest.raises(InvalidFile, match=r"golden_verdict\.txt: no such table; build it"):
+    with pytest.raises(InvalidFile, match=r"golden_verdict\.json: no such table; build it"):
         _ = empty.verdict
     with pytest.raises(InvalidFile, match=r"claims\.json: no claim 'none'; allowed: claim-0"):
         results.claim("none")
     write_text("{", tmp_path / "tables/claims.json")
     with pytest.raises(InvalidFile, match=r"claims\.json: is not JSON"):
         _ = empty.claims
-    write_text("FAILED: 1 of 3 variables differ\n", tmp_path / "tables/golden_verdict.txt")
+    failed = [replace(CHECKS[0], failed=1)]
+    write_text(json_text(verdict(failed)), tmp_path / "tables/golden_verdict.json")
     with pytest.raises(InvalidFile, match="holds no verdict that passed"):
         NUMBERS["golden-values"].entry(empty)
+    write_text(json_text(verdict([])), tmp_path / "tables/golden_verdict.json")
     with pytest.raises(InvalidFile, match="compares nothing"):
         verdict_text(empty)

@@ -8,10 +8,10 @@ import sys
 import pytest
 from pypdf import PdfReader
 
-from planar_pushing.figures.catalog import FIGURES, OURS, PROMISES
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.typeset import compiled, typeset
+from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.terms.errors import InvalidFile
 from report.setting import REPORT, SUPPLEMENT, set_up
 
 #: Minus sign, quote and times sign as they are typed.
@@ -103,7 +103,8 @@ def test_every_figure_has_our_caption_and_the_promise_of_the_paper(text):
         assert f"Figure {number}." in text
     for number in range(len(FIGURES) + 1, len(FIGURES) + len(OURS) + 1):
         assert f"Figure {number}." in text
-    assert text.count("The paper's caption promises:") == sum(map(bool, PROMISES.values()))
+    promised = [name for name, figure in FIGURES.items() if figure.promise]
+    assert text.count("The paper's caption promises:") == len(promised)
     assert "Not in the paper." in text
     assert "Limit curves for several rod lengths" in text
     assert "limit curves for rods of different lengths" in text

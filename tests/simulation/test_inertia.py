@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from properties.strategies import both, coefficients, inertia, scenes
+from mechanics.builders import BOTH, DEFINITION_2, FRICTION, INERTIA, make_scene
+from mechanics.strategies import both, coefficients, inertia, scenes
 from simulation.runs import check, final, heading, run
-from unit.builders import BOTH, DEFINITION_2, FRICTION, INERTIA, make_scene
 
 STILL = (0.0, 0.0)
 
@@ -222,7 +222,7 @@ def test_lengths_scale(effects):
     """Twice the radius and the lengths, at the same angles."""
     logs = []
     for size in (1.0, 2.0):
-        parts = tuple(e.scaled(1 / size) for e in effects)
+        parts = tuple(pp.Inertia(gyration_radius=size) if e.degree == 2 else e for e in effects)
         scene = make_scene(2 * size, 2.0, parts, radius=size)
         # Speeds grow with the root of the lengths where friction and inertia compete.
         speed = math.sqrt(size)

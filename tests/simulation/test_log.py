@@ -11,10 +11,10 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.simulation import event_driven
+from mechanics.builders import BOTH, FRICTION, make_scene
+from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.problem import Problem
 from simulation.runs import final, heading, run
-from unit.builders import BOTH, FRICTION, make_scene
 
 FENCE = [(0, heading(60)), (0.5, heading(100))]
 METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
@@ -83,9 +83,7 @@ def test_streamed_log_is_the_same_bytes_again(tmp_path):
 
 def test_records_are_handed_on_in_bounded_batches():
     problem = Problem(scene=make_scene(2, 0.5), pusher=pp.Pusher(velocity=FENCE), duration=1)
-    sizes = [
-        len(each) for each in event_driven.integrate(problem, np.linspace(0, 1, 5000).tolist())
-    ]
+    sizes = [len(each) for each in EventDriven(problem, np.linspace(0, 1, 5000))]
     assert sum(sizes) >= 5000
     assert len(sizes) > 3
     assert max(sizes) < 1000
@@ -94,7 +92,7 @@ def test_records_are_handed_on_in_bounded_batches():
 KILLED = """
 import os
 import planar_pushing as pp
-from planar_pushing.simulation import stream
+from planar_pushing.simulation.log import stream
 scene = pp.Scene(slider=pp.Slider(rod_length=2, rod_angle=0.8), contact=pp.Coulomb(0.5),
                  effects=(pp.RingFriction(),))
 append, count = stream.Stream.append, 0

@@ -11,10 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from planar_pushing.simulation.support import Support
-from properties.strategies import coefficients, friction, scenes
+from mechanics.builders import DEFINITION_2, make_scene
+from mechanics.strategies import coefficients, friction, scenes
 from simulation.runs import check, final, heading, run
-from unit.builders import DEFINITION_2, make_scene
 
 #: l, mu, fence angle, psi0, T; final rod angle in degrees, and slip.
 REFERENCES = [
@@ -172,25 +171,6 @@ def test_smooth_start_turn_and_grazing_of_the_fence():
         assert set(log.mode.values) & {1, 2, 3}
 
 
-def test_any_effect_of_degree_one_is_simulated_through_its_profile():
-    class Borrowed:
-        """A ring that hides what it is."""
-
-        degree, kinks = 1, (1.0,)
-
-        def scaled(self, length):
-            return self
-
-        def profile(self, spin_ratio):
-            return pp.RingFriction().profile(spin_ratio)
-
-    scene = make_scene(2, 2.0, (Borrowed(),))
-    log = run(scene, heading(60), 0.5)
-    ring = run(make_scene(2, 2.0), heading(60), 0.5)
-    assert final(log, "rod_angle") == pytest.approx(final(ring, "rod_angle"), abs=1e-9)
-    assert "Borrowed" in log.attrs["scene"]
-
-
 def test_two_effects_of_degree_one_share_the_load():
     parts = (pp.RingFriction(weight=0.25), pp.RingFriction(weight=0.75))
     log, whole = (run(make_scene(2, 2.0, e), heading(60), 1) for e in (parts, (pp.RingFriction(),)))
@@ -198,16 +178,6 @@ def test_two_effects_of_degree_one_share_the_load():
     assert final(log, "dissipated") == pytest.approx(
         final(whole, "dissipated") * [0.25, 0.75], rel=1e-9
     )
-
-
-@given(st.floats(0, 1), st.floats(-2, 2), st.floats(-np.pi, np.pi))
-def test_sticking_motion_does_not_depend_on_the_guess(guess, exponent, lean):
-    support, length = Support((pp.RingFriction(),)), 10.0**exponent
-    along, aside = math.cos(lean), math.sin(lean)
-    found = support.stick(along, aside, length, guess)
-    again = support.stick(along, aside, length, 0.5)
-    assert found[1:] == pytest.approx(again[1:], abs=1e-12)
-    assert support.evaluations < 60
 
 
 @settings(max_examples=25)

@@ -41,8 +41,3 @@ def test_an_error_of_ours_is_one_line_without_a_traceback(tmp_path):
     assert not ended.stderr
     said = log.read_text(encoding="utf-8").splitlines()[1:]
     assert said == ["ERROR absent.nc: no such dataset; build it with make or snakemake"]
-
-
-def test_a_job_collects_no_garbage(tmp_path):
-    body = "import gc; assert not gc.isenabled()\nassert gc.get_freeze_count() > 0"
-    assert run(body, tmp_path / "job.log").returncode == 0

@@ -21,6 +21,7 @@ def test_the_target_measures_once_and_draws_its_figures(built):
         "accuracy_figure": "4",
         "effects_data": "1",
         "effects_figure": "1",
+        "evaluations": "1",
     }
 
 

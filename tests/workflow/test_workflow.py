@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import pytest
 
-from planar_pushing.figures.catalog import FIGURES, PROMISES, SECTIONS
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.store import read_dataset, write_dataset
 
 
@@ -49,23 +49,24 @@ def test_report(built):
     built.snakemake("--report", "report.html")
     text = (built.root / "report.html").read_text(encoding="utf-8")
     assert all(name in text for name in FIGURES)
-    assert all(f'"{section}": ' in text for section in SECTIONS.values())
-    assert text.count("The paper's caption promises: ") == sum(map(bool, PROMISES.values()))
+    assert all(f'"{figure.section}": ' in text for figure in FIGURES.values())
+    promised = [name for name, figure in FIGURES.items() if figure.promise]
+    assert text.count("The paper's caption promises: ") == len(promised)
     assert "Replication of Lynch and Mason" in text
 
 
 @pytest.mark.parametrize(
     ("module", "stale"),
     [
-        ("figures/figure_06.py", {"figure": 1}),
+        ("figures/paper/figure_06.py", {"figure": 1}),
         ("study/datasets/contact_modes.py", {"dataset": 1, "figure": 1}),
         ("mechanics/limit_curve.py", {"dataset": 2, "figure": 6}),
         (
-            "mechanics/slipping.py",
+            "mechanics/modes.py",
             {"dataset": 2, "figure": 10, "simulation": 3, "simulation_figure": 3},
         ),
-        ("figures/motion.py", {"figure": 2, "simulation_figure": 3}),
-        ("cli.py", {}),
+        ("figures/motion/trajectory.py", {"figure": 2, "simulation_figure": 3}),
+        ("commands/query.py", {}),
     ],
 )
 def test_only_what_depends_on_a_module_reruns(built, module, stale):
@@ -83,7 +84,7 @@ def test_only_what_depends_on_a_module_reruns(built, module, stale):
 
 
 def test_an_edited_module_is_rebuilt_once(built):
-    path = built.root / "src/planar_pushing/figures/figure_06.py"
+    path = built.root / "src/planar_pushing/figures/paper/figure_06.py"
     path.write_text(path.read_text(encoding="utf-8") + "\n# an edit\n", encoding="utf-8")
     before = built.digests()
     assert jobs(built.snakemake())["figure"] == 1

@@ -1,15 +1,6 @@
 # What accuracy and each effect cost. Errors and counts are a part of `all`; times are measured on this
 # machine, by `snakemake accuracy`, outside of `all` and of the golden check.
-BUILDERS = [
-    f"study.datasets.{name}"
-    for name in ("limit_curves", "motion_cones", "contact_modes")
-]
-ACCURACY = [
-    "accuracy_wrench",
-    "accuracy_cone",
-    "accuracy_study",
-    "accuracy_motion",
-]
+ACCURACY = [name for name, figure in SUPPLEMENT.items() if figure.groups("accuracy")]
 
 
 #: Like the report, built with the study that the golden data certify.
@@ -38,7 +29,7 @@ rule accuracy_errors:
     benchmark:
         "results/benchmarks/accuracy/accuracy_errors.tsv"
     params:
-        code=code_of("accuracy.tables", "study.store"),
+        code=code_of("evidence.costs.tables", "study.store"),
     message:
         "Computing the errors of every method"
     script:
@@ -56,7 +47,7 @@ rule evaluations:
     benchmark:
         "results/benchmarks/accuracy/evaluations.tsv"
     params:
-        code=code_of("effort.measure", "study.store", *BUILDERS),
+        code=code_of("evidence.costs.effects", "study.store"),
     message:
         "Counting the evaluations of each effect"
     script:
@@ -83,11 +74,11 @@ rule evaluations_figure:
     wildcard_constraints:
         figure="accuracy_evaluations",
     params:
-        code=code_of("figures.accuracy_evaluations", "figures.accuracy"),
+        code=code_of(*OURS["accuracy_evaluations"].modules),
     message:
         "Drawing {wildcards.figure}"
     script:
-        "../scripts/accuracy_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule accuracy:
@@ -96,7 +87,7 @@ rule accuracy:
         "results/data/effects.nc",
         expand(
             "results/figures/{figure}.{kind}",
-            figure=[*ACCURACY, "effects"],
+            figure=list(SUPPLEMENT),
             kind=["svg", "pdf", "png"],
         ),
         ["results/accuracy.pdf"] if STUDY.golden else [],
@@ -112,7 +103,7 @@ rule accuracy_data:
     # Nothing else may run beside a measurement.
     threads: workflow.cores
     params:
-        code=code_of("accuracy.measurements", "study.store"),
+        code=code_of("evidence.costs.measurements", "study.store"),
     message:
         "Measuring what accuracy costs"
     script:
@@ -122,6 +113,7 @@ rule accuracy_data:
 rule effects_data:
     input:
         study=STUDY_FILE,
+        counted="results/data/evaluations.nc",
         scenes=[push.file for push in STUDY.scenes.values()],
     output:
         "results/data/effects.nc",
@@ -129,7 +121,7 @@ rule effects_data:
         "results/logs/accuracy/effects.log",
     threads: workflow.cores
     params:
-        code=code_of("effort.measure", "study.store", *BUILDERS),
+        code=code_of("evidence.costs.effects", "study.store"),
     message:
         "Measuring what each effect costs"
     script:
@@ -152,11 +144,11 @@ rule effects_figure:
     log:
         "results/logs/figures/effects.log",
     params:
-        code=code_of("figures.effects", "figures.render"),
+        code=code_of(*SUPPLEMENT["effects"].modules),
     message:
         "Drawing effects"
     script:
-        "../scripts/effects_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule accuracy_figure:
@@ -177,13 +169,11 @@ rule accuracy_figure:
     wildcard_constraints:
         figure="|".join(ACCURACY),
     params:
-        code=lambda wildcards: code_of(
-            f"figures.{wildcards.figure}", "figures.accuracy"
-        ),
+        code=lambda wildcards: code_of(*SUPPLEMENT[wildcards.figure].modules),
     message:
         "Drawing {wildcards.figure}"
     script:
-        "../scripts/accuracy_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule supplement_tables:
@@ -213,7 +203,7 @@ rule supplement_tables:
 rule supplement_pdf:
     input:
         rules.supplement_tables.output,
-        figures=expand("results/figures/{figure}.svg", figure=[*ACCURACY, "effects"]),
+        figures=expand("results/figures/{figure}.svg", figure=list(SUPPLEMENT)),
         source="paper/supplement.typ",
         parts=SOURCES,
     output:

@@ -19,7 +19,7 @@ rule claims_table:
     benchmark:
         "results/benchmarks/claims/claims_table.tsv"
     params:
-        code=code_of("claims.table"),
+        code=code_of("evidence.claims.table"),
     message:
         "Checking the claims of the paper"
     script:

@@ -1,11 +1,11 @@
 # The study, validated before any job starts, and what the rules look up in it.
 from snakemake.exceptions import WorkflowError
 
-from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
-from planar_pushing.mechanics.errors import PlanarPushingError
+from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.study.catalog import DATASETS, dataset_file
 from planar_pushing.study.dependencies import code_of
-from planar_pushing.study.models import FigureEntry
+from planar_pushing.study.figures import FIGURES, OURS, SUPPLEMENT, computes
+from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.study_file import load_study
 
@@ -19,8 +19,8 @@ except PlanarPushingError as error:
 FIRST, LAST = 1, -1
 
 #: What the study's effects allow: nothing else has a job.
-COMPUTED = [name for name in DATASETS if STUDY.computes(name)]
-DRAWN = [name for name in FIGURES if STUDY.computes(name)]
+COMPUTED = [name for name in DATASETS if computes(STUDY, name)]
+DRAWN = [name for name in FIGURES if computes(STUDY, name)]
 
 
 def scene_files(wildcards):
@@ -34,7 +34,7 @@ def scene_files(wildcards):
 
 def dataset_files(wildcards):
     """Datasets that a figure is drawn from."""
-    sources = FIGURES[wildcards.figure]
+    sources = FIGURES[wildcards.figure].datasets
     return sorted({f"results/{dataset_file(source)}" for source in sources})
 
 

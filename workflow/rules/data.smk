@@ -17,6 +17,7 @@ rule dataset:
         dataset="|".join(COMPUTED),
     priority: FIRST
     params:
+        # Not of study.builders, which imports the builders of the other datasets too.
         code=lambda wildcards: code_of(
             f"study.datasets.{wildcards.dataset}", "study.slices", "study.store"
         ),

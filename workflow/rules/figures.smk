@@ -16,7 +16,7 @@ rule figure:
         data="results/figures/data/{figure}.nc",
         svg=report(
             "results/figures/{figure}.svg",
-            category=lambda wildcards: SECTIONS[wildcards.figure],
+            category=lambda wildcards: FIGURES[wildcards.figure].section,
             caption="../report/figure.rst",
             labels={"figure": "{figure}"},
         ),
@@ -30,10 +30,10 @@ rule figure:
         figure="|".join(DRAWN),
     priority: FIRST
     params:
-        code=lambda wildcards: code_of(f"figures.{wildcards.figure}", "figures.render"),
+        code=lambda wildcards: code_of(*FIGURES[wildcards.figure].modules),
         settings=figure_settings,
-        caption=lambda wildcards: CAPTIONS[wildcards.figure],
-        promise=lambda wildcards: PROMISES[wildcards.figure],
+        caption=lambda wildcards: FIGURES[wildcards.figure].caption,
+        promise=lambda wildcards: FIGURES[wildcards.figure].promise,
     message:
         "Drawing {wildcards.figure}"
     script:

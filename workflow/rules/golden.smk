@@ -1,7 +1,11 @@
 # The golden check: every dataset and every figure's numbers against certified values.
 from pathlib import Path
 
-VERDICT = ["results/tables/golden_verdict.txt"] if STUDY.golden else []
+VERDICT = (
+    expand("results/tables/golden_verdict.{kind}", kind=["txt", "json"])
+    if STUDY.golden
+    else []
+)
 
 
 rule golden:
@@ -17,7 +21,8 @@ rule golden_verdict:
         ],
         golden=sorted(map(str, Path(STUDY.golden or ".").glob("*.nc"))),
     output:
-        report(
+        data="results/tables/golden_verdict.json",
+        text=report(
             "results/tables/golden_verdict.txt",
             category="Golden check",
             caption="../report/golden.rst",
@@ -28,7 +33,9 @@ rule golden_verdict:
         "results/benchmarks/golden/golden_verdict.tsv"
     priority: FIRST
     params:
-        code=code_of("golden.check", "golden.compare"),
+        code=code_of(
+            "evidence.golden.check", "evidence.golden.verdict", "evidence.writing"
+        ),
         golden=STUDY.golden,
         tolerances={name: each.model_dump() for name, each in STUDY.tolerances.items()},
     message:

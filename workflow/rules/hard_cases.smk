@@ -20,7 +20,7 @@ rule hard_cases_data:
     benchmark:
         "results/benchmarks/data/hard_cases.tsv"
     params:
-        code=code_of("hard_cases.dataset", "study.store"),
+        code=code_of("evidence.hard_cases.dataset", "study.store"),
     message:
         "Measuring the hard cases"
     script:
@@ -45,11 +45,11 @@ rule hard_cases_figure:
     benchmark:
         "results/benchmarks/figures/hard_cases.tsv"
     params:
-        code=code_of("figures.hard_cases", "figures.render"),
+        code=code_of(*OURS["hard_cases"].modules),
     message:
         "Drawing the hard cases"
     script:
-        "../scripts/hard_cases_figure.py"
+        "../scripts/file_figure.py"
 
 
 rule sweep:
@@ -60,7 +60,7 @@ rule sweep:
     benchmark:
         "results/benchmarks/tables/sweep.tsv"
     params:
-        code=code_of("hard_cases.sweep"),
+        code=code_of("evidence.hard_cases.sweep.counts", "evidence.writing"),
     message:
         "Sweeping a million random and adversarial inputs"
     script:

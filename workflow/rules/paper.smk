@@ -25,7 +25,7 @@ rule report_tables:
             name=["accuracy_errors", "evaluations", "hard_cases"],
         ),
         pictures=expand("results/figures/{figure}.png", figure=[*FIGURES, *OURS]),
-        verdict="results/tables/golden_verdict.txt",
+        verdict="results/tables/golden_verdict.json",
         claims="results/tables/claims.json",
         study=STUDY_FILE,
         golden=rules.golden_verdict.input.golden,

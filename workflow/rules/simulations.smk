@@ -20,7 +20,7 @@ rule simulation:
         "results/benchmarks/data/simulation_{simulation}.tsv"
     priority: FIRST
     params:
-        code=code_of("simulation.scene_file", "study.store"),
+        code=code_of("study.simulations", "study.store"),
     message:
         "Simulating {wildcards.simulation}"
     script:
@@ -46,7 +46,7 @@ rule simulation_figure:
         "results/benchmarks/figures/simulation_{simulation}.tsv"
     priority: LAST
     params:
-        code=code_of("figures.simulation", "figures.render"),
+        code=code_of("figures.motion.simulation"),
     message:
         "Drawing the simulation {wildcards.simulation}"
     script:

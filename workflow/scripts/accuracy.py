@@ -3,7 +3,7 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
-    from planar_pushing.accuracy.measurements import measured
+    from planar_pushing.evidence.costs.measurements import measured
     from planar_pushing.study.store import write_dataset
 
     write_dataset(measured(), snakemake.output[0])

@@ -3,7 +3,7 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
-    from planar_pushing.accuracy.tables import cone_errors, wrench_errors
+    from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
     from planar_pushing.study.store import write_dataset
 
     write_dataset({"wrench": wrench_errors(), "cone": cone_errors()}, snakemake.output[0])

@@ -3,10 +3,10 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
-    from planar_pushing.claims.ledger import load_ledger
-    from planar_pushing.claims.table import complaint, csv_text, json_text, judge_all
-    from planar_pushing.mechanics.errors import InvalidResult
-    from planar_pushing.study.replacing import replacing
+    from planar_pushing.evidence.claims.ledger import load_ledger
+    from planar_pushing.evidence.claims.table import complaint, csv_text, json_text, judge_all
+    from planar_pushing.evidence.writing import write_text
+    from planar_pushing.terms.errors import InvalidResult
 
     judged = judge_all(load_ledger(snakemake.input.ledger))
     if problem := complaint(judged):
@@ -15,6 +15,5 @@ with job_log(snakemake.log[0]) as log:
         (snakemake.output.json, json_text(judged)),
         (snakemake.output.csv, csv_text(judged)),
     ):
-        with replacing(path) as temporary:
-            temporary.write_text(text, encoding="utf-8")
+        write_text(text, path)
     log.info("%d claims", len(judged))

@@ -1,14 +1,11 @@
-"""Count and time what each effect of the study costs, in this one process."""
+"""Time what each effect of the study costs, in this one process, beside its counts."""
 
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
-    import json
-
-    from planar_pushing.accuracy.timing import machine
-    from planar_pushing.effort.measure import measure
-    from planar_pushing.study.store import write_dataset
+    from planar_pushing.evidence.costs.effects import measure
+    from planar_pushing.study.store import read_dataset, write_dataset
     from planar_pushing.study.study_file import load_study
 
-    measured = measure(load_study(snakemake.input.study))
-    write_dataset(measured.assign_attrs(machine=json.dumps(machine())), snakemake.output[0])
+    study, counted = load_study(snakemake.input.study), read_dataset(snakemake.input.counted)
+    write_dataset(measure(study, counted), snakemake.output[0])

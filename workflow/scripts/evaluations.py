@@ -1,9 +1,13 @@
-"""Count how often each effect of the study is evaluated."""
+"""Count how often each effect of the study is evaluated, in Python: compiled code cannot be counted."""
+
+import os
 
 from planar_pushing.study.jobs import job_log
 
+os.environ["NUMBA_DISABLE_JIT"] = "1"
+
 with job_log(snakemake.log[0]):
-    from planar_pushing.effort.measure import evaluations
+    from planar_pushing.evidence.costs.effects import evaluations
     from planar_pushing.study.store import write_dataset
     from planar_pushing.study.study_file import load_study
 

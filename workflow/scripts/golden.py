@@ -5,18 +5,18 @@ from planar_pushing.study.jobs import job_log
 with job_log(snakemake.log[0]) as log:
     from pathlib import Path
 
-    from planar_pushing.golden.check import check_results
-    from planar_pushing.golden.compare import verdict
-    from planar_pushing.mechanics.errors import InvalidResult
-    from planar_pushing.study.models import Tolerance
-    from planar_pushing.study.replacing import replacing
+    from planar_pushing.evidence.golden.check import check_results
+    from planar_pushing.evidence.golden.verdict import verdict, verdict_text
+    from planar_pushing.evidence.writing import json_text, write_text
+    from planar_pushing.study.files.models import Tolerance
+    from planar_pushing.terms.errors import InvalidResult
 
     given = snakemake.params.tolerances.items()
     tolerances = {name: Tolerance.model_validate(values) for name, values in given}
-    checks = check_results(Path("results"), Path(snakemake.params.golden), tolerances)
-    text = verdict(checks)
-    if not all(check.passed for check in checks):
+    found = verdict(check_results(Path("results"), Path(snakemake.params.golden), tolerances))
+    text = verdict_text(found)
+    if not found["passed"]:
         raise InvalidResult(text)
     log.info("%s", text)
-    with replacing(snakemake.output[0]) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+    write_text(text, snakemake.output.text)
+    write_text(json_text(found), snakemake.output.data)

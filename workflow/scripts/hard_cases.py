@@ -3,7 +3,7 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
-    from planar_pushing.hard_cases.dataset import build
+    from planar_pushing.evidence.hard_cases.dataset import build
     from planar_pushing.study.store import write_dataset
 
     log.info("measuring the hard cases")

@@ -5,10 +5,10 @@ from planar_pushing.study.jobs import job_log
 with job_log(snakemake.log[0]):
     from pathlib import Path
 
+    from planar_pushing.evidence.writing import write_text
     from planar_pushing.report import tables
     from planar_pushing.report.cost_tables import COST_TABLES
     from planar_pushing.report.results import Results
-    from planar_pushing.report.writing import write_text
 
     results = Results(Path("results"), Path(snakemake.params.golden))
     texts = {

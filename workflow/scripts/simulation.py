@@ -3,8 +3,8 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
-    from planar_pushing.simulation.scene_file import simulate_file
-    from planar_pushing.study.files import load_scene_file
+    from planar_pushing.study.files.scenes import load_scene_file
+    from planar_pushing.study.simulations import simulate_file
     from planar_pushing.study.store import write_dataset
 
     log.info("simulating %s", snakemake.wildcards.simulation)

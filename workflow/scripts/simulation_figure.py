@@ -3,7 +3,7 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
-    from planar_pushing.figures.simulation import render
+    from planar_pushing.figures.motion.simulation import render
 
     log.info("drawing %s", snakemake.wildcards.simulation)
     render(snakemake.input.data, list(snakemake.output))

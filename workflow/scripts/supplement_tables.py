@@ -5,9 +5,9 @@ from planar_pushing.study.jobs import job_log
 with job_log(snakemake.log[0]):
     from pathlib import Path
 
+    from planar_pushing.evidence.writing import write_text
     from planar_pushing.report.results import Results
     from planar_pushing.report.supplement import TABLES
-    from planar_pushing.report.writing import write_text
 
     results = Results(Path("results"), Path(snakemake.params.golden))
     for path in snakemake.output:

@@ -3,7 +3,8 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
-    from planar_pushing.hard_cases.sweep import FULL, sweep, write_counts
+    from planar_pushing.evidence.hard_cases.sweep.counts import FULL, sweep
+    from planar_pushing.evidence.writing import json_text, write_text
 
     log.info("sweeping %d inputs of each kind", FULL.kernels)
-    write_counts(sweep(FULL), snakemake.output[0])
+    write_text(json_text(sweep(FULL)), snakemake.output[0])

@@ -1,1 +1,1 @@
-"""The figures, a module each over shared primitives: the one place that knows matplotlib."""
+"""The figures: their drawings in four folders; the one place that knows matplotlib."""

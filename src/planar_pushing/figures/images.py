@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from planar_pushing.figures.catalog import FIGURES
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.jobs import run_command
+from planar_pushing.terms.errors import InvalidFile
 
 #: Stored images are this wide, pixels: wide enough to see a moved label.
 WIDTH = 720

@@ -2,85 +2,70 @@
 
 from __future__ import annotations
 
-import importlib
 import os
-from collections.abc import Mapping
+import pkgutil
+from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import Any, Protocol, cast
 
 import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.catalog import FIGURES
-from planar_pushing.figures.settings import Settings
-from planar_pushing.figures.style import COLUMN_WIDTH, paper_style
-from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.study.replacing import replacing
+from planar_pushing.figures.settings import Settings, Sources
+from planar_pushing.figures.style import paper_style
+from planar_pushing.study.figures import ALL
+from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
-
-if TYPE_CHECKING:  # a job that draws a figure validates no file
-    from planar_pushing.study.models import PushEntry
-    from planar_pushing.study.scene_model import SceneFile
+from planar_pushing.terms.errors import InvalidValue
 
 PathLike = str | os.PathLike[str]
-SCENE_SIZE = (COLUMN_WIDTH, COLUMN_WIDTH)
+Draw = Callable[[Figure, xr.Dataset], object]
 
-#: How each format is saved: without metadata that would tell when and by which program version, and a PNG
-#: lightly compressed, in a third less time for a fifth more bytes.
+#: How each format is saved: without metadata that would tell when and by which program version.
 SAVING: dict[str, dict[str, Any]] = {
     "svg": {"metadata": {"Date": None, "Creator": "planar-pushing"}},
     "pdf": {"metadata": {"CreationDate": None, "Creator": "planar-pushing", "Producer": None}},
-    "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
+    "png": {"metadata": {"Software": None}},
 }
 
 
-class FigureModule(Protocol):
-    """What a module figure_NN provides."""
+class Drawing(Protocol):
+    """What draws a figure; one of a single dataset needs no `select`."""
 
-    SIZE: tuple[float, float]
-
-    def select(self, sources: Mapping[str, xr.Dataset], settings: Settings) -> xr.Dataset: ...
+    def select(self, sources: Sources, settings: Settings) -> xr.Dataset: ...
 
     def draw(self, figure: Figure, data: xr.Dataset) -> None: ...
 
 
-def figure_module(name: str) -> FigureModule:
-    """Import the module of a figure by name, such as "figure_08".
+def drawing(name: str) -> Drawing:
+    """Drawing of a figure, such as "figure_08".
+
+    Its entry names the module, and a job's digest starts from the same entry: a job depends on the
+    module of its own figure alone.
 
     Raises
     ------
     InvalidValue
         Where there is no figure of this name.
     """
-    if name not in FIGURES:
-        raise InvalidValue("figure", name, ", ".join(FIGURES), "name one of these figures")
-    return cast(FigureModule, importlib.import_module(f"planar_pushing.figures.{name}"))
+    if name not in ALL:
+        raise InvalidValue("figure", name, ", ".join(ALL), "name one of these figures")
+    return cast(Drawing, pkgutil.resolve_name(f"planar_pushing.{ALL[name].drawing}"))
 
 
 def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
     """Numbers that a figure plots, read from the datasets in a results folder."""
-    module = figure_module(name)
-    sources = {source: open_dataset(source, results) for source in FIGURES[name]}
-    return module.select(sources, settings)
+    found = drawing(name)
+    sources = {source: open_dataset(source, results) for source in ALL[name].datasets}
+    return found.select(sources, settings)
 
 
 def picture(name: str, data: xr.Dataset) -> Figure:
     """Figure drawn from its data; call it, and save the figure, within `paper_style`."""
-    module = figure_module(name)
-    figure = Figure(figsize=module.SIZE)
-    module.draw(figure, data)
+    found = drawing(name)
+    figure = Figure(figsize=ALL[name].size)
+    found.draw(figure, data)
     return figure
-
-
-def render_scene(file: SceneFile, push: PushEntry, path: PathLike) -> None:
-    """Draw a scene file under a push, and save it as svg, pdf or png by the end of its name."""
-    # Imported by name: the figures of the paper do not depend on how a scene's dataset is built.
-    scenes = importlib.import_module("planar_pushing.study.datasets.scenes")
-    scene = importlib.import_module("planar_pushing.figures.scene")
-    with paper_style():
-        figure = Figure(figsize=SCENE_SIZE)
-        scene.draw_scene(figure, scenes.scene_dataset(file, push))
-        save(figure, path)
 
 
 def save(figure: Figure, path: PathLike) -> None:
@@ -97,6 +82,24 @@ def save(figure: Figure, path: PathLike) -> None:
         raise InvalidValue("output", str(path), f"a name ending in {allowed}", "rename the file")
     with replacing(path) as temporary:
         figure.savefig(temporary, format=kind, **SAVING[kind])
+
+
+def draw_to_files(
+    draw: Draw, size: tuple[float, float], data: xr.Dataset, paths: Iterable[PathLike]
+) -> None:
+    """Draw a picture of a size in inches, and save it under each name; errors as in `save`."""
+    with paper_style():
+        figure = Figure(figsize=size)
+        draw(figure, data)
+        for path in paths:
+            save(figure, path)
+
+
+def render_file(name: str, data: PathLike, paths: Iterable[PathLike]) -> None:
+    """Draw a figure of one dataset from its file, and save it under each name."""
+    (source,) = ALL[name].datasets
+    found = read_dataset(data, source.partition("/")[2] or None)
+    draw_to_files(drawing(name).draw, ALL[name].size, found, paths)
 
 
 def render(
@@ -123,7 +126,4 @@ def render(
         Files to write. The picture is drawn from what `data` holds once it is written.
     """
     write_dataset(select(name, results, settings), data)
-    with paper_style():
-        figure = picture(name, read_dataset(data))
-        for path in (svg, pdf, png):
-            save(figure, path)
+    draw_to_files(drawing(name).draw, ALL[name].size, read_dataset(data), (svg, pdf, png))

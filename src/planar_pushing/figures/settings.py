@@ -1,8 +1,14 @@
-"""What a figure takes from the study."""
+"""What a figure is made from: datasets, and values that the study chooses."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Protocol
+
+import xarray as xr
+
+#: Datasets by the names in the figure's entry.
+Sources = Mapping[str, xr.Dataset]
 
 
 class Settings(Protocol):

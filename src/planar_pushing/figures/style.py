@@ -8,10 +8,6 @@ from pathlib import Path
 
 import matplotlib.style
 
-#: Widths of a journal's column and page, inches.
-COLUMN_WIDTH = 3.4
-PAGE_WIDTH = 7.0
-
 # From Okabe and Ito's palette, told apart with every kind of colour vision.
 GREEN = "#009E73"
 BLUE = "#0072B2"
@@ -29,7 +25,6 @@ CENTER = "#A0417B"  # a darker purple of the palette's hue: it also colours text
 SLIDER = DARK
 FENCE = DARK
 GUIDE = GREY
-KIND_COLORS = {"force": FORCE, "motion": MOTION, "center": CENTER}
 
 #: zorder of arrows: above cones, ring and rod.
 ABOVE = 5.0

@@ -2,54 +2,141 @@
 
 from __future__ import annotations
 
-import numpy as np
+from enum import StrEnum
+from math import asin, copysign, inf, pi
+from typing import Any
+
 import numpy.typing as npt
 
-from planar_pushing.mechanics.angles import AngleInterval
-from planar_pushing.mechanics.cones import friction_cone, spin_ratio
-from planar_pushing.mechanics.errors import InvalidValue
-from planar_pushing.mechanics.planar import (
-    Array,
+from planar_pushing.mechanics.angles import interval
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.cones import (
+    ANGLE,
+    FIRST,
+    LENGTH,
+    SECOND,
+    effect_columns,
+    require_share,
+    rod_columns,
+)
+from planar_pushing.mechanics.effects.base import made
+from planar_pushing.mechanics.numerics.arrays import Output, elementwise, mapped
+from planar_pushing.mechanics.plane import (
     contact_motion_angle,
     moment_arm,
     motion_center,
+    rod,
+    toward,
 )
+from planar_pushing.mechanics.reduced.isotropic import signed_spin_ratio
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import Number, required, required_ratio
+
+#: Column behind those of `cones`: the rod's length from the origin of the centres.
+REACH = SECOND + 1
+
+
+class Origin(StrEnum):
+    """The point to which positions are relative."""
+
+    CONTACT = "contact"
+    RING_CENTER = "ring-center"
+
+
+CENTER = (Output("center", (("xy", 2),)),)
+CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
+
+
+@compiled
+def _centers(kinds, rows, centers):
+    for i in range(len(rows)):
+        row = rows[i]
+        own = rod(row[LENGTH], row[ANGLE])
+        force = toward(own, row[FIRST])
+        ratio = signed_spin_ratio(made(kinds, row), own, force)
+        x, y = motion_center(rod(row[REACH], row[ANGLE]), force.angle, ratio)
+        centers[i, 0], centers[i, 1] = row[SECOND] * x, row[SECOND] * y
 
 
 def motion_centers(
-    scene: Scene, force_angle: npt.ArrayLike, inertia_share: npt.ArrayLike | None = None
-) -> Array:
-    """Motion centres relative to the contact, shape S + (2,), in the unit of the slider's lengths.
+    scene: Scene,
+    force_angle: npt.ArrayLike,
+    inertia_share: npt.ArrayLike | None = None,
+    origin: Origin = Origin.CONTACT,
+) -> Number:
+    """Motion centres, shape S + (2,), in the unit of the slider's lengths.
 
-    Parameters and errors are those of `spin_ratio`; a translation has its centre at infinity. For
-    inertia alone the centres lie on one line, the dual of the contact (Fig. 9).
+    Parameters and errors are those of `spin_ratio`, and `origin`, to which the centres are relative; a
+    translation has its centre at infinity. For inertia alone the centres lie on one line, the dual of
+    the contact (Fig. 9).
     """
-    slider = scene.slider
-    k = spin_ratio(scene, force_angle, inertia_share)
-    return motion_center(force_angle, k, slider.rod_length, slider.rod_angle, slider.radius)
+    angle = required("force_angle", force_angle)
+    shares = effect_columns(scene, require_share(scene, inertia_share))
+    reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
+    return elementwise(
+        lambda *given: mapped(_centers, scene.kinds, given, CENTER),
+        [*shares, *rod_columns(scene), angle, scene.slider.radius, reach],
+        CENTER,
+    )[0]
 
 
-def conservative_spin_ratios(moment_arm: npt.ArrayLike) -> tuple[Array, Array]:
+@compiled
+def conservative_spin_ratios(arm):
     """Ends of the spin ratios that the paper's seven cases allow, for a moment arm in units of R.
 
     A line of force outside the ring puts the centre inside it (1 .. inf), a tangent line on it, a line
     through the ring outside it (0 .. 1), and a line through the ring centre at infinity (0);
     the centre lies opposite, so the cases mirror for negative arms.
     """
-    arm = np.asarray(moment_arm, dtype=float)
-    size = np.abs(arm)
-    near = np.where(size >= 1, 1.0, 0.0)
-    far = np.where(size > 1, np.inf, np.where(size == 0, 0.0, 1.0))
-    return np.copysign(near, arm), np.copysign(far, arm)
+    size = abs(arm)
+    near = 1.0 if size >= 1.0 else 0.0
+    far = inf if size > 1.0 else 0.0 if size == 0.0 else 1.0
+    return copysign(near, arm), copysign(far, arm)
 
 
-def conservative_motion_cone(scene: Scene) -> AngleInterval:
+@compiled
+def _widened(own, force, ratio, right, left):
+    angle = contact_motion_angle(own, force, ratio)
+    return min(right, angle), max(left, angle)
+
+
+@compiled
+def _conservative(own, low, high):
+    """Bounds of the motion angle over the lines of force from `low` to `high`.
+
+    At a fixed spin ratio the motion angle increases with the force angle, so a bound is attained on an
+    edge of the friction cone or where the line of force touches the ring. On such a tangent the cases on
+    both sides meet: the spin ratio takes every value from 0 to infinity.
+    """
+    right, left = inf, -inf
+    for edge in (low, high):
+        force = toward(own, edge)
+        for ratio in conservative_spin_ratios(moment_arm(own, force)):
+            right, left = _widened(own, force, ratio, right, left)
+    if own.length <= 1.0:
+        return right, left
+    lean = asin(1.0 / own.length)
+    for first in (lean, -lean, pi - lean, lean - pi):
+        for turn in (-2.0 * pi, 0.0, 2.0 * pi):
+            tangent = own.angle - (first + turn)
+            if low < tangent < high:
+                force = toward(own, tangent)
+                for size in (0.0, 1.0, inf):
+                    ratio = copysign(size, force.aside)
+                    right, left = _widened(own, force, ratio, right, left)
+    return right, left
+
+
+@compiled
+def _conservative_cones(kinds, rows, right, left):
+    for i in range(len(rows)):
+        row = rows[i]
+        own = rod(row[LENGTH], row[ANGLE])
+        right[i], left[i] = _conservative(own, row[FIRST], row[SECOND])
+
+
+def conservative_motion_cone(scene: Scene) -> Any:
     """The paper's bound on the contact's motion with both effects, radians (Fig. 12).
-
-    At a fixed spin ratio the motion angle increases with the force angle, so the bound is attained
-    on an edge of the friction cone or where the line of force touches the ring. On such a tangent
-    the cases on both sides meet: the spin ratio takes every value from 0 to infinity.
 
     Raises
     ------
@@ -57,23 +144,12 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
         Where an effect does not turn the slider about a point of the ring under a tangent force, as
         facts 5-7 of Sec. 4 presume: with inertia the radius of gyration must be the ring's radius.
     """
-    for effect in scene.scaled_effects:
-        if not np.isclose(effect.spin_ratio(1.0), 1.0, rtol=1e-12, atol=0.0):
-            raise InvalidValue(
-                "effects", effect, "inertia with the gyration radius of the ring",
-                "use motion_cone, which is exact",
-            )  # fmt: skip
-    rod = scene.slider.length_ratio, scene.slider.rod_angle
-    cone = friction_cone(scene)
-    edges = np.array([cone.right, cone.left])
-    ends = np.stack(conservative_spin_ratios(moment_arm(*rod, edges)))
-    motions = contact_motion_angle(edges, ends, *rod).ravel()
-    if rod[0] > 1:
-        lean = np.arcsin(1 / rod[0])
-        leans = np.add.outer(
-            [lean, -lean, np.pi - lean, lean - np.pi], 2 * np.pi * np.arange(-1, 2)
-        )
-        tangents = rod[1] - leans[(rod[1] - leans > cone.right) & (rod[1] - leans < cone.left)]
-        sides = np.sign(moment_arm(*rod, tangents)) * np.array([[0.0], [1.0], [np.inf]])
-        motions = np.append(motions, contact_motion_angle(tangents, sides, *rod))
-    return AngleInterval(float(motions.min()), float(motions.max()), closed=False)
+    if scene.stores_energy:
+        required_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
+    law = scene.law
+    right, left = elementwise(
+        lambda *given: mapped(_conservative_cones, scene.kinds, given, CONE),
+        [*effect_columns(scene), *rod_columns(scene), law.right, law.left],
+        CONE,
+    )
+    return interval(right, left, closed=False)

@@ -2,109 +2,185 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics import response
-from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval
-from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.planar import Array, contact_motion_angle, moment_arm
+from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.effects.base import COLUMNS, made
+from planar_pushing.mechanics.numerics.arrays import Output, elementwise, mapped, named
+from planar_pushing.mechanics.plane import rod, toward
+from planar_pushing.mechanics.reduced import base, isotropic
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import Number, required
+from planar_pushing.terms.errors import InvalidValue
+
+#: Columns of a row behind those of the effects.
+LENGTH, ANGLE, FIRST, SECOND = range(COLUMNS, COLUMNS + 4)
 
 
-def friction_cone(scene: Scene) -> AngleInterval:
-    """Force angles that the scene's contact can transmit, radians."""
-    return scene.contact.force_angles
+def friction_cone(scene: Scene) -> Any:
+    """Force angles that the scene's contact can transmit, radians.
+
+    Returns
+    -------
+    AngleInterval, or xarray.Dataset
+        A dataset with the variables `right`, `left` and `closed` where an argument is a DataArray.
+    """
+    law = scene.law
+    return interval(law.right, law.left, law.closed)
+
+
+def effect_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
+    """Columns of `made` at unit centre speed: the effects' shares of the force in a translation."""
+    if len(scene.kinds) == 1:
+        return [1.0, 1.0, scene.inertia[1]]
+    return [1.0 - inertia_share, inertia_share, scene.inertia[1]]
+
+
+def rod_columns(scene: Scene) -> list[Number]:
+    """Length and angle of the rod."""
+    return [scene.slider.length_ratio, scene.slider.rod_angle]
+
+
+def require_share(scene: Scene, inertia_share: Number | None) -> Number:
+    """The share of inertia where the effects leave it open."""
+    if len(scene.kinds) == 1:
+        if inertia_share is not None:
+            raise InvalidValue(
+                "inertia_share", inertia_share, "None for a scene whose effects are of one kind",
+                "leave the argument out",
+            )  # fmt: skip
+        return 0.5
+    if inertia_share is None:
+        raise InvalidValue(
+            "inertia_share", inertia_share, "numbers in [0, 1] for a scene with friction and inertia",
+            "give s / (1 + s) with s = m a / W; motion_cone and solve need none",
+        )  # fmt: skip
+    return required("inertia_share", inertia_share)
+
+
+@compiled
+def _spin_ratios(kinds, rows, ratios):
+    for i in range(len(rows)):
+        row = rows[i]
+        own = rod(row[LENGTH], row[ANGLE])
+        force = toward(own, row[FIRST])
+        ratios[i] = isotropic.signed_spin_ratio(made(kinds, row), own, force)
+
+
+@compiled
+def _motion_angles(kinds, rows, angles):
+    for i in range(len(rows)):
+        row = rows[i]
+        own = rod(row[LENGTH], row[ANGLE])
+        angles[i] = base.motion_angle(made(kinds, row), own, toward(own, row[FIRST]))
+
+
+def _under_forces(
+    kernel: Callable[..., None], name: str, scene: Scene, force_angle: Number, share: Number | None
+) -> Number:
+    """What a kernel gives for each force angle."""
+    columns = effect_columns(scene, require_share(scene, share))
+    outputs = [Output(name)]
+    return elementwise(
+        lambda *given: mapped(kernel, scene.kinds, given, outputs),
+        [*columns, *rod_columns(scene), required("force_angle", force_angle)],
+        outputs,
+    )[0]
 
 
 def spin_ratio(
     scene: Scene, force_angle: npt.ArrayLike, inertia_share: npt.ArrayLike | None = None
-) -> Array:
+) -> Number:
     """Spin ratio k = R omega / v for each force angle.
 
     Parameters
     ----------
     scene : Scene
-    force_angle : array_like
+    force_angle : float or array
         phi, radians.
-    inertia_share : array_like, optional
+    inertia_share : float or array, optional
         s / (1 + s) in [0, 1] with s = m a / W, required where the scene has friction and inertia and
         refused otherwise; broadcast against `force_angle`.
+
+    Returns
+    -------
+    float, ndarray or DataArray
+        As the arguments are.
 
     Raises
     ------
     InvalidValue
-        Where `inertia_share` is missing, superfluous or out of range.
+        Where `inertia_share` is missing, superfluous or out of range, or an angle is not finite.
 
     Notes
     -----
     Solves Eq. (7) for friction and Eq. (10) for inertia, with both
     ``h / R = (t(k) + s (rho/R)^2 k) / (f(k) + s)``.
     """
-    arm = moment_arm(scene.slider.length_ratio, scene.slider.rod_angle, force_angle)
-    return response.spin_ratio(scene.scaled_effects, arm, inertia_share)
+    return _under_forces(_spin_ratios, "spin_ratio", scene, force_angle, inertia_share)
 
 
 def motion_angle(
     scene: Scene, force_angle: npt.ArrayLike, inertia_share: npt.ArrayLike | None = None
-) -> Array:
+) -> Number:
     """Angle of the contact's motion for each force angle, radians, unwrapped and increasing.
 
     Parameters, errors and equations are those of `spin_ratio`.
     """
-    k = spin_ratio(scene, force_angle, inertia_share)
-    return contact_motion_angle(force_angle, k, scene.slider.length_ratio, scene.slider.rod_angle)
+    return _under_forces(_motion_angles, "motion_angle", scene, force_angle, inertia_share)
 
 
-def edge_motions(scene: Scene, edges: npt.ArrayLike) -> Array:
-    """Motion angles of force angles of shape S under each kind of effect alone, shape (kinds,) + S."""
-    rod = scene.slider.length_ratio, scene.slider.rod_angle
-    kinds = [response.of_degree(scene.scaled_effects, degree) for degree in (1, 2)]
-    arm = moment_arm(*rod, edges)
-    ratios = [response.spin_ratio(kind, arm, None) for kind in kinds if kind]
-    return np.stack([contact_motion_angle(edges, ratio, *rod) for ratio in ratios])
+@compiled
+def _motion_cones(kinds, rows, right, left, reached):
+    for i in range(len(rows)):
+        row = rows[i]
+        effects, own = made(kinds, row), rod(row[LENGTH], row[ANGLE])
+        low, low_other = base.motion_angles(effects, own, toward(own, row[FIRST]))
+        high_other, high = base.motion_angles(effects, own, toward(own, row[SECOND]))
+        # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
+        right[i], left[i] = min(low, high), high
+        reached[i] = low_other - low <= RESOLUTION and high - high_other <= RESOLUTION
 
 
-def motion_cones(scene: Scene, laws: Sequence[ContactLaw]) -> list[AngleInterval]:
-    """Motion cones of the scene's slider and effects under other contact laws, as `motion_cone`."""
-    force_angles = [law.force_angles for law in laws]
-    angles = edge_motions(scene, [[cone.right, cone.left] for cone in force_angles])
-    reached = np.ptp(angles, axis=0).max(axis=-1) <= RESOLUTION
-    left = angles[..., 1].max(axis=0)
-    # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
-    right = np.minimum(angles[..., 0].min(axis=0), left)
-    cones = zip(right.tolist(), left.tolist(), reached.tolist(), force_angles, strict=True)
-    return [AngleInterval(a, b, force.closed and met) for a, b, met, force in cones]
-
-
-def motion_cone(scene: Scene) -> AngleInterval:
+def motion_cone(scene: Scene) -> Any:
     """Motion cone: directions in which the contact can move without slip, radians.
 
     It is the velocity cone of a scene with friction, the acceleration cone of one with inertia,
     and with both the exact union over all magnitudes of the motion. The map from force angle to motion
     angle increases, so the edges are those of the friction cone. With both effects an edge at
-    which they differ is approached and never reached: the cone is open.
+    which they differ is approached and never reached: the cone is open. What is returned is as for
+    `friction_cone`.
     """
-    return motion_cones(scene, [scene.contact])[0]
+    law = scene.law
+    outputs = [Output("motion_cone_right"), Output("motion_cone_left"), Output("closed", (), "?")]
+    right, left, reached = elementwise(
+        lambda *given: mapped(_motion_cones, scene.kinds, given, outputs),
+        [*effect_columns(scene), *rod_columns(scene), law.right, law.left],
+        outputs,
+    )
+    return interval(right, left, law.closed & reached)
 
 
-def leaves_the_fence(cone: AngleInterval) -> bool:
+def leaves_the_fence(cone: AngleInterval) -> Any:
     """Whether a motion cone holds motions away from the slider (Sec. 3.1)."""
-    return cone.right < -RESOLUTION or cone.left > np.pi + RESOLUTION
+    return (cone.right < -RESOLUTION) | (cone.left > np.pi + RESOLUTION)
 
 
-def can_pull(scene: Scene) -> bool:
+def can_pull(scene: Scene) -> Any:
     """Whether the contact can stick while the pusher moves away from the slider (Sec. 3.1)."""
-    return leaves_the_fence(motion_cone(scene))
+    return named("pulls", leaves_the_fence(motion_cone(scene)))
 
 
-def omits_pushes(cone: AngleInterval) -> bool:
+def omits_pushes(cone: AngleInterval) -> Any:
     """Whether a motion cone leaves out motions into the slider (Sec. 3.2)."""
-    return cone.right > RESOLUTION or cone.left < np.pi - RESOLUTION
+    return (cone.right > RESOLUTION) | (cone.left < np.pi - RESOLUTION)
 
 
-def slips_while_pushing(scene: Scene) -> bool:
+def slips_while_pushing(scene: Scene) -> Any:
     """Whether some pusher motion into the slider makes the contact slip (Sec. 3.2)."""
-    return scene.contact.slips and omits_pushes(motion_cone(scene))
+    return named("slips_while_pushing", scene.law.slips & omits_pushes(motion_cone(scene)))

@@ -9,13 +9,32 @@ motion is then normal to the curve at the force.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics import response
-from planar_pushing.mechanics.planar import Array, contact_motion_angle, direction, moment_arm
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.cones import ANGLE, FIRST, LENGTH, rod_columns
+from planar_pushing.mechanics.effects.base import made
+from planar_pushing.mechanics.numerics.arrays import (
+    Output,
+    dataset,
+    elementwise,
+    is_labelled,
+    mapped,
+)
+from planar_pushing.mechanics.plane import Array, direction, rod, toward
+from planar_pushing.mechanics.reduced.base import limit_motion
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import Number, required
+
+OUTPUTS = (
+    Output("force_angle"),
+    Output("force_size"),
+    Output("spin_ratio"),
+    Output("motion_angle"),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,25 +43,25 @@ class LimitCurve:
 
     Attributes
     ----------
-    force_angle : ndarray
+    force_angle : float or ndarray
         phi, radians.
-    magnitude : ndarray
+    magnitude : float or ndarray
         |f|, in the unit of the weight or, without friction, of mass times a unit motion.
-    spin_ratio : ndarray
+    spin_ratio : float or ndarray
         k = R omega / v.
-    motion_angle : ndarray
+    motion_angle : float or ndarray
         Angle of the contact's motion, radians: the curve's outward normal.
     """
 
-    force_angle: Array
-    magnitude: Array
-    spin_ratio: Array
-    motion_angle: Array
+    force_angle: Number
+    magnitude: Number
+    spin_ratio: Number
+    motion_angle: Number
 
     @property
     def force(self) -> Array:
         """Forces, shape S + (2,)."""
-        return self.magnitude[..., None] * direction(self.force_angle)
+        return np.asarray(np.asarray(self.magnitude)[..., None] * direction(self.force_angle))
 
     @property
     def contact_motion(self) -> Array:
@@ -50,56 +69,41 @@ class LimitCurve:
         return direction(self.motion_angle)
 
 
-def _speed(resisting: response.Resistance, spin_ratio: Array) -> Array:
-    """Centre speed at which the potential of degree 2 is that of a unit translation."""
-    inertial = [effect for kind in resisting.kinds for effect in response.of_degree(kind, 2)]
-    unit = np.stack(np.broadcast_arrays(1.0, 0.0, spin_ratio), axis=-1)
-    energy = sum(effect.potential(unit) for effect in inertial)
-    rest = sum(effect.potential(np.array([1.0, 0.0, 0.0])) for effect in inertial)
-    return np.sqrt(np.divide(rest, energy)) if inertial else np.ones(np.shape(spin_ratio))
+@compiled
+def _curve(kinds, rows, angles, magnitudes, ratios, motions):
+    for i in range(len(rows)):
+        row = rows[i]
+        own = rod(row[LENGTH], row[ANGLE])
+        force = toward(own, row[FIRST])
+        angles[i] = force.angle
+        magnitudes[i], ratios[i], motions[i] = limit_motion(made(kinds, row), own, force)
 
 
-def _curve_force(resisting: response.Resistance, spin_ratio: Array) -> tuple[Array, Array]:
-    """Force and torque on the curve at each spin ratio, in units of `resisting`."""
-    return resisting.profile(spin_ratio, _speed(resisting, spin_ratio))
+def _forces(scene: Scene) -> list[Number]:
+    """Force of each effect in a unit translation; 1 for one that is not there."""
+    mass, gyration = scene.inertia
+    return [scene.weight, mass, gyration]
 
 
-def _curve_spin_ratio(
-    effects: response.Effects, resisting: response.Resistance, arm: Array
-) -> Array:
-    if response.is_homogeneous(effects):
-        return response.spin_ratio(effects, arm, None)
-
-    def excess(k: Array, h: Array) -> Array:
-        force, torque = _curve_force(resisting, k)
-        return torque - h * force
-
-    size = np.abs(arm)
-    ends = np.stack([response.spin_ratio(kind, size, None) for kind in resisting.kinds])
-    return np.copysign(response.root(excess, ends.min(axis=0), ends.max(axis=0), (size,)), arm)
-
-
-def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> LimitCurve:
+def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     """Limit curve of a scene at the given force angles (Eqs. 2-7; the ellipse of Sec. 4).
 
     Parameters
     ----------
     scene : Scene
-    force_angle : array_like, shape S
+    force_angle : float or array, shape S
         phi, radians.
 
     Returns
     -------
-    LimitCurve
+    LimitCurve, or xarray.Dataset
+        A dataset where an argument is a DataArray.
     """
-    phi = np.asarray(force_angle, dtype=float)
-    rod = scene.slider.length_ratio, scene.slider.rod_angle
-    resisting = response.resistance(scene.scaled_effects)
-    k = _curve_spin_ratio(scene.scaled_effects, resisting, moment_arm(*rod, phi))
-    magnitude, _ = _curve_force(resisting, k)
-    return LimitCurve(
-        force_angle=phi,
-        magnitude=np.asarray(resisting.force * magnitude),
-        spin_ratio=k,
-        motion_angle=contact_motion_angle(phi, k, *rod),
+    angle = required("force_angle", force_angle)
+    arguments = [*_forces(scene), *rod_columns(scene), angle]
+    found = elementwise(
+        lambda *given: mapped(_curve, scene.kinds, given, OUTPUTS), arguments, OUTPUTS
     )
+    if any(map(is_labelled, found)):
+        return dataset(found[1:])
+    return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))

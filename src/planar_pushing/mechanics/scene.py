@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
+from typing import Any
 
-from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.effects.base import IsotropicEffect
-from planar_pushing.mechanics.errors import InvalidValue, require_number, require_positive
-from planar_pushing.mechanics.planar import LONGEST
+import numpy as np
+
+from planar_pushing.mechanics.contact.laws import as_numbers, is_law
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
+from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.effects.support_friction import RingSupport
+from planar_pushing.terms.domain import Number, require_fields, required_ratio
+from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,45 +21,31 @@ class Slider:
 
     Parameters
     ----------
-    rod_length : float
-        l >= 0, from the contact to the ring centre.
-    rod_angle : float
+    rod_length : float or array
+        l >= 0, from the contact to the ring centre, at most a million radii.
+    rod_angle : float or array
         psi between the fence and the rod, radians, in (0, pi).
-    radius : float
+    radius : float or array
         R > 0; all lengths are in any one unit.
 
     Raises
     ------
     InvalidValue
-        Where a parameter is out of range, or the rod longer than `planar.LONGEST` radii.
+        Where a parameter is out of range.
     """
 
-    rod_length: float
-    rod_angle: float
-    radius: float = 1.0
+    rod_length: Number
+    rod_angle: Number
+    radius: Number = 1.0
 
     def __post_init__(self) -> None:
-        require_number(
-            "rod_length", self.rod_length, lambda x: 0 <= x < math.inf,
-            "a finite number >= 0", "give the distance from the contact to the ring centre",
-        )  # fmt: skip
-        require_number(
-            "rod_angle", self.rod_angle, lambda x: 0 < x < math.pi,
-            "radians in the open interval (0, pi)", "keep the slider above the fence",
-        )  # fmt: skip
-        require_positive(
-            "radius", self.radius, "give the ring's radius in the unit of the rod length"
-        )
-        require_number(
-            "rod_length", self.rod_length, lambda _: self.length_ratio <= LONGEST,
-            f"at most {LONGEST:g} times the radius",
-            "give the radius and the rod length in one unit",
-        )  # fmt: skip
+        require_fields(self, "rod_length", "rod_angle", "radius")
+        _ = self.length_ratio
 
     @property
-    def length_ratio(self) -> float:
+    def length_ratio(self) -> Number:
         """Rod length in units of the radius, l / R."""
-        return float(self.rod_length) / float(self.radius)
+        return required_ratio("length_ratio", self.rod_length / self.radius)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,7 +55,7 @@ class Scene:
     Parameters
     ----------
     slider : Slider
-    contact : ContactLaw
+    contact : ContactLaw, or array of laws
         `Coulomb`, `InfiniteFriction` or `PerfectlyRough`.
     effects : tuple of effects
         At least one of `RingFriction` and `Inertia`; an absent effect is never evaluated.
@@ -74,29 +64,76 @@ class Scene:
     ------
     InvalidValue
         Where no effect is listed, or something else than an effect or a law is given.
+
+    Notes
+    -----
+    Parameters of slider, law and effects may be arrays, which are broadcast: the scene is then an array
+    of scenes, and every function of the mechanics gives an array.
     """
 
     slider: Slider
-    contact: ContactLaw
-    effects: tuple[IsotropicEffect, ...]
+    contact: Any
+    effects: tuple[Effect, ...]
 
     def __post_init__(self) -> None:
-        if not isinstance(self.contact, ContactLaw) or isinstance(self.contact, type):
+        laws = [self.contact] if np.ndim(self.contact) == 0 else np.ravel(self.contact)
+        if not len(laws) or not all(map(is_law, laws)):
             raise InvalidValue(
                 "contact", self.contact, "Coulomb, InfiniteFriction or PerfectlyRough",
                 "construct one of these laws",
             )  # fmt: skip
         effects = tuple(self.effects) if isinstance(self.effects, (tuple, list)) else ()
-        known = all(hasattr(each, "degree") and not isinstance(each, type) for each in effects)
-        if not effects or not known:
+        if not effects or not all(isinstance(each, (RingFriction, Inertia)) for each in effects):
             raise InvalidValue(
                 "effects", self.effects, "a tuple of at least one of RingFriction and Inertia",
                 "list what resists the motion, for instance (RingFriction(),)",
             )  # fmt: skip
         object.__setattr__(self, "effects", effects)
-        _ = self.scaled_effects  # refuses an effect out of proportion to the slider
+        _ = self.inertia
 
     @property
-    def scaled_effects(self) -> tuple[IsotropicEffect, ...]:
-        """The effects in lengths scaled by the slider's radius."""
-        return tuple(effect.scaled(self.slider.radius) for effect in self.effects)  # type: ignore[misc]
+    def friction(self) -> list[RingFriction]:
+        """The effects that dissipate energy."""
+        return [each for each in self.effects if isinstance(each, RingFriction)]
+
+    @property
+    def masses(self) -> list[Inertia]:
+        """The effects that store energy."""
+        return [each for each in self.effects if isinstance(each, Inertia)]
+
+    @property
+    def stores_energy(self) -> bool:
+        """Whether an effect has inertia."""
+        return bool(self.masses)
+
+    @property
+    def kinds(self) -> tuple[Any, ...]:
+        """The effects in the compiled core, without their numbers: friction first."""
+        found: tuple[Any, ...] = (RingSupport(1.0),) if self.friction else ()
+        return (*found, Mass(1.0, 1.0)) if self.stores_energy else found
+
+    @property
+    def weight(self) -> Number:
+        """Force of friction in a translation; 1 without friction, which then nothing reads."""
+        return sum(each.weight for each in self.friction) if self.friction else 1.0
+
+    @property
+    def inertia(self) -> tuple[Number, Number]:
+        """Mass, and square of the radius of gyration in radii; of several inertias together."""
+        heavy = self.masses
+        if not heavy:
+            return 1.0, 1.0
+        mass = sum(each.mass for each in heavy)
+        ratios = [
+            required_ratio("gyration_ratio", each.gyration_radius / self.slider.radius) ** 2
+            for each in heavy
+        ]
+        if len(heavy) == 1:
+            return mass, ratios[0]
+        moment = sum(each.mass * ratio for each, ratio in zip(heavy, ratios, strict=True))
+        return mass, moment / mass
+
+    @property
+    def law(self) -> Any:
+        """The contact law in numbers."""
+        return as_numbers(self.contact)

@@ -1,18 +1,22 @@
-"""Every consistent solution of one pushing problem, and the outcome (Secs. 2-5)."""
+"""Every consistent solution of a pushing problem, and the outcome (Secs. 2-5)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.candidates import Candidates, candidates, contact_motion
 from planar_pushing.mechanics.contact import ContactMode, Outcome
-from planar_pushing.mechanics.errors import InvalidValue, require_number
-from planar_pushing.mechanics.planar import Array, direction, motion_center
+from planar_pushing.mechanics.numerics.arrays import dataset, elementwise, is_labelled
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.push import outputs, solve_arrays
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import Number
+from planar_pushing.terms.quantities import MECHANICS, attributes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,7 +27,7 @@ class Solution:
     ----------
     mode : ContactMode
     force : ndarray, shape (2,)
-        Force of the pusher on the slider; parts below the smallest double are 0, as in the motions.
+        Force of the pusher on the slider.
     contact_motion : ndarray, shape (2,)
         Velocity or initial acceleration of the slider at the contact.
     twist : ndarray, shape (3,)
@@ -49,7 +53,10 @@ class Solution:
 
 @dataclass(frozen=True, slots=True)
 class Solutions:
-    """All consistent solutions of one pushing problem, in the order of `ContactMode`."""
+    """All consistent solutions of one pushing problem, in the order of `ContactMode`.
+
+    Of several slips of one mode the slower comes first.
+    """
 
     solutions: tuple[Solution, ...]
 
@@ -68,60 +75,100 @@ class Solutions:
         return len(self.solutions)
 
 
-def _solution(scene: Scene, found: Candidates, branch: int, magnitude: float) -> Solution:
-    slider, twist = scene.slider, found.twist[branch]
-    ratio, angle = float(found.spin_ratio[branch]), float(found.force_angle[branch])
-    with np.errstate(over="ignore"):
-        force, motion = found.force_unit * found.force[branch], magnitude * twist
-        rates = motion / np.array([1.0, 1.0, slider.radius])
-    if not np.all(np.isfinite([*force, *rates])):
-        raise InvalidValue(
-            "pusher_magnitude", magnitude, "one whose force and motion are doubles",
-            "choose other units of motion, length, mass or force",
-        )  # fmt: skip
-    return Solution(
-        mode=found.mode,
-        force=force,
-        contact_motion=magnitude * contact_motion(scene, twist),
-        twist=rates,
-        spin_ratio=ratio,
-        center=motion_center(angle, ratio, slider.rod_length, slider.rod_angle, slider.radius),
-    )
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SolutionArrays:
+    """All consistent solutions of an array of pushing problems of shape S, padded along one axis.
+
+    Attributes
+    ----------
+    solutions : ndarray of int, shape S
+        How many there are.
+    mode : ndarray of int, shape S + (solutions,)
+        Values of `ContactMode`, in their order; -1 behind the last solution, where the rest is NaN.
+    force, contact_motion, center : ndarray, shape S + (solutions, 2)
+    twist : ndarray, shape S + (solutions, 3)
+    spin_ratio : ndarray, shape S + (solutions,)
+        As in `Solution`.
+    """
+
+    solutions: npt.NDArray[np.int8]
+    mode: npt.NDArray[np.int8]
+    force: Array
+    twist: Array
+    contact_motion: Array
+    spin_ratio: Array
+    center: Array
+
+    @property
+    def consistent(self) -> npt.NDArray[np.bool_]:
+        """Which places along the axis hold a solution, shape S + (solutions,)."""
+        return self.mode >= 0
+
+    @property
+    def outcome(self) -> npt.NDArray[np.int8]:
+        """Values of `Outcome`, shape S."""
+        return np.minimum(self.solutions, np.int8(Outcome.AMBIGUOUS))
 
 
-def solve(scene: Scene, pusher_angle: float, pusher_magnitude: float = 1.0) -> Solutions:
+def arguments(scene: Scene, pusher_angle: Number, pusher_magnitude: Number) -> list[Number]:
+    """The numbers of a scene and of a push, as `solve_arrays` takes them."""
+    slider = scene.slider
+    rod = [slider.rod_length, slider.rod_angle, slider.radius]
+    return [scene.weight, *scene.inertia, *rod, *scene.law, pusher_angle, pusher_magnitude]
+
+
+def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) -> Any:
     """Every solution of the pushing problem from rest that is consistent (Sec. 2).
 
     Parameters
     ----------
     scene : Scene
-    pusher_angle : float
+        Its parameters may be arrays.
+    pusher_angle : float or array
         Angle of the pusher's velocity or initial acceleration, radians.
-    pusher_magnitude : float
+    pusher_magnitude : float or array
         Its magnitude, >= 0. It matters to the modes only where the scene has friction and inertia.
 
     Returns
     -------
-    Solutions
+    Solutions, SolutionArrays or xarray.Dataset
+        For numbers, for arrays, and where an argument is a DataArray: with the variables of
+        `SolutionArrays`, units, `consistent` and `outcome`.
 
     Raises
     ------
     InvalidValue
-        Where the angle is not finite, the magnitude negative or not finite, or a force or a motion
-        of the solution beyond the doubles.
+        Where a value is out of its range; with friction and inertia also where m a / W is.
     """
-    angle = require_number(
-        "pusher_angle", pusher_angle, np.isfinite, "a finite number of radians", "give one angle"
-    )
-    magnitude = require_number(
-        "pusher_magnitude", pusher_magnitude, lambda x: 0 <= x < np.inf,
-        "a finite number >= 0", "turn the pusher around by its angle, not by a sign",
-    )  # fmt: skip
-    found = candidates(scene, direction(angle), magnitude)
+    kinds = scene.kinds
+    given = arguments(scene, pusher_angle, pusher_magnitude)
+    results = outputs(len(kinds))
+    if any(map(is_labelled, given)):
+        return _dataset(elementwise(lambda *each: solve_arrays(kinds, *each), given, results))
+    found = solve_arrays(kinds, *given)
+    named = {output.name: each for output, each in zip(results, found, strict=True)}
+    return SolutionArrays(**named) if found[0].ndim else _solutions(**named)
+
+
+def _solutions(solutions: Any, mode: Any, **values: Array) -> Solutions:
+    """The solutions of one problem."""
+    ratios = values.pop("spin_ratio").tolist()
     return Solutions(
         tuple(
-            _solution(scene, each, int(branch), magnitude)
-            for each in found
-            for branch in np.nonzero(each.consistent)[0]
+            Solution(
+                mode=ContactMode(mode[i]),
+                spin_ratio=ratios[i],
+                **{name: value[i] for name, value in values.items()},
+            )
+            for i in range(int(solutions))
         )
     )
+
+
+def _dataset(found: list[Any]) -> Any:
+    merged = dataset(found)
+    merged["consistent"] = merged.mode >= 0
+    merged["outcome"] = np.minimum(merged.solutions, Outcome.AMBIGUOUS).astype(np.int8)
+    for name in ("consistent", "outcome"):
+        merged[name].attrs = attributes(MECHANICS, name)
+    return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

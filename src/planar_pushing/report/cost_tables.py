@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
+from planar_pushing.evidence.writing import csv_text
 from planar_pushing.report.costs import FEW_ULP, ill, method, part, well
-from planar_pushing.report.results import Results
-from planar_pushing.report.writing import csv_text
+from planar_pushing.report.results import EFFECTS, FRICTION, INERTIA, Results
 
 #: The hard places by their number.
 PLACES = {
@@ -28,7 +28,6 @@ COMPUTED = {
     ("grid", "motion_cones"): "grid, cones",
     ("grid", "contact_modes"): "grid, pushes",
 }
-EFFECTS = ("support_friction", "inertia", "support_friction+inertia")
 
 
 def spin_ratio_text(value: float) -> str:
@@ -145,7 +144,7 @@ def evaluations_text(results: Results) -> str:
         row = {"computed": name}
         for effects in EFFECTS:
             (case,) = np.flatnonzero(here & (counts.effects.values == effects))
-            for effect in ("support_friction", "inertia"):
+            for effect in (FRICTION, INERTIA):
                 value = int(counts.evaluations.isel(case=case).sel(effect=effect))
                 row[f"{effects}: {effect}"] = str(value)
         rows.append(row)

@@ -9,8 +9,6 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.planar import Array
-
 EPS = float(np.finfo(float).eps)
 #: Errors of at most so many units in the last place count as none to speak of.
 FEW_ULP = 4
@@ -28,64 +26,34 @@ def method(data: xr.Dataset, name: str) -> xr.Dataset:
     return part(data, "point", data.method.values == name)
 
 
-def worst_error(name: str) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds a method's error at its best setting."""
-
-    def worst(wrench: xr.Dataset) -> float:
-        """Largest relative error over the spin ratios, at the method's best setting."""
-        return float(method(wrench, name).error.max("spin_ratio").min())
-
-    return worst
+def worst_error(wrench: xr.Dataset, name: str) -> float:
+    """Largest relative error over the spin ratios, at the method's best setting."""
+    return float(method(wrench, name).error.max("spin_ratio").min())
 
 
-def worst_error_in(unit: float, name: str) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds a method's error at its best setting in a unit of it."""
-
-    def worst(wrench: xr.Dataset) -> float:
-        """Largest relative error over the spin ratios in a unit of it, at the best setting."""
-        return worst_error(name)(wrench) / unit
-
-    return worst
+def worst_error_in(wrench: xr.Dataset, unit: float, name: str) -> float:
+    """Largest relative error over the spin ratios in a unit of it, at the best setting."""
+    return worst_error(wrench, name) / unit
 
 
-def last_error(name: str, spin_ratio: float) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds a method's error at one spin ratio and its last setting."""
-
-    def last(wrench: xr.Dataset) -> float:
-        """Relative error at one spin ratio, at the most accurate setting."""
-        return float(method(wrench, name).error.sel(spin_ratio=spin_ratio)[-1])
-
-    return last
+def last_error(wrench: xr.Dataset, name: str, spin_ratio: float) -> float:
+    """Relative error at one spin ratio, at the most accurate setting."""
+    return float(method(wrench, name).error.sel(spin_ratio=spin_ratio)[-1])
 
 
-def last_evaluations(name: str, spin_ratio: float) -> Callable[[xr.Dataset], float]:
-    """Make the function that counts a method's evaluations at one spin ratio and its last setting."""
-
-    def last(wrench: xr.Dataset) -> float:
-        """Evaluations at one spin ratio, at the most accurate setting."""
-        return float(method(wrench, name).evaluations.sel(spin_ratio=spin_ratio)[-1])
-
-    return last
+def last_evaluations(wrench: xr.Dataset, name: str, spin_ratio: float) -> float:
+    """Evaluations at one spin ratio, at the most accurate setting."""
+    return float(method(wrench, name).evaluations.sel(spin_ratio=spin_ratio)[-1])
 
 
-def cone_error(name: str) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds a method's error of cone edges."""
-
-    def error(cone: xr.Dataset) -> float:
-        """Largest error of a cone's edge, at the most accurate setting."""
-        return float(method(cone, name).cone_error[-1])
-
-    return error
+def cone_error(cone: xr.Dataset, name: str) -> float:
+    """Largest error of a cone's edge, at the most accurate setting."""
+    return float(method(cone, name).cone_error[-1])
 
 
-def cone_evaluations(name: str) -> Callable[[xr.Dataset], float]:
-    """Make the function that counts a method's evaluations for a cone edge."""
-
-    def evaluations(cone: xr.Dataset) -> float:
-        """Mean evaluations for a cone's edge, at the most accurate setting."""
-        return float(method(cone, name).evaluations[-1])
-
-    return evaluations
+def cone_evaluations(cone: xr.Dataset, name: str) -> float:
+    """Mean evaluations for a cone's edge, at the most accurate setting."""
+    return float(method(cone, name).evaluations[-1])
 
 
 def spin_ratios(wrench: xr.Dataset) -> float:
@@ -150,14 +118,9 @@ def ill_from(cases: xr.Dataset) -> float:
     return float(json.loads(cases.attrs["parameters"])["ill_conditioned_from"])
 
 
-def condition_of_ill(which: Callable[[Array], float]) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds an extreme condition number of the ill-conditioned cases."""
-
-    def condition(cases: xr.Dataset) -> float:
-        """Extreme condition number of the ill-conditioned cases."""
-        return float(which(ill(cases).condition.values))
-
-    return condition
+def condition_of_ill(cases: xr.Dataset, which: Callable[[npt.NDArray[np.float64]], float]) -> float:
+    """Extreme condition number of the ill-conditioned cases."""
+    return float(which(ill(cases).condition.values))
 
 
 def _single(counts: xr.Dataset) -> xr.Dataset:

@@ -2,32 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.report.results import BOTH, FRICTION
 
 ROD_ANGLE = 45.0
-BOTH = "support_friction+inertia"
 SLIPS = [ContactMode.SLIP_RIGHT.name, ContactMode.SLIP_LEFT.name]
 
 
-def ellipse_deviation(rod_length: float) -> Callable[[xr.Dataset], float]:
-    """Make the function that measures how far a limit curve is from an ellipse."""
-
-    def deviation(curves: xr.Dataset) -> float:
-        """Largest distance of the limit curve from the ellipse of the same axes, percent of it."""
-        force = curves.force.sel(
-            effects="support_friction", rod_length=rod_length, rod_angle=ROD_ANGLE
-        )
-        long, short = (force.sel(force_angle=ROD_ANGLE + turn).item() for turn in (0.0, 90.0))
-        angle = np.deg2rad(force.force_angle - ROD_ANGLE)
-        ellipse = long * short / np.hypot(short * np.cos(angle), long * np.sin(angle))
-        return 100 * float(abs(force / ellipse - 1).max())
-
-    return deviation
+def ellipse_deviation(curves: xr.Dataset, rod_length: float) -> float:
+    """Largest distance of the limit curve from the ellipse of the same axes, percent of it."""
+    force = curves.force.sel(effects=FRICTION, rod_length=rod_length, rod_angle=ROD_ANGLE)
+    long, short = (force.sel(force_angle=ROD_ANGLE + turn).item() for turn in (0.0, 90.0))
+    angle = np.deg2rad(force.force_angle - ROD_ANGLE)
+    ellipse = long * short / np.hypot(short * np.cos(angle), long * np.sin(angle))
+    return 100 * float(abs(force / ellipse - 1).max())
 
 
 def cone_span(cones: xr.Dataset) -> float:
@@ -38,15 +29,10 @@ def cone_span(cones: xr.Dataset) -> float:
     return float(spans[np.argmax(abs(spans - 180.0))])
 
 
-def least_pulling(effects: str, rod_length: float) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds how much friction pulling takes on the grid."""
-
-    def least(cones: xr.Dataset) -> float:
-        """Least coefficient of friction of the grid that pulls."""
-        pulls = cones.pulls.sel(effects=effects, rod_length=rod_length, rod_angle=ROD_ANGLE)
-        return float(pulls.friction_coefficient[pulls.values > 0].min())
-
-    return least
+def least_pulling(cones: xr.Dataset, effects: str, rod_length: float) -> float:
+    """Least coefficient of friction of the grid that pulls."""
+    pulls = cones.pulls.sel(effects=effects, rod_length=rod_length, rod_angle=ROD_ANGLE)
+    return float(pulls.friction_coefficient[pulls.values > 0].min())
 
 
 def slip_share(scene: xr.Dataset) -> float:
@@ -70,14 +56,9 @@ def pushes(modes: xr.Dataset) -> float:
     return float(modes.outcome.size)
 
 
-def outcomes(outcome: Outcome) -> Callable[[xr.Dataset], float]:
-    """Make the function that counts the pushes of one outcome."""
-
-    def count(modes: xr.Dataset) -> float:
-        """Number of pushes of one outcome."""
-        return float((modes.outcome == int(outcome)).sum())
-
-    return count
+def outcomes(modes: xr.Dataset, outcome: Outcome) -> float:
+    """Number of pushes of one outcome."""
+    return float((modes.outcome == int(outcome)).sum())
 
 
 def inconsistent_definition_2(modes: xr.Dataset) -> float:
@@ -108,7 +89,7 @@ def slipping_pulls(modes: xr.Dataset) -> float:
 def _without_solution(modes: xr.Dataset) -> xr.DataArray:
     """Directions of the pusher without solution: friction alone, rod of length 2, definition 2."""
     one = modes.outcome.sel(
-        effects="support_friction", contact="infinite_friction_none", rod_length=2.0
+        effects=FRICTION, contact="infinite_friction_none", rod_length=2.0
     ).isel(pusher_magnitude=0)
     angles: xr.DataArray = one.pusher_angle[one.values == int(Outcome.INCONSISTENT)]
     return angles
@@ -124,24 +105,14 @@ def last_without_solution(modes: xr.Dataset) -> float:
     return float(_without_solution(modes).max())
 
 
-def furthest_pull(contact: str, magnitude: float) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds how far away from the slider the fence can pull it."""
-
-    def furthest(modes: xr.Dataset) -> float:
-        """Least pusher angle of the grid at which the contact can stick, with both effects."""
-        one = modes.consistent.sel(effects=BOTH, contact=contact, rod_length=2.0)
-        one = one.sel(pusher_magnitude=magnitude, mode="STICK")
-        return float(one.pusher_angle[one.values > 0].min())
-
-    return furthest
+def furthest_pull(modes: xr.Dataset, contact: str, magnitude: float) -> float:
+    """Least pusher angle of the grid at which the contact can stick, with both effects."""
+    one = modes.consistent.sel(effects=BOTH, contact=contact, rod_length=2.0)
+    one = one.sel(pusher_magnitude=magnitude, mode="STICK")
+    return float(one.pusher_angle[one.values > 0].min())
 
 
-def conservative_excess(side: str) -> Callable[[xr.Dataset], float]:
-    """Make the function that measures how much the conservative cone adds on one side."""
-
-    def excess(centers: xr.Dataset) -> float:
-        """Angle that the conservative cone adds to the exact one, rod of length 5."""
-        one = centers.sel(rod_length=5.0)
-        return float(abs(one[f"conservative_cone_{side}"] - one[f"exact_cone_{side}"]))
-
-    return excess
+def conservative_excess(centers: xr.Dataset, side: str) -> float:
+    """Angle that the conservative cone adds to the exact one, rod of length 5."""
+    one = centers.sel(rod_length=5.0)
+    return float(abs(one[f"conservative_cone_{side}"] - one[f"exact_cone_{side}"]))

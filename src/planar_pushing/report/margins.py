@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.terms.errors import InvalidFile
 
-PathLike = str | os.PathLike[str]
 #: White that stays around a picture, points.
 KEPT = 2.0
 POINTS_PER_INCH = 72.0

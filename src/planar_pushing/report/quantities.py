@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidValue
 from planar_pushing.report.results import Results
+from planar_pushing.terms.errors import InvalidValue
 
 Read = Callable[[Results], float | str]
 NOWHERE: Mapping[str, float | str] = {}
@@ -88,22 +88,22 @@ def chosen(variable: xr.DataArray, at: Mapping[str, float | str]) -> xr.DataArra
 
 
 def computed(
-    dataset: str, compute: Callable[[xr.Dataset], float], *, digits: int = 0, unit: str = "1"
+    dataset: str, compute: Callable[..., float], *given: Any, digits: int = 0, unit: str = "1"
 ) -> Quantity:
-    """Computed from a dataset by a function whose docstring says what it is."""
+    """Computed from a dataset and what is given by a function whose docstring says what it is."""
 
     def read(results: Results) -> float:
-        return compute(results.dataset(dataset))
+        return compute(results.dataset(dataset), *given)
 
     what = (compute.__doc__ or "").partition("\n")[0].rstrip(".")
     return Quantity(read=read, digits=digits, unit=unit, source=f"{dataset}: {what}")
 
 
 def magnitude(
-    dataset: str, compute: Callable[[xr.Dataset], float], *, unit: str = "1", digits: int = 1
+    dataset: str, compute: Callable[..., float], *given: Any, unit: str = "1", digits: int = 1
 ) -> Quantity:
     """Like `computed`, with a power of ten and so many digits after the point of its factor."""
-    number = computed(dataset, compute, unit=unit)
+    number = computed(dataset, compute, *given, unit=unit)
 
     def read(results: Results) -> str:
         return f"{number.read(results):.{digits}e}"

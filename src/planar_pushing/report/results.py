@@ -6,13 +6,17 @@ import json
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.study.files.fields import EffectsName
 from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
+from planar_pushing.terms.errors import InvalidFile
 
+#: What resists the motion, as the datasets name it.
+EFFECTS: tuple[str, ...] = get_args(EffectsName)
+FRICTION, INERTIA, BOTH = EFFECTS
 #: Datasets on how this work computes; a group is named behind a slash.
 MEASURED = ("accuracy", "accuracy_errors", "effects", "evaluations", "hard_cases")
 
@@ -61,25 +65,20 @@ class Results:
         return _marks(self.golden)
 
     @property
-    def verdict(self) -> str:
-        """Text of the golden verdict.
+    def verdict(self) -> dict[str, Any]:
+        """Golden verdict: counts, and every comparison.
 
         Raises
         ------
         InvalidFile
-            Where the golden check has not been made.
+            Where the golden check has not been made, or its file is not JSON.
         """
-        return self._text("golden_verdict.txt")
+        return self._json("golden_verdict.json")
 
     @property
     def claims(self) -> dict[str, Any]:
-        """Counts and claims of the ledger; errors as in `verdict`, or where it is not JSON."""
-        try:
-            found: dict[str, Any] = json.loads(self._text("claims.json"))
-        except json.JSONDecodeError as error:
-            path = self._table("claims.json")
-            raise InvalidFile(f"{path}: is not JSON ({error}); build it anew") from None
-        return found
+        """Counts and claims of the ledger; errors as in `verdict`."""
+        return self._json("claims.json")
 
     def claim(self, name: str) -> dict[str, Any]:
         """One claim of the ledger.
@@ -98,9 +97,12 @@ class Results:
     def _table(self, name: str) -> Path:
         return self.folder / "tables" / name
 
-    def _text(self, name: str) -> str:
+    def _json(self, name: str) -> dict[str, Any]:
         path = self._table(name)
         try:
-            return path.read_text(encoding="utf-8")
+            found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
         except FileNotFoundError:
             raise InvalidFile(f"{path}: no such table; build it with make or snakemake") from None
+        except json.JSONDecodeError as error:
+            raise InvalidFile(f"{path}: is not JSON ({error}); build it anew") from None
+        return found

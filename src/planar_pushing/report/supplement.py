@@ -5,30 +5,26 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.evidence.writing import csv_text, json_text
 from planar_pushing.report import times
-from planar_pushing.report.cost_tables import COMPUTED, EFFECTS
+from planar_pushing.report.cost_tables import COMPUTED
 from planar_pushing.report.quantities import Numbers, computed, magnitude
-from planar_pushing.report.results import Results
-from planar_pushing.report.writing import csv_text, json_text
+from planar_pushing.report.results import EFFECTS, Results
+from planar_pushing.terms.errors import InvalidFile
 
 WRENCH, CONE, STUDY, MOTION = (f"accuracy/{each}" for each in ("wrench", "cone", "study", "motion"))
 MILLI = times.MILLI
 #: Settings that the prose names: a tolerance, and a number of steps.
 RUNS = {"event-driven": 1e-10, "time-stepping": 1000.0}
-#: What is asked of the scene of a figure.
-ASKED = {
-    "motion_cone": "motion cone",
-    "limit_curve": "limit curve",
-    "solve": "one push",
-}
+#: What is asked of the scene of a figure, as of one slider.
+ASKED = {name: asked for (scene, name), asked in COMPUTED.items() if scene == "one slider"}
 
 
 def _range(prefix: str, name: str, per: float = times.NANO, unit: str = "ns") -> Numbers:
     """Least and largest time of a method over the spin ratios."""
     ends = {"least": np.min, "most": np.max}
     return {
-        f"{prefix}-{end}": computed(WRENCH, times.wrench_time(name, which, per), unit=unit)
+        f"{prefix}-{end}": computed(WRENCH, times.wrench_time, name, which, per, unit=unit)
         for end, which in ends.items()
     }
 
@@ -38,27 +34,27 @@ NUMBERS: Numbers = {
     **_range("hypergeometric", "hyp2f1"),
     **_range("carlson", "Carlson"),
     **_range("quad", "quad", times.MICRO, "us"),
-    "cone-time": computed(CONE, times.cone_time("closed form"), digits=2, unit="us"),
-    "brentq-ratio": computed(CONE, times.cone_ratio("brentq on quad")),
-    "root-ratio": computed(CONE, times.cone_ratio("find_root")),
-    "table-ratio": computed(CONE, times.cone_ratio("linear table"), digits=2),
-    "quartic-ratio": computed(CONE, times.cone_ratio("convex quartic"), digits=2),
-    "least-points": computed(STUDY, times.points(0)),
-    "most-points": computed(STUDY, times.points(-1)),
-    "small-grid-time": computed(STUDY, times.point_time(0), unit="ns"),
-    "large-grid-time": computed(STUDY, times.point_time(-1), unit="ns"),
+    "cone-time": computed(CONE, times.cone_time, "closed form", digits=2, unit="us"),
+    "brentq-ratio": computed(CONE, times.cone_ratio, "brentq on quad"),
+    "root-ratio": computed(CONE, times.cone_ratio, "find_root"),
+    "table-ratio": computed(CONE, times.cone_ratio, "linear table", digits=2),
+    "quartic-ratio": computed(CONE, times.cone_ratio, "convex quartic", digits=2),
+    "least-points": computed(STUDY, times.points, 0),
+    "most-points": computed(STUDY, times.points, -1),
+    "small-grid-time": computed(STUDY, times.point_time, 0, unit="ns"),
+    "large-grid-time": computed(STUDY, times.point_time, -1, unit="ns"),
     "grid-memory": computed(STUDY, times.largest_memory, digits=1, unit="MB"),
     "half-way-error": magnitude(STUDY, times.half_way_error, unit="degree"),
     **{
-        f"{method}-time": computed(MOTION, times.run_time(method, setting), digits=1, unit="ms")
+        f"{method}-time": computed(MOTION, times.run_time, method, setting, digits=1, unit="ms")
         for method, setting in RUNS.items()
     },
     **{
-        f"{method}-error": magnitude(MOTION, times.run_error(method, setting), unit="degree")
+        f"{method}-error": magnitude(MOTION, times.run_error, method, setting, unit="degree")
         for method, setting in RUNS.items()
     },
-    "both-solve-ratio": computed("effects", times.both_ratio("solve"), digits=1),
-    "both-cone-ratio": computed("effects", times.both_ratio("motion_cone"), digits=1),
+    "both-solve-ratio": computed("effects", times.both_ratio, "solve", digits=1),
+    "both-cone-ratio": computed("effects", times.both_ratio, "motion_cone", digits=1),
 }
 
 

@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import platform
 from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
-from planar_pushing.figures.catalog import CAPTIONS, FIGURES, OURS, PROMISES, SECTIONS
-from planar_pushing.mechanics.errors import InvalidFile
+from planar_pushing.evidence.writing import csv_text, json_text
 from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.margins import margins
 from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
-from planar_pushing.report.results import Results
+from planar_pushing.report.results import FRICTION, INERTIA, Results
 from planar_pushing.report.verdict import verdict_rows
-from planar_pushing.report.writing import csv_text, json_text
+from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.terms.errors import InvalidFile
 
-PathLike = str | os.PathLike[str]
 #: Packages that the results and the report are made with.
 PACKAGES = (
     "planar-pushing",
@@ -54,15 +53,15 @@ def figures_text(results: Results) -> str:
 
     found: dict[str, dict[str, object]] = {
         name: {
-            "caption": CAPTIONS[name],
-            "promise": PROMISES[name],
-            "section": SECTIONS[name],
+            "caption": figure.caption,
+            "promise": figure.promise,
+            "section": figure.section,
             "margins": white(name),
         }
-        for name in FIGURES
+        for name, figure in FIGURES.items()
     }
-    for number, (name, caption) in enumerate(OURS.items(), len(FIGURES) + 1):
-        found[name] = {"caption": caption, "number": str(number), "margins": white(name)}
+    for number, (name, figure) in enumerate(OURS.items(), len(FIGURES) + 1):
+        found[name] = {"caption": figure.caption, "number": str(number), "margins": white(name)}
     return json_text(found)
 
 
@@ -74,8 +73,8 @@ def cones_text(results: Results) -> str:
     for length in centers.rod_length.values:
         one, bound = cones.sel(rod_length=length), centers.sel(rod_length=length)
         found = {
-            "friction": [one.sel(effects="support_friction")[_edge("motion", s)] for s in SIDES],
-            "inertia": [one.sel(effects="inertia")[_edge("motion", s)] for s in SIDES],
+            "friction": [one.sel(effects=FRICTION)[_edge("motion", s)] for s in SIDES],
+            "inertia": [one.sel(effects=INERTIA)[_edge("motion", s)] for s in SIDES],
             "both, exact": [bound[_edge("exact", s)] for s in SIDES],
             "both, bound of the paper": [bound[_edge("conservative", s)] for s in SIDES],
         }
@@ -105,7 +104,9 @@ def verdict_text(results: Results) -> str:
     """
     rows = verdict_rows(results)
     if not rows:
-        raise InvalidFile(f"{results.folder}/tables/golden_verdict.txt: compares nothing; build it")
+        raise InvalidFile(
+            f"{results.folder}/tables/golden_verdict.json: compares nothing; build it"
+        )
     return csv_text(rows)
 
 

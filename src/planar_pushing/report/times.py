@@ -6,9 +6,8 @@ import json
 from collections.abc import Callable
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
-
-from planar_pushing.mechanics.planar import Array
 
 NANO, MICRO, MILLI, MEGA = 1e9, 1e6, 1e3, 1e6
 
@@ -19,65 +18,37 @@ def machine(data: xr.Dataset) -> dict[str, str]:
     return found
 
 
-def _least(data: xr.Dataset, times: str, name: str) -> Array:
+def _least(data: xr.Dataset, times: str, name: str) -> npt.NDArray[np.float64]:
     """Least times of a method at its last setting, seconds."""
     return np.asarray(data[times][data.method.values == name][-1].min("repeat").values)
 
 
 def wrench_time(
-    name: str, which: Callable[[Array], float], per: float
-) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds an extreme over the spin ratios of a method's times.
-
-    Times are in the unit of which a second has `per`.
-    """
-
-    def time(wrench: xr.Dataset) -> float:
-        """Extreme over the spin ratios of the least time for a wrench, most accurate setting."""
-        return per * float(which(_least(wrench, "wrench_seconds", name)))
-
-    return time
+    wrench: xr.Dataset, name: str, which: Callable[[npt.NDArray[np.float64]], float], per: float
+) -> float:
+    """Extreme over the spin ratios of the least time for a wrench, most accurate setting."""
+    return per * float(which(_least(wrench, "wrench_seconds", name)))
 
 
-def cone_time(name: str) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds a method's time for a motion cone."""
-
-    def time(cone: xr.Dataset) -> float:
-        """Least time for both edges of a motion cone, most accurate setting, microseconds."""
-        return MICRO * float(_least(cone, "cone_seconds", name))
-
-    return time
+def cone_time(cone: xr.Dataset, name: str) -> float:
+    """Least time for both edges of a motion cone, most accurate setting, microseconds."""
+    return MICRO * float(_least(cone, "cone_seconds", name))
 
 
-def cone_ratio(name: str) -> Callable[[xr.Dataset], float]:
-    """Make the function that compares a method's time with that of the closed form."""
-
-    def ratio(cone: xr.Dataset) -> float:
-        """Least time for a motion cone in units of that of the closed form."""
-        return cone_time(name)(cone) / cone_time("closed form")(cone)
-
-    return ratio
+def cone_ratio(cone: xr.Dataset, name: str) -> float:
+    """Least time for a motion cone in units of that of the closed form."""
+    return cone_time(cone, name) / cone_time(cone, "closed form")
 
 
-def point_time(place: int) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds the time for a point of the grid of this place."""
-
-    def time(study: xr.Dataset) -> float:
-        """Least time for a point of the grid, nanoseconds."""
-        least = study.size_seconds[place].min("repeat") / study["size"][place]
-        return NANO * float(least)
-
-    return time
+def point_time(study: xr.Dataset, place: int) -> float:
+    """Least time for a point of the grid, nanoseconds."""
+    least = study.size_seconds[place].min("repeat") / study["size"][place]
+    return NANO * float(least)
 
 
-def points(place: int) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds the size of the grid of this place."""
-
-    def size(study: xr.Dataset) -> float:
-        """Points of the grid."""
-        return float(study["size"][place])
-
-    return size
+def points(study: xr.Dataset, place: int) -> float:
+    """Points of the grid."""
+    return float(study["size"][place])
 
 
 def largest_memory(study: xr.Dataset) -> float:
@@ -96,34 +67,19 @@ def _run(motion: xr.Dataset, method: str, setting: float) -> xr.Dataset:
     return motion.isel(point=int(np.flatnonzero(here)[0])).sel(scene="slipping")
 
 
-def run_time(method: str, setting: float) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds the time of an integrator."""
-
-    def time(motion: xr.Dataset) -> float:
-        """Least time for a run of the slipping scene, milliseconds."""
-        return MILLI * float(_run(motion, method, setting).motion_seconds.min())
-
-    return time
+def run_time(motion: xr.Dataset, method: str, setting: float) -> float:
+    """Least time for a run of the slipping scene, milliseconds."""
+    return MILLI * float(_run(motion, method, setting).motion_seconds.min())
 
 
-def run_error(method: str, setting: float) -> Callable[[xr.Dataset], float]:
-    """Make the function that finds the error of an integrator."""
-
-    def error(motion: xr.Dataset) -> float:
-        """Error of the last rod angle of the slipping scene, degrees."""
-        return float(_run(motion, method, setting).motion_error)
-
-    return error
+def run_error(motion: xr.Dataset, method: str, setting: float) -> float:
+    """Error of the last rod angle of the slipping scene, degrees."""
+    return float(_run(motion, method, setting).motion_error)
 
 
-def both_ratio(operation: str) -> Callable[[xr.Dataset], float]:
-    """Make the function that compares both effects with the two alone for one slider."""
-
-    def ratio(effects: xr.Dataset) -> float:
-        """Least time with both effects in units of the sum of the times with one, one slider."""
-        here = (effects.scene.values == "one slider") & (effects.operation.values == operation)
-        times = effects.time[np.flatnonzero(here)].min("repeat").values
-        both = np.char.count(effects.effects.values[here].astype(str), "+") > 0
-        return float(times[both].sum() / times[~both].sum())
-
-    return ratio
+def both_ratio(effects: xr.Dataset, operation: str) -> float:
+    """Least time with both effects in units of the sum of the times with one, one slider."""
+    here = (effects.scene.values == "one slider") & (effects.operation.values == operation)
+    times = effects.time[np.flatnonzero(here)].min("repeat").values
+    both = np.char.count(effects.effects.values[here].astype(str), "+") > 0
+    return float(times[both].sum() / times[~both].sum())

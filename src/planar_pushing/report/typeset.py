@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 
 import typst
 
-from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.replacing import replacing
-
-PathLike = str | os.PathLike[str]
+from planar_pushing.study.files.replacing import PathLike, replacing
+from planar_pushing.terms.errors import InvalidFile
 
 
 def compiled(source: PathLike, root: PathLike) -> bytes:

@@ -2,39 +2,39 @@
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
+from typing import Any
 
-from planar_pushing.mechanics.errors import InvalidFile
 from planar_pushing.report.quantities import Quantity
 from planar_pushing.report.results import Results
+from planar_pushing.terms.errors import InvalidFile
 
-HEAD = re.compile(r"(?P<word>\w+): (?P<values>\d+) values of (?P<variables>\d+) variables agree")
-LINE = re.compile(
-    r"ok +(?P<name>[\w.]+): \w+: (?P<count>\d+) agree; "
-    r"worst (?P<error>\S+) \((?P<ulp>\S+) ulp\), allowed (?P<allowed>\S+)"
-)
-SOURCE = "tables/golden_verdict.txt"
+#: One comparison of the verdict.
+Check = dict[str, Any]
+SOURCE = "tables/golden_verdict.json"
 
 
-def _head(results: Results, part: str) -> str:
-    found = HEAD.match(results.verdict)
-    if not found:
+def _passed(results: Results) -> dict[str, Any]:
+    found = results.verdict
+    if not found["passed"]:
         raise InvalidFile(f"{results.folder}/{SOURCE}: holds no verdict that passed; build it anew")
-    return found[part]
+    return found
 
 
 def verdict_word() -> Quantity:
     """Make the number that is no number: whether the check passed."""
     return Quantity(
-        read=lambda results: _head(results, "word"), digits=0, unit="1", source=f"{SOURCE}: verdict"
+        read=lambda results: "passed" if _passed(results) else "",
+        digits=0,
+        unit="1",
+        source=f"{SOURCE}: verdict",
     )
 
 
 def verdict_count(part: str) -> Quantity:
     """Make the number of values or of variables that were compared."""
     return Quantity(
-        read=lambda results: float(_head(results, part)),
+        read=lambda results: float(_passed(results)[part]),
         digits=0,
         unit="1",
         source=f"{SOURCE}: {part} that agree",
@@ -63,27 +63,26 @@ def verdict_rows(results: Results) -> list[dict[str, str]]:
 
     Scenes are counted as one, and so are figures.
     """
-    groups: dict[str, list[re.Match[str]]] = defaultdict(list)
-    for line in LINE.finditer(results.verdict):
-        groups[_group(line["name"])].append(line)
+    groups: dict[str, list[Check]] = defaultdict(list)
+    for check in _passed(results)["checks"]:
+        groups[_group(check["file"])].append(check)
     return [_row(name, groups[name]) for name in sorted(groups)]
 
 
-def _group(name: str) -> str:
-    return "figures" if name.startswith("figure_") else name.partition(".")[0]
+def _group(file: str) -> str:
+    return "figures" if file.startswith("figure_") else file.partition(".")[0]
 
 
-def _row(name: str, lines: list[re.Match[str]]) -> dict[str, str]:
-    used = max(lines, key=_used)
+def _row(name: str, checks: list[Check]) -> dict[str, str]:
+    used = max(checks, key=_used)
     return {
         "compared": name.replace("_", " "),
-        "variables": str(len(lines)),
-        "values": str(sum(int(line["count"]) for line in lines)),
-        "worst difference": used["error"],
-        "allowed there": used["allowed"],
+        "variables": str(len(checks)),
+        "values": str(sum(check["count"] for check in checks)),
+        "worst difference": f"{used['error']:.2g}",
+        "allowed there": f"{used['allowed']:.2g}",
     }
 
 
-def _used(line: re.Match[str]) -> float:
-    allowed = float(line["allowed"])
-    return float(line["error"]) / allowed if allowed else 0.0
+def _used(check: Check) -> float:
+    return float(check["error"] / check["allowed"]) if check["allowed"] else 0.0

@@ -1,4 +1,4 @@
-"""`simulate_batch`: the quasi-static motion of many scenes at once, from arrays of parameters."""
+"""`simulate_batch`: the motion of many scenes at once, from arrays of parameters."""
 
 from __future__ import annotations
 
@@ -9,74 +9,55 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.effects import RingFriction
-from planar_pushing.mechanics.effects.base import IsotropicEffect
-from planar_pushing.mechanics.errors import InvalidValue, require_number, require_positive
-from planar_pushing.mechanics.planar import Array
-from planar_pushing.simulation.batch_parameters import (
-    require_friction,
-    sample_parts,
-    scene_parameters,
-)
-from planar_pushing.simulation.course import NO_MODE, PREFERENCES, Course
-from planar_pushing.simulation.lanes import Lanes
-from planar_pushing.simulation.log import MODES
+from planar_pushing.mechanics.effects import Effect, RingFriction
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.simulation.blocks import run_scenes
+from planar_pushing.simulation.log.variables import MODES
+from planar_pushing.simulation.parameters import Scenes, parts_of, scenes_of
+from planar_pushing.simulation.problem import policy, tolerance
+from planar_pushing.simulation.rows import Stop, in_units
+from planar_pushing.terms import quantities
+from planar_pushing.terms.options import Policy
 
-#: A rod this short, in radii, turns the slider by less than the smallest double.
-VANISHING = 1e-100
-#: Part of the tolerance that one step may use, since the errors of steps add up.
-STEP_PART = 0.1
-STOPS = {"NO": 0, "INCONSISTENT": 1, "LIES": 2}
-
-#: Name: (units, long name).
-VARIABLES = {
-    "time": ("time", "time reached; less than the duration where the motion could not go on"),
-    "position": ("length", "ring centre, from the contact at time 0"),
-    "rod_angle": ("degree", "rod angle"),
-    "slip": ("length", "slip of the contact along the fence, accumulated"),
-    "gap": ("length", "height of the contact point above the fence"),
-    "mode": ("1", "contact mode"),
-    "solutions": ("1", "number of modes that were consistent when the mode was chosen"),
-    "mode_changes": ("1", "number of changes of mode"),
-    "evaluations": ("1", "how often the motion was evaluated"),
-    "stopped": ("1", "whether the motion could not go on, and why"),
-    "rod_length": ("length", "rod length, from the contact to the ring centre"),
-    "initial_rod_angle": ("degree", "rod angle at time 0"),
-    "friction_coefficient": ("1", "coefficient of friction at the contact"),
-    "velocity": ("length/time", "velocity of the fence"),
-    "duration": ("time", "time to simulate"),
-    "part": ("1", "part of the duration"),
-    "xy": ("1", "along the fence, normal to the fence"),
-}
+STOPS = {stop.name: int(stop) for stop in Stop}
 FLAGS = {"mode": MODES, "stopped": STOPS}
+#: Variables of the dataset that are those of a row.
+SAMPLED = ("time", "position", "rod_angle", "slip", "gap", "mode", "solutions", "stopped")
 
 
 def simulate_batch(
     *,
     rod_length: npt.ArrayLike,
     rod_angle: npt.ArrayLike,
-    friction_coefficient: npt.ArrayLike,
-    velocity: npt.ArrayLike,
+    velocity: Any,
     duration: npt.ArrayLike,
-    radius: float = 1.0,
-    effects: Sequence[IsotropicEffect] = (RingFriction(),),
+    friction_coefficient: Any = None,
+    contact: Any = None,
+    radius: npt.ArrayLike = 1.0,
+    effects: Sequence[Effect] = (RingFriction(),),
+    twist: Sequence[npt.ArrayLike] = (0.0, 0.0, 0.0),
+    gap: npt.ArrayLike = 0.0,
     rtol: float = 1e-10,
-    on_ambiguity: str = "keep-contact",
+    on_ambiguity: str = Policy.KEEP_CONTACT,
     samples: int | None = None,
 ) -> xr.Dataset:
-    """Simulate many quasi-static scenes under a constant fence velocity each.
+    """Simulate many scenes, each as `simulate` does.
 
     Parameters
     ----------
-    rod_length, rod_angle, friction_coefficient, duration : array_like, shape (scenes,) or ()
-        Length >= 0; radians in (0, pi); mu >= 0, infinite for infinite friction by the paper's
-        definition 1; time > 0. They are broadcast against one another.
-    velocity : array_like, shape (scenes, 2) or (2,)
-        Velocity of the fence, length per time.
-    radius : float
-        R > 0 of every ring.
-    effects : sequence of RingFriction
-        A batch takes scenes of friction alone, whose motion the weight does not change.
+    rod_length, rod_angle, duration, radius, gap : array_like, shape (scenes,) or ()
+        As in `Slider` and `simulate`. All arrays are broadcast against one another.
+    velocity : array_like, shape (scenes, 2) or (2,), or Pusher
+        Velocity of the fence, length per time; or one motion of the fence for every scene. Scenes under a
+        fence that is a function of time run one by one.
+    friction_coefficient : array_like, shape (scenes,) or ()
+        mu >= 0, infinite for infinite friction by the paper's definition 1.
+    contact : ContactLaw, or array of laws
+        Instead of a coefficient.
+    effects : sequence of effects
+        Their parameters may be arrays.
+    twist : (v_x, v_y, omega)
+        Initial twist at the ring centre, for scenes with inertia; numbers or arrays.
     rtol : float
         Relative tolerance of the motion.
     on_ambiguity : {"keep-contact", "separate", "stay-in-mode"}
@@ -87,92 +68,48 @@ def simulate_batch(
     Returns
     -------
     xarray.Dataset
-        Over `scene`, and `part` of the duration where samples are asked for. Angles are degrees. The
-        scenes move in step as arrays, which pays from some hundreds of scenes.
+        Over `scene`, and `part` of the duration where samples are asked for; angles are degrees. The
+        numbers are those of `simulate`.
 
     Raises
     ------
     InvalidValue
-        Where a value is not allowed, shapes do not match, or an effect is not ring friction.
+        Where a value is not allowed, or shapes do not match.
     """
-    require_friction(effects)
-    size = require_positive("radius", radius, "give the radius of the rings")
-    tolerance = require_number(
-        "rtol", rtol, lambda x: 1e-13 <= x <= 1e-2, "a number in [1e-13, 1e-2]",
-        "choose a tolerance that double precision can hold",
+    parts = parts_of(samples)
+    given = scenes_of(
+        rod_length, rod_angle, radius, friction_coefficient, contact, effects, velocity, duration,
+        twist, gap,
     )  # fmt: skip
-    if on_ambiguity not in PREFERENCES:
-        raise InvalidValue(
-            "on_ambiguity", on_ambiguity, ", ".join(PREFERENCES), "name one of these policies"
-        )
-    given = scene_parameters(rod_length, rod_angle, friction_coefficient, velocity, duration)
-    parts = sample_parts(samples)
-    lanes, preference = _lanes(given, size), PREFERENCES[on_ambiguity]
-    course = Course(lanes, preference, STEP_PART * tolerance, given["rod_angle"].copy())
-    taken = []
-    for part in parts:
-        course.run(part * given["duration"])
-        taken.append(_instant(course, given, size))
-    return _dataset(course, given, taken, parts if samples is not None else None)
+    times = given.ends[:, None]
+    if samples is not None:
+        times = np.linspace(0.0, given.ends, len(parts), axis=-1)
+    rows, changes = run_scenes(
+        given.kinds, given.rows, given.motions, np.ascontiguousarray(times), tolerance(rtol),
+        list(Policy).index(policy(on_ambiguity)),
+    )  # fmt: skip
+    return _dataset(in_units(rows, given.radius), changes, given, parts if samples else None)
 
 
-def _lanes(given: dict[str, Array], radius: float) -> Lanes:
-    mu, velocity = given["friction_coefficient"], given["velocity"]
-    right = np.where(np.isinf(mu), 0.0, np.arctan2(1.0, mu))
-    return Lanes(
-        length=np.maximum(given["rod_length"] / radius, VANISHING),
-        heading=np.arctan2(velocity[:, 1], velocity[:, 0]),
-        pusher=velocity / radius,
-        right=right,
-        left=np.pi - right,
-    )
-
-
-def _instant(course: Course, given: dict[str, Array], radius: float) -> dict[str, Any]:
-    """Where every scene is."""
-    length, velocity, lasted = given["rod_length"], given["velocity"], course.contact_time
-    slip = radius * course.slip
-    x = velocity[:, 0] * lasted + slip + length * np.cos(course.angle)
-    y = velocity[:, 1] * lasted + length * np.sin(course.angle)
-    return {
-        "time": course.time.copy(),
-        "position": np.stack([x, y], axis=-1),
-        "rod_angle": np.rad2deg(course.angle),
-        "slip": slip,
-        "gap": np.maximum(velocity[:, 1] * (lasted - course.time), 0.0),
-        "mode": course.mode.astype(np.int8),
-        "solutions": course.choices.astype(np.int8),
-        "stopped": np.where(course.lies, STOPS["LIES"], course.mode == NO_MODE).astype(np.int8),
-    }
-
-
-def _dataset(
-    course: Course, given: dict[str, Array], taken: list[dict[str, Any]], parts: Array | None
-) -> xr.Dataset:
-    dims: tuple[str, ...] = ("scene",) if parts is None else ("scene", "part")
+def _dataset(rows: Any, changes: Any, given: Scenes, parts: Array | None) -> xr.Dataset:
+    over: tuple[str, ...] = ("scene",) if parts is None else ("scene", "part")
     variables: dict[str, Any] = {}
-    for key, values in taken[0].items():
-        along = values if parts is None else np.stack([each[key] for each in taken], axis=1)
-        variables[key] = ((*dims, "xy") if key == "position" else dims, along)
-    variables |= {
-        "mode_changes": ("scene", course.changes),
-        "evaluations": ("scene", course.evaluations),
-    }
-    coords: dict[str, Any] = {
-        "xy": ("xy", ["x", "y"]),
-        "rod_length": ("scene", given["rod_length"]),
-        "initial_rod_angle": ("scene", np.rad2deg(given["rod_angle"])),
-        "friction_coefficient": ("scene", given["friction_coefficient"]),
-        "velocity": (("scene", "xy"), given["velocity"]),
-        "duration": ("scene", given["duration"]),
-    }
+    for name in SAMPLED:
+        values = rows[name].astype("i1") if rows[name].dtype.kind == "i" else rows[name]
+        values = np.rad2deg(values) if name == "rod_angle" else values
+        dims = (*over, "xy") if name == "position" else over
+        variables[name] = dims, np.array(values[:, -1] if parts is None else values)
+    evaluations = np.array(rows["evaluations"][:, -1])
+    variables |= {"mode_changes": ("scene", changes), "evaluations": ("scene", evaluations)}
+    coords: dict[str, Any] = {"xy": ("xy", ["x", "y"])}
+    for name, each in given.coordinates.items():
+        coords[name] = ("scene", "xy")[: each.ndim], np.array(each)
     if parts is not None:
         coords["part"] = ("part", parts)
     dataset = xr.Dataset(variables, coords)
-    for name, variable in dataset.variables.items():
-        units, long_name = VARIABLES[str(name)]
-        variable.attrs = {"units": units, "long_name": long_name}
+    for label, variable in dataset.variables.items():
+        variable.attrs = dict(quantities.attributes(quantities.BATCH, str(label)))
     for label, flags in FLAGS.items():
-        values = np.array(list(flags.values()), np.int8)
-        dataset[label].attrs |= {"flag_values": values, "flag_meanings": " ".join(flags)}
+        numbers = np.array(list(flags.values()), np.int8)
+        dataset[label].attrs |= {"flag_values": numbers, "flag_meanings": " ".join(flags)}
     return dataset

@@ -11,34 +11,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import StrEnum
+from typing import Any
 
-from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.errors import InvalidValue, require_number, require_positive
+import numpy as np
+
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.pusher import Pusher
-
-
-class Policy(StrEnum):
-    """Which mode is taken where several are consistent."""
-
-    KEEP_CONTACT = "keep-contact"
-    SEPARATE = "separate"
-    STAY_IN_MODE = "stay-in-mode"
-
-
-_KEEP = (ContactMode.STICK, ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT, ContactMode.SEPARATE)
-_LEAVE = (ContactMode.SEPARATE, ContactMode.STICK, ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
-
-
-def preference(policy: Policy, previous: ContactMode | None) -> tuple[ContactMode, ...]:
-    """The modes in the order in which a policy takes them."""
-    match policy:
-        case Policy.SEPARATE:
-            return _LEAVE
-        case Policy.STAY_IN_MODE if previous is not None:
-            return (previous, *(mode for mode in _KEEP if mode is not previous))
-    return _KEEP
+from planar_pushing.terms.domain import required
+from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.options import TOLERANCE, Policy
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,7 +29,7 @@ class Problem:
     Parameters
     ----------
     scene : Scene
-        Its rod angle is the initial one.
+        Its rod angle is the initial one; its parameters are numbers.
     pusher : Pusher
     duration : float
         > 0.
@@ -58,7 +39,7 @@ class Problem:
         Initial height of the contact point above the fence, >= 0.
     on_ambiguity : str or Policy
     rtol : float
-        Relative tolerance of one step.
+        Relative tolerance of the motion.
 
     Raises
     ------
@@ -78,27 +59,40 @@ class Problem:
         for name, kind in (("scene", Scene), ("pusher", Pusher)):
             if not isinstance(getattr(self, name), kind):
                 raise InvalidValue(name, getattr(self, name), f"a {kind.__name__}", "construct one")
-        require_positive("duration", self.duration, "give the time to simulate")
-        require_number(
-            "gap", self.gap, lambda x: 0 <= x < math.inf, "a finite number >= 0",
-            "start on the fence or above it",
-        )  # fmt: skip
-        require_number(
-            "rtol", self.rtol, lambda x: 1e-13 <= x <= 1e-2, "a number in [1e-13, 1e-2]",
-            "choose a tolerance that double precision can hold",
-        )  # fmt: skip
+        required("duration", self.duration)
+        required("gap", self.gap)
+        object.__setattr__(self, "rtol", tolerance(self.rtol))
         object.__setattr__(self, "twist", _twist(self.twist))
-        object.__setattr__(self, "on_ambiguity", _policy(self.on_ambiguity))
-        if any(self.twist) and not self.has_inertia:
-            raise InvalidValue(
-                "twist", self.twist, "(0, 0, 0) for a scene without inertia",
-                "leave the twist out: the fence determines a quasi-static motion",
-            )  # fmt: skip
+        object.__setattr__(self, "on_ambiguity", policy(self.on_ambiguity))
+        if not self.scene.stores_energy:
+            no_twist(self.twist)
 
-    @property
-    def has_inertia(self) -> bool:
-        """Whether an effect stores energy, so that the twist is part of the state."""
-        return any(effect.degree == 2 for effect in self.scene.effects)
+
+def tolerance(given: object) -> float:
+    """A relative tolerance, or `InvalidValue`."""
+    return require_number(
+        "rtol", given, TOLERANCE.holds, TOLERANCE.allowed,
+        "choose a tolerance that double precision can hold",
+    )  # fmt: skip
+
+
+def policy(given: object) -> Policy:
+    """A policy from its name, or `InvalidValue`."""
+    try:
+        return Policy(str(given))
+    except ValueError:
+        raise InvalidValue(
+            "on_ambiguity", given, ", ".join(Policy), "name one of these policies"
+        ) from None
+
+
+def no_twist(twist: Sequence[Any]) -> None:
+    """Refuse an initial twist of scenes without inertia."""
+    if any(np.any(np.asarray(each) != 0) for each in twist):
+        raise InvalidValue(
+            "twist", twist, "(0, 0, 0) for a scene without inertia",
+            "leave the twist out: the fence determines a quasi-static motion",
+        )  # fmt: skip
 
 
 def _twist(given: object) -> tuple[float, float, float]:
@@ -109,12 +103,3 @@ def _twist(given: object) -> tuple[float, float, float]:
     if len(twist) != 3 or not all(map(math.isfinite, twist)):
         raise InvalidValue("twist", given, "three finite numbers", "give (v_x, v_y, omega)")
     return twist
-
-
-def _policy(given: object) -> Policy:
-    try:
-        return Policy(str(given))
-    except ValueError:
-        raise InvalidValue(
-            "on_ambiguity", given, ", ".join(Policy), "name one of these policies"
-        ) from None

@@ -6,10 +6,14 @@ import itertools
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.simulation.chebyshev import Piece, pieces_of
+from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
+from planar_pushing.simulation.rows import records
+from planar_pushing.terms.errors import InvalidValue
 
 Vector = tuple[float, float]
 Motion = Callable[[float], Vector]
@@ -18,13 +22,6 @@ ALLOWED = (
     "(v_x, v_y), a sequence of (start_time, (v_x, v_y)), or a function of time that returns one"
 )
 REMEDY = "give the fence's velocity as finite numbers in the scene's units"
-#: Nodes and weights of the quadrature that turns a velocity into a displacement.
-NODES, WEIGHTS = (tuple(map(float, each)) for each in np.polynomial.legendre.leggauss(8))
-#: Sixth-order central differences; the step balances truncation against rounding.
-STENCIL = ((1, 3 / 4), (2, -3 / 20), (3, 1 / 60))
-STEP = 2e-3
-#: Parts of a segment at which its speed is looked at.
-PARTS = tuple(i / 64 for i in range(65))
 
 
 def vector(given: object) -> Vector:
@@ -38,62 +35,6 @@ def vector(given: object) -> Vector:
     return x, y
 
 
-@dataclass(frozen=True, slots=True)
-class Segment:
-    """A span of time in which the fence's velocity is smooth.
-
-    Attributes
-    ----------
-    start, end : float
-    velocity, acceleration : callable
-        Of the time, (x, y) each.
-    constant : bool
-        Whether the velocity is constant.
-    """
-
-    start: float
-    end: float
-    velocity: Motion
-    acceleration: Motion
-    constant: bool
-
-    def displacement(self, start: float, end: float) -> Vector:
-        """How far the fence travels between two times of the segment."""
-        if self.constant:
-            x, y = self.velocity(start)
-            return x * (end - start), y * (end - start)
-        half, middle = (end - start) / 2, (end + start) / 2
-        speeds = [self.velocity(middle + half * node) for node in NODES]
-        return (
-            half * sum(w * v[0] for w, v in zip(WEIGHTS, speeds, strict=True)),
-            half * sum(w * v[1] for w, v in zip(WEIGHTS, speeds, strict=True)),
-        )
-
-
-def _constant(start: float, end: float, velocity: Vector) -> Segment:
-    return Segment(start, end, lambda _: velocity, lambda _: (0.0, 0.0), True)
-
-
-def _difference(velocity: Motion, start: float, end: float) -> Motion:
-    """Derivative of a velocity, from a stencil that stays inside the segment."""
-    step = min(STEP, (end - start) / 8)
-
-    def acceleration(time: float) -> Vector:
-        middle = min(max(time, start + 3 * step), end - 3 * step)
-        if middle == time:
-            pairs = [(w, velocity(time + i * step), velocity(time - i * step)) for i, w in STENCIL]
-            x, y = (sum(w * (b[i] - a[i]) for w, b, a in pairs) / step for i in (0, 1))
-            return x, y
-        values = np.array([velocity(middle + i * step) for i in range(-3, 4)])
-        coefficients = np.polynomial.polynomial.polyfit(np.arange(-3, 4), values, 6)
-        slope = np.polynomial.polynomial.polyder(coefficients)
-        at = np.array((time - middle) / step)
-        x, y = np.polynomial.polynomial.polyval(at, slope)
-        return float(x) / step, float(y) / step
-
-    return acceleration
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pusher:
     """The fence's velocity; the fence translates and stays parallel to x.
@@ -103,7 +44,8 @@ class Pusher:
     velocity : (v_x, v_y), sequence of (start_time, (v_x, v_y)), or callable
         Length per time. The pieces start at 0 and follow one another; each holds until the next starts.
     acceleration : callable, optional
-        Derivative of a callable velocity; without it sixth-order differences stand in.
+        Derivative of a callable velocity. It is not needed: a callable velocity becomes polynomials,
+        whose derivatives are known.
     breakpoints : sequence of float
         Times at which a callable velocity is not smooth.
 
@@ -128,39 +70,46 @@ class Pusher:
             )
         object.__setattr__(self, "breakpoints", times)
 
-    def segments(self, duration: float) -> tuple[Segment, ...]:
-        """The smooth spans of the fence's motion, from 0 to the duration."""
+    def fence(self, duration: float, radius: float) -> Any:
+        """The fence's motion as an array of pieces, from 0 to the duration.
+
+        Raises
+        ------
+        InvalidValue
+            Where a function returns something else than a velocity.
+        """
         if self.pieces:
-            ends = [start for start, _ in self.pieces[1:]] + [math.inf]
-            return tuple(
-                _constant(start, min(end, duration), velocity)
-                for (start, velocity), end in zip(self.pieces, ends, strict=True)
-                if start < duration
-            )
+            kept = [piece for piece in self.pieces if piece[0] < duration]
+            ends = [*(start for start, _ in kept), duration]
+            constant = [Piece(ends[i + 1], np.array([v]).T) for i, (_, v) in enumerate(kept)]
+            return _fence([[piece] for piece in constant], radius)
+        given: Motion = self.velocity  # type: ignore[assignment]
         inner = [time for time in self.breakpoints if 0 < time < duration]
-        ends = [0.0, *inner, duration]
-        return tuple(self._smooth(a, b) for a, b in itertools.pairwise(ends))
+        spans = itertools.pairwise([0.0, *inner, duration])
+        return _fence([pieces_of(lambda t: vector(given(t)), *ends) for ends in spans], radius)
 
-    def typical_speed(self, duration: float) -> float:
-        """The greatest speed among samples of the fence's motion."""
-        return max(
-            math.hypot(*segment.velocity(segment.start + part * (segment.end - segment.start)))
-            for segment in self.segments(duration)
-            for part in ((0.0,) if segment.constant else PARTS)
-        )
 
-    def _smooth(self, start: float, end: float) -> Segment:
-        given = self.velocity
-        # At its ends a segment shows its own side of a jump.
-        first, last = math.nextafter(start, end), math.nextafter(end, start)
-
-        def velocity(time: float) -> Vector:
-            return vector(given(min(max(time, first), last)))  # type: ignore[operator]
-
-        slope = self.acceleration
-        if slope is None:
-            return Segment(start, end, velocity, _difference(velocity, start, end), False)
-        return Segment(start, end, velocity, lambda time: vector(slope(time)), False)
+def _fence(spans: Sequence[Sequence[Piece]], radius: float) -> Any:
+    """The pieces of each span as the compiled core has them."""
+    pieces = [piece for during in spans for piece in during]
+    fence = records(PIECE, len(pieces))
+    fence["end"] = [piece.end for piece in pieces]
+    fence["start"][1:] = fence["end"][:-1]
+    fence["degree"] = [piece.velocity.shape[1] - 1 for piece in pieces]
+    counts = np.array([len(during) for during in spans])
+    fence["last"] = np.repeat(counts.cumsum(), counts)
+    fence["first"] = fence["last"] - np.repeat(counts, counts)
+    fence["noise"] = np.array([piece.noise for piece in pieces]) / radius
+    lengths, series = fence["end"] - fence["start"], fence["series"]
+    for i, piece in enumerate(pieces):
+        size = piece.velocity.shape[1]
+        series[i, VELOCITY:ACCELERATION, :size] = piece.velocity / radius
+        series[i, ACCELERATION:MEAN, :size] = piece.slope * 2 / lengths[i] / radius
+        series[i, MEAN:, :size] = piece.mean / radius
+    # At the end of a piece every Chebyshev polynomial is 1.
+    paths = lengths[:, None] * series[:, MEAN:].sum(axis=-1)
+    fence["origin"][1:] = paths.cumsum(axis=0)[:-1]
+    return fence
 
 
 def _time(given: object) -> float:

@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import math
-import os
-from collections.abc import Sequence
-from typing import cast
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any, cast
 
 import numpy as np
 import xarray as xr
 from tqdm import tqdm
 
-from planar_pushing.mechanics.errors import InvalidValue, require_number
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.simulation import event_driven, log, time_stepping
-from planar_pushing.simulation.problem import Policy, Problem
+from planar_pushing.simulation.events.integrate import EventDriven
+from planar_pushing.simulation.log.stream import PathLike, streaming
+from planar_pushing.simulation.log.variables import dataset
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.record import Records
-from planar_pushing.simulation.stream import streaming
-
-METHODS = ("event-driven", "time-stepping")
+from planar_pushing.simulation.steps.integrate import TimeStepping
+from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.options import Method, Policy
 
 
 def simulate(
@@ -27,14 +27,14 @@ def simulate(
     *,
     pusher: Pusher,
     duration: float,
-    method: str = "event-driven",
+    method: str = Method.EVENT_DRIVEN,
     rtol: float = 1e-10,
     on_ambiguity: str = Policy.KEEP_CONTACT,
     twist: Sequence[float] = (0.0, 0.0, 0.0),
     gap: float = 0.0,
     samples: int = 101,
     step: float | None = None,
-    path: str | os.PathLike[str] | None = None,
+    path: PathLike | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
     """Simulate the slider under a moving fence, and log its motion.
@@ -86,38 +86,37 @@ def simulate(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=cast(Policy, on_ambiguity), rtol=rtol,
     )  # fmt: skip
-    if method not in METHODS:
-        raise InvalidValue("method", method, ", ".join(METHODS), "name one of these methods")
+    if method not in list(Method):
+        raise InvalidValue("method", method, ", ".join(Method), "name one of these methods")
     count = require_number(
         "samples", samples, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
         "ask at least for the first and the last instant",
     )  # fmt: skip
-    times = np.linspace(0.0, duration, int(count)).tolist()
-    batches = _shown(_integrate(problem, method, times, step), duration, progress)
+    run = _run(problem, method, np.linspace(0.0, duration, int(count)), step)
     if path is None:
-        records = [record for batch in batches for record in batch]
-        return log.dataset(problem, method, records)
+        rows = np.concatenate(list(_shown(run, duration, progress)))
+        return dataset(problem, method, rows, run.stopped)
     with streaming(path, problem, method) as stream:
-        for batch in batches:
-            stream.append(batch)
-        stream.end(batch[-1])
+        for rows in _shown(run, duration, progress):
+            stream.append(rows)
+        stream.end(run.stopped, rows["time"][-1])
     return xr.open_dataset(path, engine="h5netcdf")
 
 
-def _integrate(problem: Problem, method: str, times: list[float], step: float | None) -> Records:
-    if method == "time-stepping":
-        return time_stepping.integrate(problem, times, step)
+def _run(problem: Problem, method: str, times: Array, step: float | None) -> Any:
+    if method == Method.TIME_STEPPING:
+        return TimeStepping(problem, times, step)
     if step is not None:
         raise InvalidValue(
             "step", step, "a number for the time-stepping method only",
             "leave it out: the event-driven method takes its steps by rtol",
         )  # fmt: skip
-    return event_driven.integrate(problem, times)
+    return EventDriven(problem, times)
 
 
-def _shown(batches: Records, duration: float, progress: bool) -> Records:
-    """The same batches, with a progress bar over the simulated time."""
+def _shown(batches: Iterable[Any], duration: float, progress: bool) -> Iterator[Any]:
+    """The same batches of rows, with a progress bar over the simulated time."""
     with tqdm(total=duration, disable=not progress, unit="time", leave=False) as bar:
-        for batch in batches:
-            bar.update(batch[-1].time - bar.n)
-            yield batch
+        for rows in batches:
+            bar.update(rows["time"][-1] - bar.n)
+            yield rows

@@ -1,4 +1,4 @@
-"""The datasets: what each holds and which grid axes it reads; read without importing xarray."""
+"""The datasets: what each holds, which grid axes it reads, and labels; read without importing xarray."""
 
 from __future__ import annotations
 
@@ -14,15 +14,22 @@ DATASETS = {
 #: Folder of the logs of motion over time.
 SIMULATIONS = "simulations"
 
-#: The grid axes that each reads.
-AXES: dict[str, tuple[str, ...]] = {
+#: The dimensions of each.
+DIMS: dict[str, tuple[str, ...]] = {
     "limit_curves": ("effects", "rod_length", "rod_angle", "force_angle"),
     "motion_cones": ("effects", "rod_length", "rod_angle", "friction_coefficient"),
     "contact_modes": (
-        *("effects", "contact_friction_coefficient", "rod_length"),
-        *("pusher_magnitude", "pusher_angle"),
+        "effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode",
     ),
     "acceleration_centers": ("rod_length", "force_angle", "inertia_share"),
+}  # fmt: skip
+
+#: The grid axis that a dimension without one of its name reads.
+_GRID = {"contact": ("contact_friction_coefficient",), "mode": ()}
+#: The grid axes that each reads.
+AXES: dict[str, tuple[str, ...]] = {
+    name: tuple(axis for dim in dims for axis in _GRID.get(dim, (dim,)))
+    for name, dims in DIMS.items()
 }
 
 
@@ -30,3 +37,8 @@ def dataset_file(name: str) -> str:
     """File in the results that holds a dataset: scenes share one file, simulations have one each."""
     stem = name if name.startswith(f"{SIMULATIONS}/") else name.partition("/")[0]
     return f"data/{stem}.nc"
+
+
+def number_label(number: float) -> str:
+    """The shortest text that no other double has: 1.4, 2 or 1.4000001."""
+    return repr(float(number)).removesuffix(".0")

@@ -1,127 +1,20 @@
-"""Units and long names of every variable and coordinate, in one table."""
+"""What every dataset says of itself: units and long names, title, source and provenance."""
 
 from __future__ import annotations
 
-import json
-import math
-from importlib.metadata import version
-
 import xarray as xr
-from pydantic import BaseModel
 
 from planar_pushing.mechanics.contact import ContactMode, Outcome
-
-#: Name: (units, long name). "1" is the unit of a ratio, a count, a flag or a label.
-VARIABLES: dict[str, tuple[str, str]] = {
-    "adhesive": ("1", "whether the fence pulls on the slider"),
-    "case": ("1", "hard case"),
-    "center": ("length", "motion centre relative to the contact"),
-    "center_x": ("length", "motion centre relative to the ring centre, along the fence"),
-    "center_y": ("length", "motion centre relative to the ring centre, normal to the fence"),
-    "condition": (
-        "1",
-        "condition number: relative change of the reference per relative change of the inputs",
-    ),
-    "cone_center": ("length", "motion centre relative to the contact, under one effect"),
-    "cone_force_angle": (
-        "degree",
-        "force angle, from the right to the left edge of the friction cone",
-    ),
-    "cone_motion_angle": ("degree", "angle of the contact motion under one effect"),
-    "conservative_cone_left": ("degree", "left edge of the conservative acceleration cone"),
-    "conservative_cone_right": ("degree", "right edge of the conservative acceleration cone"),
-    "consistent": ("1", "number of consistent solutions in the mode"),
-    "contact": ("1", "contact law"),
-    "contact_motion": ("motion", "motion of the slider at the contact"),
-    "effect": ("1", "effect that alone resists the motion"),
-    "effects": ("1", "effects that resist the motion"),
-    "error_bound": ("1", "relative error that rounding the inputs causes: condition times epsilon"),
-    "error_ulp": ("1", "error of the result in units in the last place of the reference"),
-    "evaluations": ("1", "points at which the effect was evaluated"),
-    "exact_cone_left": ("degree", "left edge of the exact acceleration cone"),
-    "exact_cone_right": ("degree", "right edge of the exact acceleration cone"),
-    "force": ("force", "force of the pusher on the slider"),
-    "force_angle": ("degree", "force angle"),
-    "force_angle_fast": ("degree", "force angle of the mode's fastest motion"),
-    "force_x": ("force", "force of the pusher along the fence"),
-    "force_y": ("force", "force of the pusher normal to the fence"),
-    "friction_coefficient": ("1", "coefficient of friction at the contact"),
-    "friction_cone_left": ("degree", "left edge of the friction cone"),
-    "friction_cone_right": ("degree", "right edge of the friction cone"),
-    "ill_conditioned": ("1", "whether double precision loses six digits whatever the algorithm"),
-    "inertia_share": ("1", "s / (1 + s) with s = m a / W: 0 is friction alone, 1 inertia alone"),
-    "law": ("1", "type of the contact law"),
-    "line": ("1", "hard place, 1 to 7: ring, ends, lengths, contact, speed, rest, Painleve"),
-    "limit_force_left": ("force", "force on the limit curve at the left edge of the friction cone"),
-    "limit_force_right": (
-        "force",
-        "force on the limit curve at the right edge of the friction cone",
-    ),
-    "mode": ("1", "contact mode"),
-    "motion_angle": ("degree", "angle of the contact motion"),
-    "motion_cone_left": ("degree", "left edge of the motion cone"),
-    "motion_cone_right": ("degree", "right edge of the motion cone"),
-    "operation": ("1", "what was computed"),
-    "outcome": ("1", "number of consistent solutions: none, one, several"),
-    "pulls": ("1", "whether the contact can stick while the pusher moves away"),
-    "pusher_angle": ("degree", "angle of the pusher motion"),
-    "pusher_magnitude": ("motion", "magnitude of the pusher motion"),
-    "pusher_motion": ("motion", "motion of the pusher"),
-    "quantity": ("1", "what the number is"),
-    "quantity_unit": ("1", "unit of the number"),
-    "radius": ("length", "radius of the ring"),
-    "reference": ("1", "certified value in 40 digits, in the case's unit"),
-    "reference_high": ("1", "certified value, first double, in the case's unit"),
-    "reference_low": ("1", "certified value, second double, in the case's unit"),
-    "result": ("1", "value in double precision, in the case's unit"),
-    "ring_center": ("length", "ring centre relative to the contact"),
-    "rod_angle": ("degree", "rod angle"),
-    "rod_length": ("length", "rod length, from the contact to the ring centre"),
-    "scene": ("1", "name of the scene, or grid for a dataset"),
-    "slip": ("motion", "motion of the slider over the fence"),
-    "slips_while_pushing": ("1", "whether some push makes the contact slip"),
-    "solution": ("1", "number of the solution"),
-    "spin_ratio": ("1", "spin ratio R omega / v"),
-    "spin_ratio_fast": ("1", "spin ratio of the mode's fastest motion"),
-    "support_angle": ("degree", "place on the ring, from the ring centre"),
-    "support_force": ("force/radian", "friction of the support on the ring, per angle of the ring"),
-    "support_motion": ("motion", "motion of a point of the ring"),
-    "time": ("s", "duration of one run"),
-    "twist": ("motion", "twist of the slider at the ring centre, rotation times radius"),
-    "twist_component": ("1", "component of the twist"),
-    "xy": ("1", "along the fence, normal to the fence"),
-}
+from planar_pushing.mechanics.entries import to_json, versions
+from planar_pushing.terms.quantities import DATASET, NOTES, attributes
 
 FLAGS = {"mode": ContactMode, "outcome": Outcome}
-NOTES = {
-    "length": "the unit of the study's radius",
-    "force": "the unit of the study's weight; without friction mass times a unit motion",
-    "motion": "speed in a quasi-static scene, initial acceleration from rest otherwise",
-}
-PACKAGES = ("planar-pushing", "numpy", "scipy", "xarray", "h5netcdf", "h5py")
-
-
-def to_json(value: object) -> str:
-    """JSON of plain values and models, with infinities as the word inf and keys in order."""
-    return json.dumps(plain(value), sort_keys=True, allow_nan=False)
-
-
-def plain(value: object) -> object:
-    """Value as JSON has it; infinities, which JSON lacks, become the words inf and -inf."""
-    if isinstance(value, BaseModel):
-        return plain(value.model_dump())
-    if isinstance(value, dict):
-        return {str(key): plain(each) for key, each in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [plain(each) for each in value]
-    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def describe(dataset: xr.Dataset, *, title: str, source: str, parameters: object) -> xr.Dataset:
     """Give every variable its unit and name, and the dataset its title, source and provenance."""
     for name, variable in dataset.variables.items():
-        units, long_name = VARIABLES[str(name)]
-        variable.attrs = {"units": units, "long_name": long_name}
+        variable.attrs = dict(attributes(DATASET, str(name)))
         flags = FLAGS.get(str(name))
         if flags and variable.dtype.kind == "i":
             variable.attrs["flag_values"] = [int(flag) for flag in flags]
@@ -132,6 +25,6 @@ def describe(dataset: xr.Dataset, *, title: str, source: str, parameters: object
         f"and Perfectly Rough Surfaces, {source}",
         "parameters": to_json(parameters),
         "unit_notes": to_json(NOTES),
-        "versions": to_json({name: version(name) for name in PACKAGES}),
+        "versions": versions(),
     }
     return dataset

@@ -10,9 +10,9 @@ from pathlib import Path
 import xarray as xr
 
 from planar_pushing.study.catalog import DATASETS, SIMULATIONS
-from planar_pushing.study.describe import NOTES
 from planar_pushing.study.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
+from planar_pushing.terms.quantities import NOTES
 
 HEAD = """# Data dictionary
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import logging
 import platform
 import sys
@@ -12,7 +11,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib.metadata import version
 
-from planar_pushing.mechanics.errors import PlanarPushingError
+from planar_pushing.terms.errors import PlanarPushingError
 
 PACKAGE = "planar_pushing"
 
@@ -23,9 +22,6 @@ def job_log(path: str) -> Iterator[logging.Logger]:
 
     It is for a process of its own, which imports what it needs inside: a failing import is logged too.
     """
-    # A job's modules live as long as the job: to look for garbage among them, while they are imported and
-    # when Python ends, took a quarter of the time of a small one.
-    gc.disable()
     logger = logging.getLogger(PACKAGE)
     handler = logging.FileHandler(path, mode="w", encoding="utf-8")
     handler.setFormatter(logging.Formatter("%(levelname)s %(message)s"))
@@ -45,7 +41,6 @@ def job_log(path: str) -> Iterator[logging.Logger]:
     finally:
         logger.removeHandler(handler)
         handler.close()
-        gc.freeze()
 
 
 def run_command(main: Callable[[], int]) -> int:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidValue
+from planar_pushing.study.catalog import number_label
+from planar_pushing.terms.errors import InvalidValue
 
 
 def axis_names(dataset: xr.Dataset) -> list[str]:
@@ -42,8 +43,8 @@ def _parse(name: str, text: str) -> float:
 
 
 def _listed(coord: xr.DataArray, most: int = 12) -> str:
-    values = [f"{value:g}" if coord.dtype.kind == "f" else str(value) for value in coord.values]
-    values = list(dict.fromkeys(values))
+    label = number_label if coord.dtype.kind == "f" else str
+    values = list(dict.fromkeys(label(value) for value in coord.values))
     if len(values) > most:
         values = [*values[: most - 1], "...", values[-1]]
     return ", ".join(values)

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from pydantic import TypeAdapter
 
 from planar_pushing.study.catalog import AXES
-from planar_pushing.study.models import Grid, PushEntry, StudyFile
+from planar_pushing.study.files.models import Grid, PushEntry, StudyFile
+from planar_pushing.terms.options import EffectKind
 
-if TYPE_CHECKING:  # a look-up of a slice does not import xarray
-    import xarray as xr
-
-COMMON = ("slider", "support_friction", "inertia")
+COMMON = ("slider", *map(str, EffectKind))
 
 
 def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
@@ -26,8 +23,8 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     return listed | {"grid": grid}
 
 
-def build_dataset(name: str, values: dict[str, Any]) -> xr.Dataset | dict[str, xr.Dataset]:
-    """Build a dataset from a slice of a study; what the slice leaves out cannot be read."""
+def sliced_study(values: dict[str, Any]) -> StudyFile:
+    """Study of a slice; what the slice leaves out cannot be read."""
     fields = StudyFile.model_fields
     parts: dict[str, Any] = {
         part: TypeAdapter[Any](fields[part].annotation or Any).validate_python(values[part])
@@ -38,6 +35,4 @@ def build_dataset(name: str, values: dict[str, Any]) -> xr.Dataset | dict[str, x
         parts["scenes"] = {k: PushEntry.model_validate(v) for k, v in values["scenes"].items()}
     if "grid" in values:
         parts["grid"] = Grid.model_construct(**values["grid"])
-    builder = importlib.import_module(f"planar_pushing.study.datasets.{name}")
-    built: xr.Dataset | dict[str, xr.Dataset] = builder.build(StudyFile.model_construct(**parts))
-    return built
+    return StudyFile.model_construct(**parts)

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any, Literal
 
-import h5py
+import h5netcdf
 import xarray as xr
 
-from planar_pushing.mechanics.errors import InvalidFile, InvalidValue
-from planar_pushing.study import hdf5
 from planar_pushing.study.catalog import DATASETS, SIMULATIONS, dataset_file
-from planar_pushing.study.replacing import replacing
+from planar_pushing.study.files.replacing import PathLike, replacing
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
-PathLike = str | os.PathLike[str]
+ENGINE: Literal["h5netcdf"] = "h5netcdf"
+#: A variable of fewer bytes, a page, gains nothing from compression.
+SMALL = 4096
+#: A dataset of more bytes is read when it is used.
+LARGE = 2**23
 
 
 def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> None:
@@ -21,57 +27,65 @@ def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> 
 
     The bytes depend on the content alone.
     """
-    with replacing(path) as temporary, h5py.File(temporary, "w", track_order=True) as file:
-        if isinstance(built, xr.Dataset):
-            hdf5.write_variables(file, built)
-            return
-        for name, group in built.items():
-            hdf5.write_variables(file.create_group(name, track_order=True), group)
+    groups = {"/": built} if isinstance(built, xr.Dataset) else built
+    # Without the encoding that another file has chosen.
+    tree = xr.DataTree.from_dict({name: each.drop_encoding() for name, each in groups.items()})
+    encoding = {
+        node.path: {name: _encoding(each) for name, each in node.variables.items()}
+        for node in tree.subtree
+    }
+    with replacing(path) as temporary:
+        tree.to_netcdf(temporary, engine=ENGINE, encoding=encoding)
+
+
+def _encoding(variable: xr.Variable) -> dict[str, Any]:
+    """No value stands for a missing one; numbers are compressed where that saves space."""
+    large = variable.dtype.kind not in "OU" and variable.nbytes >= SMALL
+    return {"_FillValue": None} | ({"zlib": True, "complevel": 1} if large else {})
 
 
 def read_attributes(path: PathLike) -> dict[str, object]:
     """Read the root attributes of a file that is there, and nothing else of it."""
-    with h5py.File(path, "r") as file:
-        return hdf5.attributes(file)
+    with h5netcdf.File(path, "r") as file:
+        return dict(file.attrs)
 
 
 def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
-    """Read a dataset into memory, and close its file; variables above 8 MB are read when they are used.
+    """Read a dataset into memory, and close its file; one above 8 MB is read when it is used.
 
     Raises
     ------
     InvalidFile
         Where the file is missing, is not netCDF4 or has no such group.
     """
-    try:
-        with h5py.File(path, "r") as file:
-            return hdf5.read_variables(file, group)
-    except FileNotFoundError:
-        raise _missing(path) from None
-    except KeyError:
-        raise InvalidFile(f"{path}: has no group {group!r}; build it anew") from None
-    except OSError as error:
-        raise _unreadable(path, error) from None
-
-
-def _missing(path: PathLike) -> InvalidFile:
-    return InvalidFile(f"{path}: no such dataset; build it with make or snakemake")
-
-
-def _unreadable(path: PathLike, error: OSError) -> InvalidFile:
-    reason = f" ({os.strerror(error.errno)})" if error.errno else ""
-    return InvalidFile(f"{path}: is not a netCDF4 file{reason}; build it anew")
+    if group and group not in group_names(path):
+        raise InvalidFile(f"{path}: has no group {group!r}; build it anew")
+    with _readable(path):
+        # A file that is HDF5 and no netCDF4 names no dimensions.
+        opened = xr.open_dataset(path, engine=ENGINE, group=group, phony_dims="access")
+    if opened.nbytes > LARGE:
+        return opened
+    with opened:
+        return opened.load()
 
 
 def group_names(path: PathLike) -> list[str]:
     """Names of a file's groups, in order; errors as in `read_dataset`."""
+    with _readable(path), h5netcdf.File(path, "r") as file:
+        return sorted(file.groups)
+
+
+@contextmanager
+def _readable(path: PathLike) -> Iterator[None]:
+    """Say of a file that cannot be opened what is wrong with it."""
     try:
-        with h5py.File(path, "r") as file:
-            return sorted(name for name, each in file.items() if isinstance(each, h5py.Group))
+        yield
     except FileNotFoundError:
-        raise _missing(path) from None
+        message = f"{path}: no such dataset; build it with make or snakemake"
+        raise InvalidFile(message) from None
     except OSError as error:
-        raise _unreadable(path, error) from None
+        reason = f" ({os.strerror(error.errno)})" if error.errno else ""
+        raise InvalidFile(f"{path}: is not a netCDF4 file{reason}; build it anew") from None
 
 
 def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
@@ -88,7 +102,7 @@ def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        In memory but for variables above 8 MB, which are read when they are used; angles are degrees.
+        In memory, or read when it is used where it is above 8 MB; angles are degrees.
 
     Raises
     ------

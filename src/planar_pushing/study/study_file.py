@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
-from planar_pushing.mechanics.errors import InvalidFile
-from planar_pushing.study.files import PathLike, load_model, load_scene_file
-from planar_pushing.study.models import FIGURE_KEYS, SCENES, FigureEntry, Grid, StudyFile
-
-#: Effects of a study by the types of a scene file.
-EFFECTS = {"ring_friction": "support_friction", "inertia": "inertia"}
+from planar_pushing.study.figures import FIGURES, SCENES, computes
+from planar_pushing.study.files.models import FigureEntry, Grid, StudyFile
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.files.scenes import load_model, load_scene_file
+from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.options import EFFECT_TYPES
 
 
 def load_study(path: PathLike) -> StudyFile:
@@ -24,39 +24,13 @@ def load_study(path: PathLike) -> StudyFile:
 def _study_problems(study: StudyFile) -> Iterator[str]:
     """What keeps a well-formed study from being computed and drawn."""
     yield from _effects_problems(study)
-    for name, push in study.scenes.items():
-        try:
-            kinds = {EFFECTS[effect.type] for effect in load_scene_file(push.file).effects}
-        except InvalidFile as error:
-            yield f"scenes.{name}.file: {error}"
-            continue
-        if not kinds <= set(study.parts):
-            yield (
-                f"scenes.{name}.file: {push.file} lists {', '.join(sorted(kinds))}; allowed: the effects "
-                f"of the study, {', '.join(study.parts)}; name another scene"
-            )
+    yield from _scene_problems(study)
     yield from _simulation_problems(study)
-    for kind, given, known in (
-        ("scenes", study.scenes, SCENES),
-        ("figures", study.figures, tuple(FIGURE_KEYS)),
-    ):
-        needed = [name for name in known if study.computes(name)]
-        for name in needed:
-            if name not in given:
-                yield f"{kind}.{name}: missing; allowed: an entry for each of {', '.join(needed)}; add it"
-        for name in given:
-            if name not in needed:
-                yield (
-                    f"{kind}.{name}: unknown, or of effects that grid.effects does not list; "
-                    f"allowed: {', '.join(needed)}; remove it"
-                )
-    for key, values, wanted in study.needed_values():
-        missing = [value for value in wanted if value not in values]
-        if missing:
-            yield (
-                f"grid.{key}: {values!r} given; allowed: values that include {missing!r}, "
-                "which the figures plot; add them"
-            )
+    yield from _entry_problems(study, "scenes", study.scenes, SCENES)
+    yield from _entry_problems(
+        study, "figures", study.figures, [name for name, figure in FIGURES.items() if figure.takes]
+    )
+    yield from _axis_problems(study)
     for name, figure in study.figures.items():
         yield from _figure_problems(name, figure, study.grid)
     if study.inertia and study.inertia.gyration_radius != study.slider.radius:
@@ -66,6 +40,48 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
         )
     if study.golden and not list(Path(study.golden).glob("*.nc")):
         yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
+
+
+def _scene_problems(study: StudyFile) -> Iterator[str]:
+    """Scene files that cannot be read, or that list effects the study has no parameters for."""
+    for name, push in study.scenes.items():
+        try:
+            kinds = {EFFECT_TYPES[effect.type] for effect in load_scene_file(push.file).effects}
+        except InvalidFile as error:
+            yield f"scenes.{name}.file: {error}"
+            continue
+        if not kinds <= set(study.parts):
+            yield (
+                f"scenes.{name}.file: {push.file} lists {', '.join(sorted(kinds))}; allowed: the effects "
+                f"of the study, {', '.join(study.parts)}; name another scene"
+            )
+
+
+def _entry_problems(
+    study: StudyFile, kind: str, given: Collection[str], known: Iterable[str]
+) -> Iterator[str]:
+    """Scenes or figures of the paper that have no entry, and entries that are none of them."""
+    needed = [name for name in known if computes(study, name)]
+    for name in needed:
+        if name not in given:
+            yield f"{kind}.{name}: missing; allowed: an entry for each of {', '.join(needed)}; add it"
+    for name in given:
+        if name not in needed:
+            yield (
+                f"{kind}.{name}: unknown, or of effects that grid.effects does not list; "
+                f"allowed: {', '.join(needed)}; remove it"
+            )
+
+
+def _axis_problems(study: StudyFile) -> Iterator[str]:
+    """Axes of the grid without a value that the figures plot."""
+    for key, values, wanted in study.needed_values():
+        missing = [value for value in wanted if value not in values]
+        if missing:
+            yield (
+                f"grid.{key}: {values!r} given; allowed: values that include {missing!r}, "
+                "which the figures plot; add them"
+            )
 
 
 def _simulation_problems(study: StudyFile) -> Iterator[str]:
@@ -96,7 +112,7 @@ def _effects_problems(study: StudyFile) -> Iterator[str]:
 
 def _figure_problems(name: str, figure: FigureEntry, grid: Grid) -> Iterator[str]:
     """Values of a figure that are missing, or not on the grid."""
-    for key in FIGURE_KEYS[name]:
+    for key in FIGURES[name].takes:
         if getattr(figure, key) is None:
             yield f"figures.{name}.{key}: missing; allowed: values of the grid; add it"
     for key, values, allowed in figure.grid_values(grid):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
-from planar_pushing.mechanics.errors import InvalidValue, require_number
+from planar_pushing.terms.domain import Number, require_fields
+from planar_pushing.terms.errors import InvalidValue
 
 
 @runtime_checkable
@@ -33,24 +34,19 @@ class Coulomb:
 
     Parameters
     ----------
-    friction_coefficient : float
-        mu >= 0 and finite. Infinite friction is a law of its own, `InfiniteFriction`.
+    friction_coefficient : float or array
+        mu in [0, 1e9]. Infinite friction is a law of its own, `InfiniteFriction`.
     """
 
-    friction_coefficient: float
+    friction_coefficient: Number
 
     def __post_init__(self) -> None:
-        require_number(
-            "friction_coefficient",
-            self.friction_coefficient,
-            lambda mu: 0 <= mu < math.inf,
-            "a finite number >= 0",
-            "use the law of infinite friction where no coefficient is large enough",
-        )
+        require_fields(self, "friction_coefficient")
 
     @property
     def force_angles(self) -> AngleInterval:
-        right = math.atan2(1.0, self.friction_coefficient)
+        right = np.arctan2(1.0, self.friction_coefficient)
+        right = float(right) if isinstance(right, float) else right
         return AngleInterval(right, math.pi - right)
 
     @property
@@ -105,3 +101,42 @@ class PerfectlyRough:
 def friction_coefficient(law: ContactLaw) -> float:
     """The coefficient of a law: its own, or infinite for the laws that have none."""
     return float(getattr(law, "friction_coefficient", np.inf))
+
+
+class Law(NamedTuple):
+    """A contact law in numbers: the edges of its cone, and what happens at them.
+
+    `rough` laws transmit every force. In the public layer each entry is a number or an array.
+    """
+
+    right: Number
+    left: Number
+    slips: Number
+    closed: Number
+    rough: Number
+
+
+def in_numbers(law: ContactLaw) -> Law:
+    """The law as the compiled core has it."""
+    cone = law.force_angles
+    rough = (
+        not isinstance(cone.right, np.ndarray) and np.ndim(cone.right) == 0 and cone.span > math.pi
+    )
+    return Law(cone.right, cone.left, law.slips, cone.closed, rough)
+
+
+def is_law(law: object) -> bool:
+    """Whether an object, and not a class, is a contact law."""
+    return isinstance(law, ContactLaw) and not isinstance(law, type)
+
+
+def as_numbers(contact: Number) -> Law:
+    """A law, or an array of laws of any kinds, as the compiled core has it."""
+    if not isinstance(contact, (list, tuple)) and not hasattr(contact, "ndim"):
+        return in_numbers(contact)
+    laws = np.asarray(contact, dtype=object)
+    entries = zip(*(in_numbers(law) for law in laws.ravel()), strict=True)
+    columns = (np.array(entry).reshape(laws.shape) for entry in entries)
+    if hasattr(contact, "dims"):
+        return Law(*(contact.copy(data=column) for column in columns))
+    return Law(*columns)

@@ -2,6 +2,6 @@
 
 from planar_pushing.mechanics.effects.base import Effect
 from planar_pushing.mechanics.effects.inertia import Inertia
-from planar_pushing.mechanics.effects.ring_friction import RingFriction
+from planar_pushing.mechanics.effects.support_friction import RingFriction
 
 __all__ = ["Effect", "Inertia", "RingFriction"]

@@ -1,71 +1,94 @@
-"""The interface of an effect: a convex potential of the twist, and its gradient.
+"""The interface of an effect: a convex potential of the twist, whose gradient is the wrench.
 
-Every formula works in lengths scaled by the slider's radius: a twist is ``(v_x, v_y, R omega)``, a
-wrench ``(f_x, f_y, tau / R)``. Effects add, so a scene lists those that it has and evaluates no other.
+Formulas work without dimensions: lengths in units of the slider's radius, a motion of an isotropic
+effect as the centre's speed `v` and the rotation ``s = R omega``. A member of the family is a named tuple
+of numbers and a compiled function; effects add, so a scene holds a tuple of those that it has.
 """
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Callable
+from typing import Any, Protocol
 
-import numpy as np
-import numpy.typing as npt
+from planar_pushing.mechanics.compiled import compiled, generic
 
-from planar_pushing.mechanics.planar import Array
+#: Of each kind of effect, the functions behind `response`, `made`, `spin_ratio_alone`, `leverages_alone`.
+RESPONSES: dict[type, Callable[..., Any]] = {}
+MAKERS: dict[type, Callable[..., Any]] = {}
+SPIN_RATIOS: dict[type, Callable[..., Any]] = {}
+LEVERAGES: dict[type, Callable[..., Any]] = {}
+#: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration.
+WEIGHT, MASS, GYRATION = range(3)
+COLUMNS = 3
 
 
 class Effect(Protocol):
-    """Something that resists the slider's motion."""
+    """Something that resists the slider's motion, as users list it."""
 
     @property
     def degree(self) -> int:
         """Degree of homogeneity of the potential: 1 dissipates energy, 2 stores it."""
         ...
 
-    def scaled(self, length: float, force: float = 1.0) -> Effect:
-        """The same effect with lengths in units of `length` and forces in units of `force`."""
-        ...
 
-    def potential(self, twist: Array) -> Array:
-        """Potential of twists of shape S + (3,), shape S."""
-        ...
+@generic
+def response(kind: Any) -> Callable[..., Any]:
+    """Gradient and second derivative of the potential at a motion (v, s) that is not rest.
 
-    def wrench(self, twist: Array) -> Array:
-        """Gradient of the potential, shape S + (3,); the subgradient nearest zero at rest."""
-        ...
+    Parameters
+    ----------
+    effects : named tuple, or tuple of named tuples
+        One effect, or several, which add.
+    speed, spin : float
+        ``v >= 0`` and ``s = R omega``.
 
-
-class IsotropicEffect(Effect, Protocol):
-    """An effect that sees only the centre's speed and the rotation: its force lies along `v`.
-
-    For such effects one scalar relation, moment arm <-> spin ratio, carries everything.
+    Returns
+    -------
+    force, torque, vv, vs, ss : float
+        Force along the motion, torque, and the derivatives of both by v and s.
     """
-
-    @property
-    def kinks(self) -> tuple[float, ...]:
-        """Positive spin ratios at which the profile is not smooth."""
-        ...
-
-    def profile(self, spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
-        """Force along the motion and torque at unit centre speed, for each spin ratio."""
-        ...
-
-    def spin_ratio(self, moment_arm: npt.ArrayLike) -> Array:
-        """Spin ratio under a force of this moment arm that meets no other effect."""
-        ...
+    if isinstance(kind, tuple):
+        return _single if len(kind) == 1 else _sum
+    return RESPONSES[kind]
 
 
-def isotropic_wrench(effect: IsotropicEffect, twist: Array) -> Array:
-    """Wrench of an isotropic effect of degree 1 from its profile."""
-    speed, spin = np.hypot(twist[..., 0], twist[..., 1]), twist[..., 2]
-    moving = speed > 0
-    with np.errstate(over="ignore"):
-        ratio = np.divide(spin, speed, out=np.asarray(np.copysign(np.inf, spin)), where=moving)
-    force, torque = effect.profile(np.where((spin == 0) & ~moving, 0.0, ratio))
-    heading = np.divide(
-        twist[..., :2],
-        speed[..., None],
-        out=np.zeros(twist[..., :2].shape),
-        where=moving[..., None],
-    )
-    return np.concatenate([force[..., None] * heading, torque[..., None]], axis=-1)
+@compiled
+def _single(effects, speed, spin):
+    return response(effects[0], speed, spin)
+
+
+@compiled
+def _sum(effects, speed, spin):
+    a, b, c, d, e = response(effects[0], speed, spin)
+    f, g, h, i, j = response(effects[1:], speed, spin)
+    return a + f, b + g, c + h, d + i, e + j
+
+
+@generic
+def made(kind: Any) -> Callable[..., Any]:
+    """Effects of the kinds of a tuple, with the numbers of a row of an array of scenes."""
+    if isinstance(kind, tuple):
+        return _made_single if len(kind) == 1 else _made_all
+    return MAKERS[kind]
+
+
+@compiled
+def _made_single(effects, row):
+    return (made(effects[0], row),)
+
+
+@compiled
+def _made_all(effects, row):
+    return (made(effects[0], row), *made(effects[1:], row))
+
+
+@generic
+def spin_ratio_alone(kind: Any) -> Callable[..., Any]:
+    """Spin ratio ``k = s / v`` of an effect that alone meets a force of a moment arm >= 0, in radii."""
+    return SPIN_RATIOS[kind]
+
+
+@generic
+def leverages_alone(kind: Any) -> Callable[..., Any]:
+    """Least and greatest moment arm per spin ratio, ``h / k``, of an effect that is alone."""
+    return LEVERAGES[kind]

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from planar_pushing.mechanics.errors import InvalidValue, require_positive
-from planar_pushing.mechanics.planar import LONGEST, Array
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.effects.base import (
+    GYRATION,
+    LEVERAGES,
+    MAKERS,
+    MASS,
+    RESPONSES,
+    SPIN_RATIOS,
+)
+from planar_pushing.terms.domain import Number, require_fields
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,9 +23,9 @@ class Inertia:
 
     Parameters
     ----------
-    mass : float
+    mass : float or array
         m > 0.
-    gyration_radius : float
+    gyration_radius : float or array
         rho > 0 about the ring centre, in the unit of the slider's lengths.
 
     Raises
@@ -28,42 +34,44 @@ class Inertia:
         Where a parameter is not a positive finite number.
     """
 
-    mass: float = 1.0
-    gyration_radius: float = 1.0
+    mass: Number = 1.0
+    gyration_radius: Number = 1.0
 
     def __post_init__(self) -> None:
-        remedy = "leave the effect out of the scene if the slider has no inertia"
-        require_positive("mass", self.mass, remedy)
-        require_positive("gyration_radius", self.gyration_radius, remedy)
+        require_fields(self, "mass", "gyration_radius")
 
     @property
     def degree(self) -> int:
         return 2
 
-    @property
-    def kinks(self) -> tuple[float, ...]:
-        return ()
 
-    def scaled(self, length: float, force: float = 1.0) -> Inertia:
-        ratio = float(self.gyration_radius) / float(length)
-        if not 1 / LONGEST <= ratio <= LONGEST:
-            raise InvalidValue(
-                "gyration_radius", self.gyration_radius,
-                f"{1 / LONGEST:g} to {LONGEST:g} times the slider's radius",
-                "the square of this ratio leaves the doubles: model a point mass or a longer rod",
-            )  # fmt: skip
-        return replace(self, mass=self.mass / force, gyration_radius=ratio)
+class Mass(NamedTuple):
+    """Inertia in the compiled core: mass, and the square of the radius of gyration in radii."""
 
-    def potential(self, twist: Array) -> Array:
-        return np.asarray((twist * self.wrench(twist)).sum(axis=-1) / 2)
+    mass: float
+    gyration: float
 
-    def wrench(self, twist: Array) -> Array:
-        return np.asarray(self.mass * (twist * np.array([1.0, 1.0, self.gyration_radius**2])))
 
-    def profile(self, spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
-        spin_ratio = np.asarray(spin_ratio, dtype=float)
-        torque = self.mass * (self.gyration_radius**2 * spin_ratio)
-        return np.full_like(spin_ratio, self.mass), torque
+@compiled
+def _response(effect, speed, spin):
+    moment = effect.mass * effect.gyration
+    return effect.mass * speed, moment * spin, effect.mass, 0.0, moment
 
-    def spin_ratio(self, moment_arm: npt.ArrayLike) -> Array:
-        return np.asarray(np.divide(moment_arm, self.gyration_radius**2))
+
+@compiled
+def _made(effect, row):
+    return Mass(row[MASS], row[GYRATION])
+
+
+@compiled
+def _spin_ratio(effect, arm):
+    return arm / effect.gyration  # Eq. (10)
+
+
+@compiled
+def _leverages(effect):
+    return effect.gyration, effect.gyration
+
+
+RESPONSES[Mass], MAKERS[Mass] = _response, _made
+SPIN_RATIOS[Mass], LEVERAGES[Mass] = _spin_ratio, _leverages

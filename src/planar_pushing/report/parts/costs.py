@@ -14,12 +14,11 @@ NEAR, SPIN = 1 - 1e-9, 1e8
 
 
 def _percent(name: str, digits: int = 0) -> Quantity:
-    compute = costs.worst_error_in(0.01, name)
-    return computed(WRENCH, compute, digits=digits, unit="percent")
+    return computed(WRENCH, costs.worst_error_in, 0.01, name, digits=digits, unit="percent")
 
 
 def _ulp(name: str) -> Quantity:
-    return computed(WRENCH, costs.worst_error_in(costs.EPS, name), digits=1, unit="epsilon")
+    return computed(WRENCH, costs.worst_error_in, costs.EPS, name, digits=1, unit="epsilon")
 
 
 ACCURACY: Numbers = {
@@ -27,19 +26,19 @@ ACCURACY: Numbers = {
     "closed-form-error": _ulp("closed form"),
     "hypergeometric-error": _ulp("hyp2f1"),
     "carlson-error": _ulp("Carlson"),
-    "trapezoid-evaluations": computed(WRENCH, costs.last_evaluations("trapezoid", 1.0)),
-    "trapezoid-error": magnitude(WRENCH, costs.last_error("trapezoid", 1.0)),
-    "quad-evaluations-near": computed(WRENCH, costs.last_evaluations("quad", NEAR)),
-    "quad-evaluations-on": computed(WRENCH, costs.last_evaluations("quad", 1.0)),
-    "quad-error-spin": magnitude(WRENCH, costs.last_error("quad", SPIN)),
+    "trapezoid-evaluations": computed(WRENCH, costs.last_evaluations, "trapezoid", 1.0),
+    "trapezoid-error": magnitude(WRENCH, costs.last_error, "trapezoid", 1.0),
+    "quad-evaluations-near": computed(WRENCH, costs.last_evaluations, "quad", NEAR),
+    "quad-evaluations-on": computed(WRENCH, costs.last_evaluations, "quad", 1.0),
+    "quad-error-spin": magnitude(WRENCH, costs.last_error, "quad", SPIN),
     "ellipsoid-error": _percent("ellipsoid"),
     "quartic-error": _percent("convex quartic", 1),
-    "cone-error": magnitude(CONE, costs.cone_error("closed form"), unit="degree"),
-    "brentq-evaluations": computed(CONE, costs.cone_evaluations("brentq on quad")),
-    "root-evaluations": computed(CONE, costs.cone_evaluations("find_root")),
-    "ellipsoid-cone-error": computed(CONE, costs.cone_error("ellipsoid"), digits=1, unit="degree"),
+    "cone-error": magnitude(CONE, costs.cone_error, "closed form", unit="degree"),
+    "brentq-evaluations": computed(CONE, costs.cone_evaluations, "brentq on quad"),
+    "root-evaluations": computed(CONE, costs.cone_evaluations, "find_root"),
+    "ellipsoid-cone-error": computed(CONE, costs.cone_error, "ellipsoid", digits=1, unit="degree"),
     "quartic-cone-error": computed(
-        CONE, costs.cone_error("convex quartic"), digits=2, unit="degree"
+        CONE, costs.cone_error, "convex quartic", digits=2, unit="degree"
     ),
     "rim-ellipsoid": picked(CONE, "rim_error", {"model": "ellipsoid"}),
     "rim-quartic": picked(CONE, "rim_error", {"model": "quartic"}),
@@ -55,8 +54,8 @@ HARD_CASES: Numbers = {
     "hard-largest-elsewhere": computed(HARD, costs.largest_error_elsewhere, digits=1),
     "hard-share": computed(HARD, costs.largest_share, digits=1),
     "hard-limit": magnitude(HARD, costs.ill_from, digits=0),
-    "hard-least-condition": magnitude(HARD, costs.condition_of_ill(np.min)),
-    "hard-most-condition": magnitude(HARD, costs.condition_of_ill(np.max)),
+    "hard-least-condition": magnitude(HARD, costs.condition_of_ill, np.min),
+    "hard-most-condition": magnitude(HARD, costs.condition_of_ill, np.max),
 }
 
 EFFECTS: Numbers = {

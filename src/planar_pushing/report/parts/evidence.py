@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 from planar_pushing.report.quantities import Numbers, Quantity, claimed, counted
 from planar_pushing.report.verdict import golden_numbers, verdict_count, verdict_word
 
-#: Verdicts of the ledger.
-VERDICTS = ("proved", "verified on the grid", "not reproducible", "refuted")
+#: Verdicts that the ledger can expect.
+VERDICTS = [verdict for verdict in Verdict if verdict is not Verdict.UNDECIDED]
 
 
-def _verdicts(verdict: str) -> Quantity:
+def _verdicts(verdict: Verdict) -> Quantity:
     return counted(verdict, lambda claim: bool(claim["verdict"] == verdict))
 
 

@@ -24,9 +24,8 @@ from planar_pushing.report.derived import (
     sticking_pulls,
 )
 from planar_pushing.report.quantities import Numbers, Quantity, computed, picked
-from planar_pushing.report.results import Results
+from planar_pushing.report.results import FRICTION, INERTIA, Results
 
-FRICTION, INERTIA = "support_friction", "inertia"
 #: A contact under which slow pulling exists and fast pulling does not.
 SLOW = "coulomb_1.4"
 
@@ -93,7 +92,7 @@ def _bounds() -> Numbers:
     }
     excess = {
         f"excess-{side}": computed(
-            "acceleration_centers", conservative_excess(side), digits=2, unit="degree"
+            "acceleration_centers", conservative_excess, side, digits=2, unit="degree"
         )
         for side in ("right", "left")
     }
@@ -115,13 +114,13 @@ QUASI_STATIC: Numbers = {
     "force-along-rod": _force(FRICTION, 2.0, ROD_ANGLE, digits=2),
     "force-across-rod": _force(FRICTION, 2.0, ROD_ANGLE + 90),
     "force-across-long-rod": _force(FRICTION, 10.0, ROD_ANGLE + 90),
-    "ellipse-deviation": computed("limit_curves", ellipse_deviation(2.0), digits=1, unit="percent"),
+    "ellipse-deviation": computed("limit_curves", ellipse_deviation, 2.0, digits=1, unit="percent"),
     "ellipse-deviation-long-rod": computed(
-        "limit_curves", ellipse_deviation(10.0), digits=1, unit="percent"
+        "limit_curves", ellipse_deviation, 10.0, digits=1, unit="percent"
     ),
     **_map("06", "cone"),
     **_cone("velocity-cone", FRICTION, 2.0, 2.0),
-    "least-friction-pulling": computed("motion_cones", least_pulling(FRICTION, 2.0), digits=1),
+    "least-friction-pulling": computed("motion_cones", least_pulling, FRICTION, 2.0, digits=1),
 }
 
 INFINITE_FRICTION: Numbers = {
@@ -133,7 +132,7 @@ INFINITE_FRICTION: Numbers = {
 }
 
 DYNAMIC: Numbers = {
-    "least-friction-dynamic": computed("motion_cones", least_pulling(INERTIA, 2.0), digits=1),
+    "least-friction-dynamic": computed("motion_cones", least_pulling, INERTIA, 2.0, digits=1),
     **_cone("acceleration-cone", INERTIA, 2.0, 2.0),
     **_cone("infinite-acceleration-cone", INERTIA, 2.0, math.inf),
     **_scene("09a", "dynamic-pulling"),
@@ -152,9 +151,9 @@ BOTH_EFFECTS: Numbers = {
 
 MODES: Numbers = {
     "pushes": computed("contact_modes", pushes),
-    "unique-pushes": computed("contact_modes", outcomes(Outcome.UNIQUE)),
-    "ambiguous-pushes": computed("contact_modes", outcomes(Outcome.AMBIGUOUS)),
-    "inconsistent-pushes": computed("contact_modes", outcomes(Outcome.INCONSISTENT)),
+    "unique-pushes": computed("contact_modes", outcomes, Outcome.UNIQUE),
+    "ambiguous-pushes": computed("contact_modes", outcomes, Outcome.AMBIGUOUS),
+    "inconsistent-pushes": computed("contact_modes", outcomes, Outcome.INCONSISTENT),
     "inconsistent-definition": computed("contact_modes", inconsistent_definition_2),
     "sticking-pulls": computed("contact_modes", sticking_pulls),
     "slipping-pulls": computed("contact_modes", slipping_pulls),
@@ -165,7 +164,7 @@ MODES: Numbers = {
         "contact_modes", "friction_coefficient", {"contact": SLOW}, digits=1, unit="1"
     ),
     "slow-magnitude": _axis("contact_modes", "pusher_magnitude", 0.1, digits=1),
-    "slow-pull": computed("contact_modes", furthest_pull(SLOW, 0.1), unit="degree"),
+    "slow-pull": computed("contact_modes", furthest_pull, SLOW, 0.1, unit="degree"),
     "fast-magnitude": _axis("contact_modes", "pusher_magnitude", 10.0),
-    "fast-pull": computed("contact_modes", furthest_pull(SLOW, 10.0), unit="degree"),
+    "fast-pull": computed("contact_modes", furthest_pull, SLOW, 10.0, unit="degree"),
 }

@@ -1,44 +1,44 @@
-"""What the builders of the datasets share: axes from the grid, and cells evaluated over them."""
+"""What the builders of the datasets share: axes as labelled arrays, a part for each set of effects."""
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.study.models import StudyFile
-
-#: Variables of one point of the outer axes, each scalar or over the inner axes.
-Cell = dict[str, Any]
+from planar_pushing.mechanics.contact import ContactLaw
+from planar_pushing.study.files.models import StudyFile
 
 
-def axes(study: StudyFile, names: tuple[str, ...]) -> dict[str, list[Any]]:
-    """Axes of the study's grid as coordinates."""
-    return {name: list(getattr(study.grid, name)) for name in names}
+def axis(study: StudyFile, name: str) -> xr.DataArray:
+    """An axis of the study's grid, with its own values as coordinate."""
+    values = list(getattr(study.grid, name))
+    return xr.DataArray(values, dims=name, coords={name: values}, name=name)
+
+
+def law_axis(name: str, labels: Sequence[Any], laws: Sequence[ContactLaw]) -> xr.DataArray:
+    """Contact laws along an axis with these labels."""
+    values = np.empty(len(laws), dtype=object)
+    values[:] = laws
+    return xr.DataArray(values, dims=name, coords={name: list(labels)})
+
+
+def over_effects(study: StudyFile, part: Callable[[tuple[Any, ...]], xr.Dataset]) -> xr.Dataset:
+    """The parts of the grid's sets of effects, along the axis `effects`."""
+    names = list(study.grid.effects)
+    index = xr.Variable("effects", names)
+    return ordered(xr.concat([part(study.effects(name)) for name in names], index))
+
+
+def ordered(dataset: xr.Dataset) -> xr.Dataset:
+    """The same with its variables before its coordinates, and these in the order of the dimensions."""
+    dims = next(iter(dataset.data_vars.values())).dims
+    variables = {name: each.variable for name, each in dataset.data_vars.items()}
+    return xr.Dataset(variables, {name: dataset[name] for name in dims if name in dataset.coords})
 
 
 def parameters(study: StudyFile) -> dict[str, object]:
     """Slider and effects of the study, for the dataset's attributes."""
     return {"slider": study.slider, **study.parts}
-
-
-def assemble(
-    coords: dict[str, list[Any]], outer: tuple[str, ...], cell: Callable[..., Cell]
-) -> xr.Dataset:
-    """Evaluate `cell` at each point of the outer axes and fill the variables over all axes."""
-    shape = tuple(len(coords[name]) for name in outer)
-    inner = tuple(name for name in coords if name not in outer)
-    variables: dict[str, tuple[tuple[str, ...], npt.NDArray[Any]]] = {}
-    points = itertools.product(*(coords[name] for name in outer))
-    for place, point in zip(np.ndindex(shape), points, strict=True):
-        for name, value in cell(*point).items():
-            one = np.asarray(value)
-            if name not in variables:
-                whole = np.empty(shape + one.shape, dtype=one.dtype)
-                variables[name] = outer + inner[: one.ndim], whole
-            variables[name][1][place] = one
-    return xr.Dataset(variables, coords=coords)

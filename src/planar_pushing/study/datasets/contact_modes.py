@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import product
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.candidates import Candidates, modes_under, outcomes, push
+from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import (
     ContactLaw,
     ContactMode,
@@ -18,21 +17,23 @@ from planar_pushing.mechanics.contact import (
     PerfectlyRough,
 )
 from planar_pushing.mechanics.contact.laws import friction_coefficient
-from planar_pushing.mechanics.planar import Array, direction
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.datasets.base import parameters
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.study import catalog
+from planar_pushing.study.datasets.base import axis, law_axis, over_effects, parameters
 from planar_pushing.study.describe import describe
-from planar_pushing.study.models import StudyFile
+from planar_pushing.study.files.models import StudyFile
 
-DIMS = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode")
-MOVING = [mode for mode in ContactMode if mode is not ContactMode.SEPARATE]
+INNER = ("contact", "rod_length", "pusher_magnitude", "pusher_angle")
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
+Found = npt.NDArray[np.bool_]
 
 
 def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
     """Label: (type, law) along the contact axis; the label holds the coefficient of friction."""
     coulomb = {
-        f"coulomb_{mu:g}": ("coulomb", Coulomb(mu))
+        f"coulomb_{catalog.number_label(mu)}": ("coulomb", Coulomb(mu))
         for mu in study.grid.contact_friction_coefficient
     }
     return coulomb | {
@@ -42,59 +43,59 @@ def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
     }
 
 
-def _extremes(found: Sequence[Candidates]) -> dict[str, Array]:
-    """Spin ratio and force angle of the slowest and the fastest consistent motion; 0 where none.
+def _force_angles(force: Array) -> Array:
+    """Force angles in (-180, 180] degrees."""
+    angle = np.arctan2(force[..., 1], force[..., 0])
+    return np.rad2deg(np.where(angle <= -np.pi + RESOLUTION, np.pi, angle))
 
-    Of one mode under several laws, along the first axis.
+
+def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
+    """How many solutions each mode has, and spin ratio and force angle of its slowest and fastest motion.
+
+    Zero where there is none. Shape S + (modes,).
     """
-    consistent = np.stack([c.consistent for c in found])
-    ratio = np.stack([c.spin_ratio for c in found])
-    speed = np.stack([np.linalg.norm(c.twist, axis=-1) for c in found])
-    angle = np.rad2deg(np.stack([c.force_angle for c in found]))
-    slow = np.where(consistent, speed, np.inf).argmin(axis=-1, keepdims=True)
-    fast = np.where(consistent, speed, -np.inf).argmax(axis=-1, keepdims=True)
-    moves = consistent.any(axis=-1)
+    speed = np.linalg.norm(found.twist.values * [1.0, 1.0, radius], axis=-1)
+    values = {
+        "spin_ratio": found.spin_ratio.values,
+        "force_angle": _force_angles(found.force.values),
+    }
+    modes = [_of_mode(found.mode.values == mode, speed, values) for mode in ContactMode]
+    modes[ContactMode.SEPARATE] |= {name: np.zeros(speed.shape[:-1]) for name in VALUES}
+    return {name: np.stack([each[name] for each in modes], axis=-1) for name in modes[0]}
 
-    def pick(values: Array, branch: Any) -> Array:
-        return np.where(moves, np.take_along_axis(values, branch, axis=-1)[..., 0], 0.0)
 
-    picks = (ratio, slow), (angle, slow), (ratio, fast), (angle, fast)
-    return dict(zip(VALUES, (pick(*each) for each in picks), strict=True))
+def _of_mode(here: Found, speed: Array, values: dict[str, Array]) -> dict[str, npt.NDArray[Any]]:
+    slow = np.where(here, speed, np.inf).argmin(axis=-1)[..., None]
+    fast = np.where(here, speed, -np.inf).argmax(axis=-1)[..., None]
+    exists = here.any(axis=-1)
+    picked = {
+        name + end: np.where(exists, np.take_along_axis(value, place, axis=-1)[..., 0], 0.0)
+        for end, place in (("", slow), ("_fast", fast))
+        for name, value in values.items()
+    }
+    return {"consistent": here.sum(axis=-1, dtype=np.int8)} | picked
 
 
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
-    laws, grid = contacts(study), study.grid
-    coords: dict[str, Any] = {
-        "effects": list(grid.effects),
-        "contact": list(laws),
-        "rod_length": list(grid.rod_length),
-        "pusher_magnitude": list(grid.pusher_magnitude),
-        "pusher_angle": list(grid.pusher_angle),
-        "mode": [mode.name for mode in ContactMode],
-    }
-    shape = tuple(len(coords[dim]) for dim in DIMS)
-    consistent, outcome = np.zeros(shape, np.int8), np.zeros(shape[:-1], np.int8)
-    values = {name: np.zeros(shape) for name in VALUES}
-    heading = direction(np.deg2rad(grid.pusher_angle))
-    magnitude = np.array(grid.pusher_magnitude)[:, None]
-    for (i, effects), (m, length) in product(enumerate(grid.effects), enumerate(grid.rod_length)):
-        scene = Scene(
-            slider=study.ring(length), contact=InfiniteFriction(), effects=study.effects(effects)
-        )
-        given = push(scene, heading, magnitude)  # the same for every law
-        of_mode: dict[ContactMode, dict[int, Candidates]] = {mode: {} for mode in ContactMode}
-        for j, found in enumerate(modes_under(scene, [law for _, law in laws.values()], given)):
-            outcome[i, j, m] = outcomes(found)
-            for each in found:
-                consistent[i, j, m, ..., each.mode] = each.consistent.sum(axis=-1)
-                of_mode[each.mode][j] = each
-        for mode in MOVING:
-            for name, picked in _extremes(list(of_mode[mode].values())).items():
-                values[name][i, list(of_mode[mode]), m, ..., mode] = picked
-    variables: dict[str, Any] = {"consistent": (DIMS, consistent), "outcome": (DIMS[:-1], outcome)}
-    variables |= {name: (DIMS, array) for name, array in values.items()}
-    dataset = xr.Dataset(variables, coords=coords).assign_coords(
+    laws = contacts(study)
+    contact = law_axis("contact", list(laws), [law for _, law in laws.values()])
+    slider = study.ring(axis(study, "rod_length"))
+    angle, magnitude = np.deg2rad(axis(study, "pusher_angle")), axis(study, "pusher_magnitude")
+
+    def part(effects: tuple[Any, ...]) -> xr.Dataset:
+        found = solve(Scene(slider=slider, contact=contact, effects=effects), angle, magnitude)
+        found = found.transpose(*INNER, ...)
+        extremes = _extremes(found, slider.radius)
+        variables: dict[str, Any] = {
+            "consistent": ((*INNER, "mode"), extremes.pop("consistent")),
+            "outcome": (INNER, found.outcome.values),
+        }
+        variables |= {name: ((*INNER, "mode"), value) for name, value in extremes.items()}
+        return xr.Dataset(variables, {name: found[name] for name in INNER})
+
+    dataset = over_effects(study, part).assign_coords(
+        mode=[mode.name for mode in ContactMode],
         law=("contact", [kind for kind, _ in laws.values()]),
         friction_coefficient=("contact", [friction_coefficient(law) for _, law in laws.values()]),
     )

@@ -9,43 +9,34 @@ import xarray as xr
 
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.limit_curve import limit_curve
-from planar_pushing.mechanics.planar import Array
+from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.blocks import in_blocks
-from planar_pushing.study.catalog import AXES
-from planar_pushing.study.datasets.base import Cell, assemble, axes, parameters
+from planar_pushing.study.datasets.base import axis, over_effects, parameters
 from planar_pushing.study.describe import describe
-from planar_pushing.study.models import StudyFile
-
-DIMS = AXES["limit_curves"]
-
-
-def _curve(scene: Scene, force_angle: Array) -> Cell:
-    curve = limit_curve(scene, force_angle)
-    return {
-        "force": curve.magnitude,
-        "force_x": curve.force[:, 0],
-        "force_y": curve.force[:, 1],
-        "spin_ratio": curve.spin_ratio,
-        "motion_angle": np.rad2deg(curve.motion_angle),
-    }
+from planar_pushing.study.files.models import StudyFile
 
 
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
-    coords = axes(study, DIMS)
-    phi = np.deg2rad(coords["force_angle"])
+    slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
+    phi = np.deg2rad(axis(study, "force_angle"))
+    heading = xr.DataArray(direction(phi), dims=("force_angle", "xy"))
 
-    def cell(effects: Any, length: float, angle: float) -> Cell:
-        scene = Scene(
-            slider=study.ring(length, angle),
-            contact=InfiniteFriction(),
-            effects=study.effects(effects),
+    def part(effects: tuple[Any, ...]) -> xr.Dataset:
+        scene = Scene(slider=slider, contact=InfiniteFriction(), effects=effects)
+        curve = limit_curve(scene, phi)
+        return xr.Dataset(
+            {
+                "force": curve.force_size,
+                "force_x": curve.force_size * heading[:, 0],
+                "force_y": curve.force_size * heading[:, 1],
+                "spin_ratio": curve.spin_ratio,
+                "motion_angle": np.rad2deg(curve.motion_angle),
+            }
         )
-        return in_blocks(lambda angles: _curve(scene, angles), phi)
 
     return describe(
-        assemble(coords, DIMS[:3], cell),
+        over_effects(study, part),
         title="Limit curves: forces through the contact and the motions they cause",
         source="Eqs. (2)-(7), Sec. 3, Fig. 5, and the ellipses of Sec. 4, Fig. 10",
         parameters=parameters(study),

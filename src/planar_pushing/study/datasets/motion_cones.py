@@ -7,43 +7,44 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.cones import leaves_the_fence, motion_cones, omits_pushes
+from planar_pushing.mechanics.cones import (
+    friction_cone,
+    leaves_the_fence,
+    motion_cone,
+    omits_pushes,
+)
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.catalog import AXES
-from planar_pushing.study.datasets.base import Cell, assemble, axes, parameters
+from planar_pushing.study.datasets.base import axis, law_axis, over_effects, parameters
 from planar_pushing.study.describe import describe
-from planar_pushing.study.models import StudyFile, contact_law
-
-DIMS = AXES["motion_cones"]
+from planar_pushing.study.files.models import StudyFile, contact_law
 
 
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
-    coords = axes(study, DIMS)
-    laws = [contact_law(mu) for mu in coords["friction_coefficient"]]
-    forces = np.array([[law.force_angles.right, law.force_angles.left] for law in laws])
+    slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
+    friction = axis(study, "friction_coefficient")
+    coefficients = friction.values.tolist()
+    laws = law_axis("friction_coefficient", coefficients, list(map(contact_law, coefficients)))
 
-    def cell(effects: Any, length: float, angle: float) -> Cell:
-        scene = Scene(
-            slider=study.ring(length, angle), contact=laws[0], effects=study.effects(effects)
-        )
-        cones = motion_cones(scene, laws)
-        magnitude = limit_curve(scene, forces).magnitude
-        slips = [law.slips and omits_pushes(cone) for law, cone in zip(laws, cones, strict=True)]
-        return {
-            "friction_cone_right": np.rad2deg(forces[:, 0]),
-            "friction_cone_left": np.rad2deg(forces[:, 1]),
-            "motion_cone_right": np.rad2deg([cone.right for cone in cones]),
-            "motion_cone_left": np.rad2deg([cone.left for cone in cones]),
-            "limit_force_right": magnitude[:, 0],
-            "limit_force_left": magnitude[:, 1],
-            "pulls": np.array([leaves_the_fence(cone) for cone in cones], np.int8),
-            "slips_while_pushing": np.array(slips, np.int8),
+    def part(effects: tuple[Any, ...]) -> xr.Dataset:
+        scene = Scene(slider=slider, contact=laws, effects=effects)
+        force, cone = friction_cone(scene), motion_cone(scene)
+        whole = xr.zeros_like(cone.right)
+        found = {
+            "friction_cone_right": np.rad2deg(force.right) + whole,
+            "friction_cone_left": np.rad2deg(force.left) + whole,
+            "motion_cone_right": np.rad2deg(cone.right),
+            "motion_cone_left": np.rad2deg(cone.left),
+            "limit_force_right": limit_curve(scene, force.right).force_size,
+            "limit_force_left": limit_curve(scene, force.left).force_size,
+            "pulls": leaves_the_fence(cone).astype(np.int8),
+            "slips_while_pushing": (scene.law.slips & omits_pushes(cone)).astype(np.int8),
         }
+        return xr.Dataset(found).transpose(*cone.right.dims)
 
     return describe(
-        assemble(coords, DIMS[:3], cell),
+        over_effects(study, part),
         title="Friction cones and the motion cones they map to",
         source="Secs. 3.1, 3.2 and 4, Figs. 6, 7 and 9",
         parameters=parameters(study),

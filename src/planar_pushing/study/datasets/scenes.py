@@ -2,32 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics import response
+from planar_pushing.mechanics.centers import motion_centers
 from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_cone
-from planar_pushing.mechanics.effects import RingFriction
-from planar_pushing.mechanics.planar import (
-    Array,
-    contact_motion_angle,
-    direction,
-    moment_arm,
-    motion_center,
-)
+from planar_pushing.mechanics.effects import Inertia, RingFriction
+from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import Solutions, solve
 from planar_pushing.study.describe import describe
-from planar_pushing.study.files import load_scene_file
-from planar_pushing.study.models import PushEntry, StudyFile
-from planar_pushing.study.scene_model import SceneFile
+from planar_pushing.study.files.models import PushEntry, StudyFile
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.terms.options import EffectKind
 
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
 SUPPORT_ANGLES = np.arange(0.0, 360.0, 15.0)
-EFFECT_NAMES = {1: "support_friction", 2: "inertia"}
+EFFECT_NAMES = {RingFriction: EffectKind.SUPPORT_FRICTION, Inertia: EffectKind.INERTIA}
 
 
 def pusher_angle(scene: Scene, push: PushEntry) -> float:
@@ -37,7 +33,7 @@ def pusher_angle(scene: Scene, push: PushEntry) -> float:
     """
     if push.force_angle is None:
         return float(push.pusher_angle or 0.0)
-    share = None if response.is_homogeneous(scene.effects) else 0.5
+    share = None if len(scene.kinds) == 1 else 0.5
     return float(np.rad2deg(motion_angle(scene, np.deg2rad(push.force_angle), share)))
 
 
@@ -74,15 +70,22 @@ def _support(scene: Scene, twists: Array) -> dict[str, Any]:
     }
 
 
+def _kinds(scene: Scene) -> dict[str, tuple[Any, ...]]:
+    """The effects of each kind, by its name."""
+    found = {
+        name: tuple(each for each in scene.effects if isinstance(each, kind))
+        for kind, name in EFFECT_NAMES.items()
+    }
+    return {name: effects for name, effects in found.items() if effects}
+
+
 def _cones(scene: Scene) -> dict[str, Any]:
     """Friction cone and motion cone, and the motions under each effect along the friction cone."""
-    slider, forces, motions = scene.slider, friction_cone(scene), motion_cone(scene)
+    forces, motions = friction_cone(scene), motion_cone(scene)
     phi = np.linspace(forces.right, forces.left, CONE_SAMPLES)
-    arm = moment_arm(slider.length_ratio, slider.rod_angle, phi)
-    kinds = [response.of_degree(scene.scaled_effects, degree) for degree in EFFECT_NAMES]
-    ratios = np.stack([response.spin_ratio(kind, arm, None) for kind in kinds if kind])
-    angles = contact_motion_angle(phi, ratios, slider.length_ratio, slider.rod_angle)
-    centers = motion_center(phi, ratios, slider.rod_length, slider.rod_angle, slider.radius)
+    alone = [replace(scene, effects=kind) for kind in _kinds(scene).values()]
+    angles = np.stack([motion_angle(each, phi) for each in alone])
+    centers = np.stack([motion_centers(each, phi) for each in alone])
     return {
         "friction_cone_right": np.rad2deg(forces.right),
         "friction_cone_left": np.rad2deg(forces.left),
@@ -101,7 +104,6 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     pusher = push.pusher_magnitude * direction(np.deg2rad(angle))
     solutions = solve(scene, np.deg2rad(angle), push.pusher_magnitude)
     values = _solutions(scene, solutions, pusher)
-    degrees = {effect.degree for effect in scene.effects}
     variables: dict[str, Any] = {
         "rod_length": slider.rod_length,
         "rod_angle": float(np.rad2deg(slider.rod_angle)),
@@ -117,7 +119,7 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     }
     coords = {
         "xy": ["x", "y"],
-        "effect": [name for degree, name in EFFECT_NAMES.items() if degree in degrees],
+        "effect": list(map(str, _kinds(scene))),
         "twist_component": ["v_x", "v_y", "R omega"],
         "support_angle": SUPPORT_ANGLES,
     }

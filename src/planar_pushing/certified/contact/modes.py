@@ -1,0 +1,198 @@
+"""Contact modes: every consistent solution for a pusher motion from rest, by certified decisions.
+
+The conditions are those of the case analysis of Sec. 2. A slip that coincides with stick is stick;
+a slip needs a motion. Where the pusher moves along the fence and so does the motion of an edge, the
+slips form a family from rest to stick: none of them is counted.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import lru_cache
+
+from flint import arb, fmpq
+
+from planar_pushing.certified.balls import Exact, cosine_sine, precise, rational, sign
+from planar_pushing.certified.contact import slips
+from planar_pushing.certified.contact.sticking import Motion, Sticking, sticking
+from planar_pushing.certified.line_of_force import (
+    contact_motion,
+    exact_contact_motion,
+    is_steady,
+    spin_ratio,
+)
+from planar_pushing.certified.setting import (
+    FRICTION,
+    INERTIA,
+    Effects,
+    Heading,
+    Slider,
+    edge,
+    heading,
+    lean,
+)
+
+
+class Mode(IntEnum):
+    """Contact modes in the order of the datasets."""
+
+    SEPARATE = 0
+    STICK = 1
+    SLIP_RIGHT = 2
+    SLIP_LEFT = 3
+
+
+#: The slider at rest.
+REST = Motion(arb(0), arb(0))
+
+#: Edge of the friction cone that each slip loads: 1 is the right, -1 the left one.
+SLIPS = {Mode.SLIP_RIGHT: -1, Mode.SLIP_LEFT: 1}
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """Contact law: width of the friction cone, whether its edges belong to it; adhesive has none."""
+
+    friction_coefficient: float
+    closed: bool = True
+    adhesive: bool = False
+
+    @property
+    def slips(self) -> bool:
+        """Whether the contact slips under a force on an edge."""
+        return self.closed and not self.adhesive
+
+
+def coulomb(friction_coefficient: float) -> Law:
+    """Coulomb's law with a finite coefficient."""
+    return Law(friction_coefficient)
+
+
+INFINITE_FREE = Law(math.inf)  # definition 1 of Sec. 5
+INFINITE_NONE = Law(math.inf, closed=False)  # definition 2
+PERFECTLY_ROUGH = Law(math.inf, adhesive=True)
+
+
+@precise
+def contact_modes(
+    slider: Slider, effects: Effects, law: Law, magnitude: float, pusher_angle: float | fmpq
+) -> dict[Mode, list[Motion]]:
+    """Consistent motions of each mode, slowest first.
+
+    Parameters
+    ----------
+    slider : Slider
+    effects : Effects
+    law : Law
+    magnitude : float
+        Of the pusher's motion, > 0, exact.
+    pusher_angle : float or fmpq
+        Degrees, exact.
+    """
+    size, pusher = rational(magnitude), heading(pusher_angle)
+    found: dict[Mode, list[Motion]] = {mode: [] for mode in Mode}
+    if sign(pusher.y) <= 0:
+        found[Mode.SEPARATE] = [REST]
+    stick = sticking(slider, effects, _sufficient(effects, size), rational(pusher_angle))
+    if law.adhesive or _admits(law, stick):
+        found[Mode.STICK] = [stick.motion]
+    for mode, side in SLIPS.items() if law.slips else ():
+        force = edge(law.friction_coefficient, side)
+        spins = _slips(slider, effects, law.friction_coefficient, side, size, pusher)
+        found[mode] = [Motion(spin, force.degrees) for spin in spins]
+    return found
+
+
+def outcome(found: dict[Mode, list[Motion]]) -> int:
+    """0 inconsistent, 1 unique, 2 ambiguous."""
+    return min(2, sum(len(motions) for motions in found.values()))
+
+
+def _sufficient(effects: Effects, magnitude: fmpq) -> fmpq:
+    """Magnitude on which the sticking motion depends: one effect alone has no scale."""
+    return magnitude if effects is Effects.BOTH else fmpq(1)
+
+
+def _admits(law: Law, stick: Sticking) -> bool:
+    """Whether the force lies in the friction cone."""
+    sides = [_side_of_edge(law.friction_coefficient, side, stick) for side in (1, -1)]
+    if not law.closed:
+        return min(sides) > 0
+    # A cone of one direction also has no force against it.
+    return min(sides) >= 0 and (law.friction_coefficient > 0 or stick.force[1] > 0)
+
+
+def _side_of_edge(friction_coefficient: float, side: int, stick: Sticking) -> int:
+    """1 inside an edge of the friction cone, 0 on its line, -1 outside."""
+    bound = edge(friction_coefficient, side)
+    ball = bound.x * stick.force[1] - bound.y * stick.force[0]
+
+    def exact() -> Exact:
+        x, y = bound.exact()  # type: ignore[misc]
+        return x * stick.exact[1] - y * stick.exact[0]  # type: ignore[index]
+
+    return side * sign(ball, exact if stick.exact is not None else None)
+
+
+def _slips(
+    slider: Slider, effects: Effects, mu: float, side: int, magnitude: fmpq, pusher: Heading
+) -> list[arb]:
+    """Spin ratios of the motions under a force on an edge that slide off the pusher, slowest first."""
+    force = edge(mu, side)
+    _, sine = lean(slider, force)
+    if effects is not Effects.BOTH or is_steady(slider, force):
+        return _steady_slips(slider, force, effects.shares[0], side, pusher)
+    motions, parts = cover(slider, mu, side)
+    found = []
+    for size in slips.slip_spins(motions, parts, magnitude * pusher.y):
+        spin = -size if sine < 0 else size
+        if pusher.y == 0:
+            speed = motions.speed(size) * contact_motion(slider, force, spin)[0]
+            slip = sign(speed - magnitude * pusher.x)
+        else:
+            slip = sign(pusher.y) * _turn(slider, force, spin, FRICTION, pusher)
+        if slip * side < 0:
+            found.append(spin)
+    return found
+
+
+def _steady_slips(
+    slider: Slider, force: Heading, share: fmpq, side: int, pusher: Heading
+) -> list[arb]:
+    """Slips in the direction of an edge of the motion cone; any speed sustains the force there."""
+    spin = spin_ratio(slider, force, share)
+    motion, exact = contact_motion(slider, force, spin), exact_contact_motion(slider, force, share)
+    towards = sign(motion[1], None if exact is None else lambda: exact[1])
+    if towards == 0 or towards != sign(pusher.y):
+        return []
+    return [spin] if towards * _turn(slider, force, spin, share, pusher) * side < 0 else []
+
+
+def _turn(slider: Slider, force: Heading, spin: arb, share: fmpq, pusher: Heading) -> int:
+    """Sign of the turn from the contact's motion to the pusher's; times n . u that of the slip."""
+    motion, known = contact_motion(slider, force, spin), exact_contact_motion(slider, force, share)
+
+    def exact() -> Exact:
+        x, y = pusher.exact()  # type: ignore[misc]
+        return known[0] * y - known[1] * x  # type: ignore[index]
+
+    ball = motion[0] * pusher.y - motion[1] * pusher.x
+    return sign(ball, None if known is None or pusher.exact is None else exact)
+
+
+@lru_cache(maxsize=1024)
+@precise
+def cover(
+    slider: Slider, friction_coefficient: float, side: int
+) -> tuple[slips.Edge, list[slips.Part]]:
+    """Motions under a force on an edge off the ring centre, cut into certified monotone parts."""
+    force = edge(friction_coefficient, side)
+    _, sine = lean(slider, force)
+    exact = exact_contact_motion(slider, force, INERTIA)
+    motion = contact_motion(slider, force, spin_ratio(slider, force, INERTIA))
+    stays = sign(motion[1], lambda: exact[1]) == 0  # type: ignore[index]
+    cosine, _ = cosine_sine(slider.rod_angle)
+    found = slips.mirrored_edge(slider, force, sine, cosine, stays)
+    return found, slips.parts(found)

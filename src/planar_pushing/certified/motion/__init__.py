@@ -1,0 +1,1 @@
+"""Motion over time within a mode, as integrals over the spin ratio."""

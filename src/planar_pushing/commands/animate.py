@@ -1,0 +1,34 @@
+"""The command `animate`."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from planar_pushing.commands.arguments import Commands, add_output, command
+from planar_pushing.terms.errors import InvalidFile
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = "Turn the log of a simulation into an animated picture."
+    sub = command(commands, "animate", animated, about)
+    sub.add_argument("log", type=Path, metavar="LOG.nc")
+    add_output(sub, "MOTION.gif")
+    sub.add_argument("--frames", type=int, default=75, metavar="NUMBER")
+    sub.add_argument("--frames-per-second", type=float, default=25.0, metavar="NUMBER")
+
+
+def animated(args: argparse.Namespace) -> dict[str, Any]:
+    """Draw the frames of the log into one file."""
+    from planar_pushing.figures.motion.animation import animate
+    from planar_pushing.study.store import read_dataset
+
+    log, rate = read_dataset(args.log), args.frames_per_second
+    try:
+        frames = animate(log, args.output, frames=args.frames, rate=rate)
+    except InvalidFile as error:
+        raise InvalidFile(f"{args.log}: {error}") from None
+    size = args.output.stat().st_size
+    return {"written": str(args.output), "frames": frames, "bytes": size}

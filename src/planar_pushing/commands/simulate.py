@@ -1,0 +1,106 @@
+"""The command `simulate`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from pydantic import ValidationError
+
+from planar_pushing.commands.arguments import Commands, add_output, add_scene, command
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.simulate_model import SimulateEntry
+from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.options import Method, Policy
+
+ENDINGS = (".nc", ".h5")
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = "Simulate a scene over time and write the log."
+    sub = command(commands, "simulate", simulated, about)
+    add_scene(sub)
+    add_output(sub, "LOG.nc")
+    sub.add_argument("--pusher-angle", type=float, metavar="DEGREES")
+    for name in ("pusher-speed", "duration", "rtol", "step"):
+        sub.add_argument(f"--{name}", type=float, metavar="NUMBER")
+    sub.add_argument("--samples", type=int, metavar="NUMBER")
+    sub.add_argument("--method", metavar="NAME", help=", ".join(Method))
+    sub.add_argument("--on-ambiguity", metavar="NAME", help=", ".join(Policy))
+    sub.add_argument(
+        "--progress", action=argparse.BooleanOptionalAction, default=sys.stderr.isatty()
+    )
+
+
+def simulated(args: argparse.Namespace) -> dict[str, Any]:
+    """Simulate the scene, and tell how it went."""
+    from planar_pushing.study.simulations import simulate_file
+
+    if args.output.suffix.lower() not in ENDINGS:
+        allowed = f"a name ending in {' or '.join(ENDINGS)}"
+        raise InvalidValue("output", str(args.output), allowed, "rename the file")
+    file = load_scene_file(args.scene)
+    file = file.model_copy(update={"simulate": _section(file, args)})
+    with simulate_file(file, path=args.output, progress=args.progress) as log:
+        return {"written": str(args.output)} | summary(log)
+
+
+def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
+    """The file's section, with what the options say in its place."""
+    names = ("pusher_angle", "pusher_speed", "duration", "method", "rtol", "on_ambiguity")
+    given = {name: getattr(args, name) for name in (*names, "samples", "step")}
+    section: dict[str, Any] = file.simulate.model_dump(exclude_none=True) if file.simulate else {}
+    if given["pusher_angle"] is not None:
+        section.pop("pusher", None)
+    section |= {name: value for name, value in given.items() if value is not None}
+    for name, other in (("pusher_angle", "pusher"), ("duration", "duration")):
+        if name not in section and other not in section:
+            option = f"--{name.replace('_', '-')}"
+            allowed = f"the option {option}, or a section simulate in {args.scene}"
+            raise InvalidValue(name, None, allowed, "give one of them")
+    try:
+        return SimulateEntry.model_validate(section)
+    except ValidationError as error:
+        raise _invalid(error, section) from None
+
+
+def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
+    """First of the errors, in the words of the options."""
+    first = error.errors()[0]
+    name = str(first["loc"][0]) if first["loc"] else "simulate"
+    allowed = str(first.get("ctx", {}).get("expected", first["msg"]))
+    return InvalidValue(name, section.get(name, section), allowed, "change the value")
+
+
+def summary(log: xr.Dataset) -> dict[str, Any]:
+    """How a simulation went: where it ended, and the modes on the way."""
+    last = log.isel(time=-1)
+    return {
+        "time": float(last["time"]),
+        "stopped": log.attrs["stopped"],
+        "rod_angle": float(last["rod_angle"]),
+        "position": [float(each) for each in last["position"]],
+        "slip": float(last["slip"]),
+        "gap": float(last["gap"]),
+        "modes": [
+            {"time": time, "mode": mode, "consistent": count} for time, mode, count in _changes(log)
+        ],
+    }
+
+
+def _changes(log: xr.Dataset) -> list[tuple[float, str, int]]:
+    """Times at which the mode or the number of consistent solutions changed, and both."""
+    modes, counts = log["mode"].values.astype(int), log["solutions"].values
+    changed = (np.diff(modes) != 0) | (np.diff(counts) != 0)
+    rows = np.flatnonzero(np.concatenate([[True], changed]))
+    names = {-1: "NONE"} | {int(mode): mode.name for mode in ContactMode}
+    return [
+        (float(log["time"][row]), names[int(modes[row])], int(log["solutions"][row]))
+        for row in rows
+    ]

@@ -1,0 +1,34 @@
+"""Results of commands as readable lines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+
+def numbers(values: Any) -> list[float]:
+    """Plain numbers of a vector, without negative zeros."""
+    return [float(value) + 0.0 for value in np.atleast_1d(values)]
+
+
+def text(value: Any, indent: int = 0) -> str:
+    """Readable lines of nested results."""
+    if _nested(value):
+        blocks = (
+            f"{' ' * indent}{i}:\n{text(each, indent + 2)}" for i, each in enumerate(value, 1)
+        )
+        return "\n".join(blocks)
+    if isinstance(value, dict):
+        return "\n".join(_line(str(key), each, indent) for key, each in value.items())
+    return " ".join(f"{v:.12g}" if isinstance(v, float) else str(v) for v in np.atleast_1d(value))
+
+
+def _nested(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
+
+
+def _line(key: str, value: Any, indent: int) -> str:
+    if _nested(value):
+        return f"{' ' * indent}{key}:\n{text(value, indent + 2)}"
+    return f"{' ' * indent}{key}: {text(value)}" if key else str(value)

@@ -1,0 +1,1 @@
+"""What the results rest on: golden data, claims, hard cases, and what accuracy costs."""

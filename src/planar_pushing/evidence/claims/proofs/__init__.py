@@ -1,0 +1,1 @@
+"""What the checks of the claims are made of."""

@@ -1,0 +1,148 @@
+"""What several claims rest on, each with its evidence; for every rod and every force angle."""
+
+from __future__ import annotations
+
+from flint import arb
+
+from planar_pushing.certified import ring
+from planar_pushing.evidence.claims.proofs import identities as ids
+from planar_pushing.evidence.claims.proofs import ring_boxes
+from planar_pushing.evidence.claims.proofs.cover import cover
+from planar_pushing.evidence.claims.proofs.verdicts import Evidence, identity, together
+
+#: Numerators of the integrands of Eqs. (2)-(3), and the square of their denominator.
+FORCE, TORQUE = 1 + ids.k * ids.c, ids.k + ids.c
+RADICAND = 1 + ids.k**2 + 2 * ids.k * ids.c
+
+
+def no_sideways_force(method: str) -> Evidence:
+    """Evidence for Eq. (1): the integrand is odd about theta = pi."""
+    odd = -ids.k * ids.s
+    return identity(
+        {
+            "the numerator and its mirror image": odd + ids.replaced(odd, s=-ids.s),
+            "the radicand": RADICAND - ids.replaced(RADICAND, s=-ids.s),
+        },
+        method,
+    )
+
+
+def rates() -> Evidence:
+    """Evidence that t' is the mean of sin^2 / speed^3, and f' = -k t', from the integrands."""
+    force, torque = (
+        each.derivative("k") * RADICAND - each * (ids.k + ids.c) for each in (FORCE, TORQUE)
+    )
+    return identity(
+        {
+            "t' minus the mean of sin^2 / speed^3": ids.normal(torque - ids.s**2),
+            "f' + k t'": ids.normal(force + ids.k * torque),
+        },
+        "derivatives of the integrands with respect to k, as polynomials",
+    )
+
+
+def duality() -> Evidence:
+    """Evidence for f(1 / k) = t(k): the integrand of Eq. (2) at 1 / k is that of Eq. (3) at k > 0."""
+    return identity(
+        {
+            "the radicand": RADICAND - _reversed(RADICAND, 2),
+            "the numerator": TORQUE - _reversed(FORCE, 1),
+        },
+        "the integrand of Eq. (2) at 1 / k is that of Eq. (3) at k > 0, exactly",
+    )
+
+
+def _reversed(polynomial: ids.Polynomial, power: int) -> ids.Polynomial:
+    """k^power times the polynomial at 1 / k."""
+    context = polynomial.context()
+    place, turned = context.names().index("k"), {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        flipped = list(exponents)
+        flipped[place] = power - flipped[place]
+        turned[tuple(flipped)] = coefficient
+    return context.from_dict(turned)
+
+
+def torque_rate() -> Evidence:
+    """Evidence for ``t' = (f - k t) / (1 - k^2) - t / k``, from the integrands, 0 < k < 1.
+
+    The right side is the mean of -cos / (k speed); it is t', the mean of sin^2 / speed^3, since their
+    difference is the derivative of sin / (k speed) around the ring.
+    """
+
+    def around(polynomial: ids.Polynomial) -> ids.Polynomial:
+        return polynomial.derivative("s") * ids.c - polynomial.derivative("c") * ids.s
+
+    whole = around(ids.s) * RADICAND - ids.s * around(RADICAND) / 2  # times k speed^3
+    right = (FORCE - ids.k * TORQUE) * ids.k - TORQUE * (1 - ids.k**2)  # times k (1 - k^2) speed
+    return identity(
+        {
+            "sin^2 / speed^3 + cos / (k speed)": ids.normal(
+                ids.k * ids.s**2 + ids.c * RADICAND - whole
+            ),
+            "the right side": ids.normal(right + ids.c * (1 - ids.k**2)),
+        },
+        "the integrands, up to a derivative around the ring, as polynomials",
+    )
+
+
+def elliptic_rates() -> Evidence:
+    """Evidence that E and (E - (1 - k^2) K) / k have the rates of f and of t.
+
+    The derivatives of K = b and E = a are those of DLMF 19.4.1-2: ``k a' = a - b`` and
+    ``k (1 - k^2) b' = a - (1 - k^2) b``.
+    """
+    rest = 1 - ids.k**2
+    torque = ids.a - rest * ids.b  # times k
+    rate = (ids.a - ids.b) + 2 * ids.k**2 * ids.b - (ids.a - rest * ids.b)  # of it, times k
+    steep = rate - torque  # t', times k^2
+    return identity(
+        {
+            "t' by (f - k t) / (1 - k^2) - t / k": steep * rest
+            - ids.k**2 * (ids.a - torque)
+            + rest * torque,
+            "f' by -k t'": (ids.a - ids.b) + steep,
+        },
+        "derivatives of the elliptic integrals, as polynomials",
+    )
+
+
+def rising_torque(method: str) -> Evidence:
+    """Evidence for t' > 0, and with it t > 0 and a falling f, at every k > 0."""
+    return together(cover(ring_boxes.slope, arb(0), arb(1)).evidence(method), rates())
+
+
+def rising_arm(method: str) -> Evidence:
+    """Evidence that H = t / f rises from 0 to infinity: on [0, 1] by boxes, beyond by duality."""
+    return together(
+        cover(ring_boxes.arm_slope, arb(0), arb(1)).evidence(method), rates(), duality()
+    )
+
+
+def same_sense(method: str) -> Evidence:
+    """Evidence that k and the moment arm have one sign: least t / k on [0, 1], t rises beyond."""
+    return together(cover(ring_boxes.turn, arb(0), arb(1)).evidence(method), rates())
+
+
+def least_work(low: arb, high: arb) -> arb:
+    """Lower bound of 1 + k h on a box: k h = k t / f >= 0 there, and so beyond by duality."""
+    return 1 + low**2 * ring_boxes.turn(low, low) / ring.profile(low)[0]
+
+
+def work() -> Evidence:
+    """Evidence for f . u = 1 + k h with a unit force and a unit speed of the centre."""
+    done = ids.dot((ids.x, ids.y), ids.MOTION)
+    return identity({"f . u": ids.normal(done - 1 - ids.k * ids.ARM)}, "an identity")
+
+
+def positive_work(method: str) -> Evidence:
+    """Evidence for f . u > 0, whatever the share of inertia: k h >= 0 for each."""
+    return together(cover(least_work, arb(0), arb(1)).evidence(method), work(), same_sense(method))
+
+
+def turning() -> Evidence:
+    """Evidence for u x du/dphi = 1 + k h - e l cos(psi - phi), with e = dk/dphi."""
+    rate = -ids.y + ids.e * ids.l * ids.q, ids.x - ids.e * ids.l * ids.p
+    cosine = ids.p * ids.x + ids.q * ids.y
+    rest = 1 + ids.k * ids.ARM - ids.e * ids.l * cosine
+    return identity({"the turning": ids.normal(ids.cross(ids.MOTION, rate) - rest)}, "an identity")

@@ -1,0 +1,1 @@
+"""What accuracy and each effect cost: errors, counts of evaluations, and times."""

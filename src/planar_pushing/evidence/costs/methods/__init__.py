@@ -1,0 +1,1 @@
+"""Methods for one quantity, which the measurements compare."""

@@ -1,0 +1,1 @@
+"""The golden data: enclosures of the results, and the comparison with them."""

@@ -1,0 +1,1 @@
+"""The golden data computed from the certified physics."""

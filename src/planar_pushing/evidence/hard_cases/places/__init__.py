@@ -1,0 +1,1 @@
+"""The places at which the numbers get hard, a module each."""

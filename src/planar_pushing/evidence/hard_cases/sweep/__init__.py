@@ -1,0 +1,1 @@
+"""Random and adversarial inputs, and what must hold for all of them."""

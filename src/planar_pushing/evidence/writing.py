@@ -1,0 +1,32 @@
+"""Tables as text, and writing them to a file."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Mapping, Sequence
+
+from planar_pushing.study.files.replacing import PathLike, replacing
+
+Rows = Sequence[Mapping[str, object]]
+
+
+def json_text(content: object) -> str:
+    """Content as JSON, one value a line."""
+    return json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def csv_text(rows: Rows) -> str:
+    """Rows as CSV under the keys of the first."""
+    stream = io.StringIO()
+    writer = csv.DictWriter(stream, fieldnames=list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return stream.getvalue()
+
+
+def write_text(text: str, path: PathLike) -> None:
+    """Write a table whole or not at all."""
+    with replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")

@@ -1,0 +1,56 @@
+"""What accuracy costs: both edges of a motion cone, and the models' direction errors for a rim."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from planar_pushing.figures.evidence.work_precision import (
+    LOOKS,
+    handles,
+    methods,
+    name_ends,
+    note,
+    work_precision,
+)
+
+LIMITS = (1e-15, 1e2)
+
+
+def draw(figure: Figure, data: xr.Dataset) -> None:
+    """Draw the work-precision diagram and, beside it, the mean errors for a rim of points."""
+    left, right = figure.subplots(1, 2, width_ratios=(3.4, 1))
+    figure.subplots_adjust(left=0.085, right=0.985, bottom=0.125, top=0.83, wspace=0.35)
+    work_precision(left, data.method.values, data.cone_seconds, data.cone_error.values, LIMITS)
+    left.set(xlim=(1e-8, 3e-1), yticks=10.0 ** np.arange(-14, 3, 4))
+    left.set(xlabel="time for both edges of a cone, seconds", ylabel="largest error, degrees")
+    name_ends(left, data, "cone", NAMED)
+    _rim(right, data)
+    figure.legend(
+        handles=handles(methods(data)), loc="upper left", ncols=4, bbox_to_anchor=(0.075, 1.0),
+        fontsize=8,
+    )  # fmt: skip
+
+
+#: How the settings of a method are written, and aligned beside their markers.
+NAMED = {
+    "linear table": ("{:g} entries", "right"),
+    "cubic table": ("{:g} entries", "left"),
+    "find_root": ("tolerance {:g}", "left"),
+    "brentq on quad": ("tolerance {:g}", "left"),
+}
+
+
+def _rim(ax: Axes, data: xr.Dataset) -> None:
+    names = ["ellipsoid", "convex quartic"]
+    values = data.rim_error.values
+    ax.bar([0, 1], values, width=0.6, color=[LOOKS[name]["color"] for name in names], alpha=0.75)
+    for place, value in enumerate(values):
+        note(ax, place, value * 1.12, f"{value:.2f}", ha="center", va="bottom")
+    ax.set(yscale="log", ylim=(0.05, 20), xlim=(-0.6, 1.6), xticks=[0, 1])
+    ax.set_xticklabels(["ellipsoid", "convex\nquartic"])
+    ax.set_ylabel("mean direction error, degrees")
+    ax.set_title("rim of 100 points")
+    ax.minorticks_off()

@@ -1,0 +1,107 @@
+"""Work-precision diagrams: error against time, a line for each method and a marker for each setting."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+
+from planar_pushing.figures.style import DARK, GREY, NOTE_SIZE
+from planar_pushing.mechanics.plane import Array
+
+#: Marker, colour and filling of each method; ours is the largest.
+LOOKS: dict[str, dict[str, Any]] = {
+    "closed form": {"marker": "*", "color": "#D55E00", "markersize": 11, "zorder": 6},
+    "hyp2f1": {"marker": "s", "color": "#0072B2"},
+    "Carlson": {"marker": "D", "color": "#009E73"},
+    "textbook E and K": {"marker": "X", "color": "#000000", "markersize": 6},
+    "trapezoid": {"marker": "o", "color": "#0072B2", "markersize": 3},
+    "Gauss-Legendre": {"marker": "^", "color": "#E69F00"},
+    "quad": {"marker": "v", "color": "#A0417B"},
+    "tanhsinh": {"marker": "p", "color": "#56B4E9"},
+    "brentq on quad": {"marker": "v", "color": "#A0417B"},
+    "find_root": {"marker": "s", "color": "#0072B2"},
+    "linear table": {"marker": "o", "color": "#E69F00"},
+    "cubic table": {"marker": "D", "color": "#009E73"},
+    "event-driven": {"marker": "*", "color": "#D55E00", "markersize": 8, "zorder": 6},
+    "time-stepping": {"marker": "o", "color": "#0072B2"},
+    "ellipsoid": {"marker": "o", "color": GREY, "markersize": 6, "markerfacecolor": "white"},
+    "convex quartic": {"marker": "d", "color": DARK, "markersize": 6, "markerfacecolor": "white"},
+}
+
+
+def best(times: xr.DataArray) -> Array:
+    """Least of the repeated times."""
+    return np.asarray(times.min("repeat").values)
+
+
+def methods(data: xr.Dataset) -> list[str]:
+    """Methods in the order of the dataset."""
+    return list(dict.fromkeys(map(str, data.method.values)))
+
+
+def work_precision(
+    ax: Axes, names: Array, times: xr.DataArray, errors: Array, limits: tuple[float, float]
+) -> None:
+    """Draw errors of shape (point,) against the times of shape (point, repeat).
+
+    A marker stands at the least time, and a hair leads to the median.
+    """
+    low, middle = best(times), np.asarray(times.median("repeat").values)
+    shown = within(errors, limits)
+    for name in dict.fromkeys(names):
+        rows = np.flatnonzero(names == name)
+        color = LOOKS[str(name)]["color"]
+        ax.hlines(shown[rows], low[rows], middle[rows], color=color, linewidth=0.6)
+    curves(ax, names, low, errors, limits)
+
+
+def within(errors: Array, limits: tuple[float, float]) -> Array:
+    """Errors, those beyond the limits of the axis moved to its ends."""
+    return np.asarray(np.clip(np.nan_to_num(errors, posinf=limits[1]), *limits))
+
+
+def curves(ax: Axes, names: Array, x: Array, errors: Array, limits: tuple[float, float]) -> None:
+    """Draw errors against costs of shape (point,), a line for each method, both axes logarithmic."""
+    shown = within(errors, limits)
+    for name in dict.fromkeys(names):
+        rows = np.flatnonzero(names == name)
+        look = {"markersize": 4.0, "linewidth": 0.9, "clip_on": False, **LOOKS[str(name)]}
+        ax.plot(x[rows], shown[rows], **look)
+    ax.set(xscale="log", yscale="log", ylim=limits)
+    ax.minorticks_off()
+    ax.grid(True)
+    ax.set_axisbelow(True)
+
+
+def handles(names: list[str]) -> list[Line2D]:
+    """Entries of a legend."""
+    options = {"markersize": 4.5, "linewidth": 0.9}
+    return [Line2D([], [], label=name, **{**options, **LOOKS[name]}) for name in names]
+
+
+def name_ends(
+    ax: Axes, data: xr.Dataset, quantity: str, named: Mapping[str, tuple[str, str]]
+) -> None:
+    """Write the first and the last setting of some methods beside their markers.
+
+    `named` holds, for each method, how a setting is written and the text's horizontal alignment.
+    """
+    for name, (words, side) in named.items():
+        for row in np.flatnonzero(data.method.values == name)[[0, -1]]:
+            times = data[f"{quantity}_seconds"][row]
+            place, away = (times.min(), -8) if side == "right" else (times.median(), 8)
+            ax.annotate(
+                words.format(float(data.setting[row])),
+                (float(place), float(data[f"{quantity}_error"][row])), (away, 0),
+                textcoords="offset points", ha=side, va="center", color=GREY, fontsize=NOTE_SIZE - 1,
+            )  # fmt: skip
+
+
+def note(ax: Axes, x: float, y: float, text: str, **options: Any) -> None:
+    """Write a small remark at data coordinates."""
+    ax.text(x, y, text, fontsize=NOTE_SIZE, color=DARK, **options)

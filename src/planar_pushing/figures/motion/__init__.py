@@ -1,0 +1,1 @@
+"""Pictures of motion over time, drawn from a log."""

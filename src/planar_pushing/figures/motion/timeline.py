@@ -1,0 +1,96 @@
+"""What the pictures of motion over time show of a log, and its parts: rows, runs of a mode, colours."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.figures.style import BLUE, DARK, GREY
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.terms.errors import InvalidFile
+
+#: Variables of a log that a picture shows; in the picture's data they are named path_*.
+PATH = ("position", "fence", "rod_angle", "slip", "gap", "force", "spin_ratio", "mode", "solutions")
+#: Colour and name of a contact mode; -1 is none.
+MODES: dict[int, tuple[str, str]] = {
+    -1: (DARK, "no mode"),
+    ContactMode.SEPARATE: (GREY, "separate"),
+    ContactMode.STICK: (BLUE, "stick"),
+    ContactMode.SLIP_RIGHT: ("#E69F00", "slip right"),
+    ContactMode.SLIP_LEFT: ("#CC79A7", "slip left"),
+}
+
+
+class Run(NamedTuple):
+    """Rows from `start` to `stop`, both included, that one mode was chosen for."""
+
+    start: int
+    stop: int
+    mode: int
+    several: bool
+
+
+def plotted(log: xr.Dataset) -> xr.Dataset:
+    """Select what a picture of a log shows.
+
+    Raises
+    ------
+    InvalidFile
+        Where the dataset is no log of a scene that scene files have names for.
+    """
+    missing = [name for name in (*PATH, "twist") if name not in log]
+    try:
+        slider = json.loads(log.attrs.get("scene", ""))["slider"]
+    except (ValueError, TypeError, KeyError):
+        missing.append("scene")
+    if missing:
+        raise InvalidFile(
+            f"the dataset lacks {', '.join(missing)}; allowed: a log of planar-pushing simulate; "
+            "name another file"
+        )
+    data = log[list(PATH)].rename({name: f"path_{name}" for name in PATH})
+    data["path_center"] = motion_center(log, slider["radius"])
+    for name in ("radius", "rod_length"):
+        data[name] = ((), float(slider[name]), {"units": "length", "long_name": name})
+    data["radius"].attrs["long_name"] = "radius of the ring"
+    data["rod_length"].attrs["long_name"] = "rod length, from the contact to the ring centre"
+    return data.drop_attrs(deep=False)
+
+
+def motion_center(log: xr.Dataset, radius: float) -> xr.DataArray:
+    """Place of the motion centre; NaN for a slider that does not turn."""
+    v_x, v_y, spin = np.moveaxis(log["twist"].values, -1, 0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        offset = np.stack([-v_y, v_x], axis=-1) * (radius / spin)[:, None]
+    place = log["position"] + np.where(spin[:, None] == 0, np.nan, offset)
+    place.attrs = {"units": "length", "long_name": "motion centre, from the contact at time 0"}
+    return place
+
+
+def contact(data: xr.Dataset) -> Array:
+    """Place of the contact at every row."""
+    angle = np.deg2rad(data["path_rod_angle"].values)
+    toward = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    return np.asarray(data["path_position"].values - float(data["rod_length"]) * toward)
+
+
+def runs(data: xr.Dataset) -> Iterator[Run]:
+    """Spans of time by the mode that was chosen, and whether there was a choice."""
+    modes, several = data["path_mode"].values, data["path_solutions"].values > 1
+    key = 2 * modes.astype(int) + several
+    starts = np.flatnonzero(np.diff(key, prepend=key[0] - 1))
+    stops = [*starts[1:], len(key) - 1]
+    for start, stop in zip(starts, stops, strict=True):
+        yield Run(int(start), int(stop), int(modes[start]), bool(several[start]))
+
+
+def rows(data: xr.Dataset, count: int) -> list[int]:
+    """Rows nearest to instants that divide the time evenly, ends included."""
+    time = data["time"].values
+    wanted = np.linspace(time[0], time[-1], count)
+    return sorted({int(np.argmin(np.abs(time - each))) for each in wanted})

@@ -1,0 +1,171 @@
+"""Figure 12: possible acceleration centres and accelerations with support friction and inertia."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Polygon, Rectangle, Wedge
+
+from planar_pushing.figures.parts import arrows, drawing, labels
+from planar_pushing.figures.parts.curves import degrees, named, rod_lengths, titled
+from planar_pushing.figures.settings import Settings, Sources
+from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
+
+SCENE = (
+    "rod_length rod_angle radius ring_center pusher_angle pusher_motion contact_motion force "
+    "friction_cone_right friction_cone_left"
+)
+
+
+def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
+    """Sectors of acceleration centres about the ring centre, by the paper's cases (Sec. 4).
+
+    The centre lies opposite the line of force, a quarter turn from it: inside the ring where the line
+    passes outside of it, outside where the line passes through it.
+    """
+    cuts = {0.0, rod_angle, 180.0}
+    if rod_length > radius:
+        lean = float(np.rad2deg(np.arcsin(radius / rod_length)))
+        cuts |= {rod_angle + turn for turn in (lean, -lean, 180 - lean, lean - 180)}
+    edges = np.array(sorted(cut for cut in cuts if 0 <= cut <= 180))
+    middle = np.deg2rad((edges[:-1] + edges[1:]) / 2)
+    arm = rod_length * np.sin(np.deg2rad(rod_angle) - middle)  # Eq. (10)
+    turn = np.where(arm > 0, 90.0, -90.0)
+    outside = (np.abs(arm) < radius).astype(np.int8)
+    parts = (
+        ("start", edges[:-1] + turn, "degree", "right end of the sector of centres"),
+        ("stop", edges[1:] + turn, "degree", "left end of the sector of centres"),
+        ("outside", outside, "1", "whether the sector is outside the ring"),
+    )
+    return xr.Dataset(
+        {
+            f"sector_{name}": named("sector", values, unit, words)
+            for name, values, unit, words in parts
+        }
+    )
+
+
+def exact_centers(grid: xr.Dataset, ring_center: xr.DataArray) -> xr.Dataset:
+    """Boundaries of the exact set of centres, under friction alone and under inertia alone.
+
+    Force angles whose centre is at infinity, a translation, are left out.
+    """
+    ends = grid.sel(inertia_share=[0.0, 1.0])
+    finite = np.isfinite(ends.center_x) & np.isfinite(ends.center_y)
+    ends = ends.isel(force_angle=finite.all("inertia_share").values)
+    x, y = (ends[name] + float(ring_center.sel(xy=name[-1])) for name in ("center_x", "center_y"))
+    x.attrs = {"units": "length", "long_name": "acceleration centre relative to the contact, x"}
+    y.attrs = {"units": "length", "long_name": "acceleration centre relative to the contact, y"}
+    return xr.Dataset({"exact_center_x": x, "exact_center_y": y})
+
+
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
+    """Select the scene, both sets of centres and both cones."""
+    scene = sources["scenes/figure_12"]
+    length = rod_lengths(settings, (float(scene.rod_length),))[0]
+    grid = sources["acceleration_centers"].sel(rod_length=length).drop_vars("rod_length")
+    data = scene[SCENE.split()].isel(solution=0)
+    data = data.merge(exact_centers(grid, scene.ring_center))
+    data = data.merge(sectors(length, float(scene.rod_angle), float(scene.radius)))
+    for kind in ("conservative", "exact"):
+        for side in ("right", "left"):
+            data[f"{kind}_cone_{side}"] = grid[f"{kind}_cone_{side}"]
+    return titled(data, "Possible acceleration centres and accelerations", sources)
+
+
+#: Radius of the cones, and length of the sectors that go on to infinity, units of length.
+REACH, FAR = 2.6, 30.0
+#: Opacity of the paper's bound and of the exact set.
+BOUND, EXACT = 0.16, 0.6
+#: What the two panels show, units of length; the second is half the width of a square.
+VIEW, DETAIL = (-3.6, 7.8, -2.35, 5.4), 1.55
+
+
+def draw(figure: Figure, data: xr.Dataset) -> None:
+    """Draw the scene with both regions and both cones, and the ring again, larger."""
+    center, ring = data.ring_center.values, float(data.radius)
+    scene = drawing.schematic(figure, VIEW, rect=(0.0, 0.0, 0.65, 1.0), pad=2)
+    _centers(scene, data)
+    drawing.slider(scene, center, ring, width=1.4)
+    drawing.fence(scene, *VIEW[:2], depth=0.2)
+    _accelerations(scene, data)
+    for along in (arrows.unit(float(data.rod_angle) + turn) for turn in (90, -90)):
+        far = np.min(np.abs((np.where(along > 0, VIEW[1::2], VIEW[::2]) - center) / along))
+        end = center + 0.9 * far * along
+        labels.label(scene, end, r"$\infty$", offset=(-9.0, -7.0), color=CENTER)
+    low, size = center - DETAIL * ring, 2 * DETAIL * ring
+    _frame(scene, Rectangle(tuple(low), size, size))
+    labels.declutter(scene)
+    width, height = figure.get_size_inches()
+    side = 0.34 * width / height
+    box = (low[0], low[0] + size, low[1], low[1] + size)
+    detail = drawing.schematic(figure, box, rect=(0.655, 0.985 - side, 0.34, side), pad=0)
+    _frame(detail, Rectangle((0, 0), 1, 1, transform=detail.transAxes))
+    _centers(detail, data)
+    drawing.slider(detail, center, ring, width=1.4)
+    handles = [Patch(facecolor=CENTER, alpha=each, linewidth=0) for each in (BOUND, EXACT)]
+    names = ["the paper's bound", "exact set"]
+    where: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.02), "ncols": 2}
+    detail.legend(handles, names, title="possible acceleration centres", **where)
+
+
+def _frame(ax: Axes, frame: Rectangle) -> None:
+    frame.set(fill=False, edgecolor=LIGHT, linewidth=0.7, zorder=1, clip_on=False)
+    ax.add_patch(frame)
+
+
+def _centers(ax: Axes, data: xr.Dataset) -> None:
+    """Region of acceleration centres: the sectors of the paper's cases, and the exact set."""
+    center, ring = tuple(data.ring_center.values), float(data.radius)
+    inside = data.isel(sector=data.sector_outside.values == 0)
+    sectors: list[tuple[float, float, float, float | None]] = []
+    if inside.sizes["sector"]:
+        ends = float(inside.sector_start.min()), float(inside.sector_stop.max())
+        sectors.append((*ends, ring, None))
+    outside = data.isel(sector=data.sector_outside.values == 1)
+    for start, stop in zip(outside.sector_start.values, outside.sector_stop.values, strict=True):
+        sectors.append((start, stop, FAR, FAR - ring))
+    for start, stop, size, width in sectors:
+        patch = Wedge(center, size, start, stop, width=width, facecolor=CENTER, alpha=BOUND)
+        patch.set(linewidth=0, zorder=0.4)
+        ax.add_patch(patch)
+    # In order of the centre's direction, from one translation to the other.
+    order = np.argsort(np.where(data.force_angle > data.rod_angle, 0, 1), kind="stable")
+    edges = np.stack([data.exact_center_x, data.exact_center_y], axis=-1)[order]
+    outline = np.concatenate([edges[:, 0], edges[::-1, 1]])
+    ax.add_patch(Polygon(outline, facecolor=CENTER, alpha=EXACT, linewidth=0, zorder=0.6))
+
+
+def _accelerations(ax: Axes, data: xr.Dataset) -> None:
+    """Cones of the contact's acceleration, and a push to their left that makes the contact slip."""
+    bound, exact = (
+        (float(data[f"{kind}_cone_right"]), float(data[f"{kind}_cone_left"]))
+        for kind in ("conservative", "exact")
+    )
+    drawing.cone(ax, (0, 0), *bound, REACH, MOTION, alpha=0.12)
+    drawing.cone(ax, (0, 0), *exact, 0.86 * REACH, MOTION, alpha=0.25)
+    drawing.cone(ax, (0, 0), bound[1], 180.0, 0.86 * REACH, SLIP, alpha=0.25, zorder=0.3)
+    for outer, inner in zip(bound, exact, strict=True):
+        text = f"bound {degrees(outer)}\nexact {degrees(inner)}"
+        shift = (-13.0 if outer > 90 else 6.0, 9.0 if outer > 90 else -10.0)
+        labels.label(
+            ax, REACH * arrows.unit(outer), text, offset=shift, color=MOTION, size=NOTE_SIZE
+        )
+    pusher, contact = data.pusher_motion.values, data.contact_motion.values
+    scale = 0.8 * REACH / float(np.hypot(*pusher))
+    arrows.motion_arrow(ax, (0, 0), scale * pusher, r"$\mathbf{a}_p$", color=PUSHER)
+    arrows.motion_arrow(ax, (0, 0), scale * contact, r"$\mathbf{a}_s$", head=9)
+    slip: dict[str, Any] = {
+        "color": SLIP,
+        "head": 9.0,
+        "width": 1.0,
+        "at": 0.45,
+        "offset": (0.0, 7.0),
+    }
+    arrows.motion_arrow(ax, scale * pusher, scale * (contact - pusher), "slip", **slip)
+    force = data.force.values / float(np.hypot(*data.force.values))
+    arrows.force_arrow(ax, (0, 0), 0.5 * REACH * force, r"$\mathbf{f}$", offset=(0.0, -9.0))

@@ -1,0 +1,203 @@
+"""Figure 13: the contact-mode map, every consistent mode over friction and the pusher's angle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Rectangle
+
+from planar_pushing.figures.parts.curves import (
+    chosen,
+    named,
+    number,
+    rod_angle,
+    rod_lengths,
+    titled,
+)
+from planar_pushing.figures.settings import Settings, Sources
+from planar_pushing.figures.style import DARK, LIGHT, NOTE_SIZE
+from planar_pushing.mechanics.contact import ContactMode
+
+#: Each set of consistent modes: its name, colour and hatch; hatched where the solutions are several.
+SEPARATE, STICK, RIGHT, LEFT = (1 << mode for mode in ContactMode)
+STYLES: dict[int, tuple[str, str, str]] = {
+    SEPARATE: ("separate", "#E4E4E4", ""),
+    STICK: ("stick", "#FFFFFF", ""),
+    LEFT: ("slip left", "#8CCBEE", ""),
+    RIGHT: ("slip right", "#F2C14E", ""),
+    SEPARATE | STICK | LEFT: ("separate, stick or slip left", "#CC79A7", "////"),
+    SEPARATE | STICK: ("separate or stick", "#E3C9D6", "...."),
+    SEPARATE | LEFT: ("separate or slip left", "#A5C6DB", "xxxx"),
+    0: ("no solution", "#333333", ""),
+}
+OTHER = ("other", LIGHT, "xxxx")
+#: The legend's groups: title, columns, place in the figure, and the sets in it.
+LEGENDS = (
+    ("unique", 2, 0.21, (SEPARATE, STICK, LEFT, RIGHT)),
+    ("ambiguous", 1, 0.48, (SEPARATE | STICK | LEFT, SEPARATE | STICK, SEPARATE | LEFT)),
+    ("inconsistent", 1, 0.69, (0,)),
+)
+TITLES = {
+    "support_friction": "support friction",
+    "inertia": "inertia",
+    "support_friction+inertia": r"both, $|\mathbf{{a}}_p| = {:g}$",
+}
+#: Coefficients of friction that the axis names, and the range of the pusher's angle, degrees.
+TICKS = (0.0, 0.5, 1.0, 2.0, 5.0, np.inf)
+LOWEST = -60.0
+#: Where the strips of the other laws stand on the axis of friction angles, and their width.
+STRIPS = {"infinite_friction_none": 97.0, "perfectly_rough": 109.0}
+STRIP_WIDTH = 8.0
+RIGHTMOST = 117.0
+#: Middle of the friction axis, without the strips, fraction.
+MIDDLE = 45.0 / RIGHTMOST
+STRIP_NAMES = {"infinite_friction_none": "definition 2", "perfectly_rough": "rough"}
+DOTS: dict[str, Any] = {
+    "color": DARK,
+    "markersize": 2.8,
+    "markerfacecolor": "white",
+    "markeredgewidth": 0.7,
+    "clip_on": False,
+}
+UPRIGHT: dict[str, Any] = {"rotation": 90, "ha": "center", "va": "top", "size": NOTE_SIZE}
+
+
+def mode_sets(consistent: xr.DataArray) -> xr.DataArray:
+    """Code of the set of consistent modes: the sum of two to the power of each mode's value."""
+    bits = np.array([1 << ContactMode[str(name)] for name in consistent["mode"].values])
+    weights = xr.DataArray(bits, dims="mode", coords={"mode": consistent["mode"]})
+    code = ((consistent > 0) * weights).sum("mode").astype(np.int8)
+    code.attrs = {
+        "units": "1",
+        "long_name": "set of consistent contact modes",
+        "flag_masks": bits.astype(np.int8),
+        "flag_meanings": " ".join(consistent["mode"].values),
+    }
+    return code
+
+
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
+    """Select the sets of consistent modes and the edges of the motion cones."""
+    length = rod_lengths(settings, (2.0,))[0]
+    magnitude = chosen(settings.pusher_magnitude, 1.0)
+    modes = sources["contact_modes"].sel(rod_length=length, pusher_magnitude=magnitude)
+    cones = sources["motion_cones"]
+    cones = cones.sel(rod_length=length, rod_angle=rod_angle(cones))
+    angle = np.rad2deg(np.arctan(modes.friction_coefficient.values))
+    data = xr.Dataset({"modes": mode_sets(modes.consistent)})
+    data = data.drop_vars("friction_coefficient")
+    data["friction_angle"] = named("contact", angle, "degree", "angle of friction of the contact")
+    edge = np.rad2deg(np.arctan(cones.friction_coefficient.values))
+    for side in ("right", "left"):
+        data[f"motion_cone_{side}"] = cones[f"motion_cone_{side}"].drop_vars("friction_coefficient")
+    data["cone_friction_angle"] = named(
+        "friction_coefficient", edge, "degree", "angle of friction of the motion cone"
+    )
+    return titled(data, "Contact modes over friction and the direction of the pusher", sources)
+
+
+def draw(figure: Figure, data: xr.Dataset) -> None:
+    """Draw one map for each set of effects, over one legend."""
+    axes = figure.subplots(1, data.sizes["effects"], sharey=True, squeeze=False)[0]
+    figure.subplots_adjust(left=0.07, right=0.995, bottom=0.34, top=0.93, wspace=0.08)
+    shown = data.sel(pusher_angle=data.pusher_angle >= LOWEST)
+    found: set[int] = set()
+    for ax, name in zip(axes, data.effects.values, strict=True):
+        found |= _map(ax, shown.sel(effects=name))
+        title = TITLES[str(name)].format(float(data.pusher_magnitude))
+        ax.set_title(title, x=MIDDLE)
+    axes[0].set_ylabel("pusher angle (degrees)")
+    for title, columns, place, codes in LEGENDS:
+        _legend(figure, place, columns, [_patch(code) for code in codes if code in found], title)
+    _legend(figure, 0.87, 1, axes[0].lines[-1:], "motion cone")
+
+
+def _legend(
+    figure: Figure, place: float, columns: int, handles: Sequence[Artist], title: str
+) -> None:
+    where: dict[str, Any] = {
+        "loc": "upper center",
+        "bbox_to_anchor": (place, 0.19),
+        "columnspacing": 1.2,
+    }
+    figure.legend(handles=handles, title=title, ncols=columns, **where)
+
+
+def _patch(code: int) -> Patch:
+    name, color, hatch = STYLES[code]
+    return Patch(facecolor=color, hatch=hatch, edgecolor=DARK, linewidth=0.5, label=name)
+
+
+def _map(ax: Axes, one: xr.Dataset) -> set[int]:
+    """Bands over friction, strips of the other laws, edges of the motion cone; the sets drawn."""
+    strips = np.isin(one.contact.values, list(STRIPS))
+    found = _bands(ax, one.isel(contact=~strips))
+    for column in np.flatnonzero(strips):
+        found |= _strip(ax, one.isel(contact=column))
+    for side in ("right", "left"):
+        ax.plot(one.cone_friction_angle, one[f"motion_cone_{side}"], "o", label="edge", **DOTS)
+    ax.set(xlim=(0, RIGHTMOST), ylim=(LOWEST, 180.0))
+    ax.set_xticks(np.rad2deg(np.arctan(TICKS)), [f"${number(each)}$" for each in TICKS])
+    ax.set_xlabel(r"coefficient of friction $\mu$", x=MIDDLE)
+    ax.set_yticks(np.arange(LOWEST, 181.0, 60.0))
+    ax.spines[["left", "bottom"]].set_visible(False)
+    for name, place in STRIPS.items():
+        at, below = (place + STRIP_WIDTH / 2, -0.03), ax.get_xaxis_transform()
+        ax.annotate(STRIP_NAMES[name], at, xycoords=below, annotation_clip=False, **UPRIGHT)
+    return found
+
+
+def _bands(ax: Axes, one: xr.Dataset) -> set[int]:
+    """Sets of modes as bands between the angles where the set changes, joined over friction.
+
+    A set that holds at single angles only, where the fence moves along itself, has no band.
+    """
+    modes, angle = one.modes.values, one.pusher_angle.values
+    found = np.unique(modes[:, 1:][modes[:, 1:] == modes[:, :-1]])
+    ordered = sorted(found, key=lambda code: float(np.nonzero(modes == code)[1].mean()))
+    rank = np.full(modes.shape, -1)
+    for index, code in enumerate(ordered):
+        rank[modes == code] = index
+    rank = np.maximum.accumulate(rank, axis=1)
+    half = (angle[1] - angle[0]) / 2
+    edges = [np.where(rank < each, angle + half, LOWEST).max(axis=1) for each in range(len(found))]
+    edges.append(np.full(len(modes), 180.0))
+    for code, low, high in zip(ordered, edges[:-1], edges[1:], strict=True):
+        # A band that ends between two columns narrows to a point at the next one.
+        present = np.convolve(high > low, [1, 1, 1], mode="same") > 0
+        _fill(ax, one.friction_angle.values, low, high, int(code), where=present)
+    _frame(ax, 0.0, 90.0)
+    return {int(code) for code in found}
+
+
+def _strip(ax: Axes, column: xr.Dataset) -> set[int]:
+    """Sets of modes under one law beside the axis."""
+    modes, angle = column.modes.values, column.pusher_angle.values
+    left, half = STRIPS[str(column.contact.values)], (angle[1] - angle[0]) / 2
+    starts = np.flatnonzero(np.diff(modes, prepend=-1))
+    stops = np.append(starts[1:], len(modes)) - 1
+    wide = [(start, stop) for start, stop in zip(starts, stops, strict=True) if stop > start]
+    for start, stop in wide:
+        low, high = angle[start] - half, angle[stop] + half
+        _fill(ax, [left, left + STRIP_WIDTH], low, high, int(modes[start]))
+    _frame(ax, left, STRIP_WIDTH)
+    return {int(modes[start]) for start, _ in wide}
+
+
+def _fill(ax: Axes, x: Any, low: Any, high: Any, code: int, **options: Any) -> None:
+    _, color, hatch = STYLES.get(code, OTHER)
+    ax.fill_between(
+        x, low, high, facecolor=color, hatch=hatch, edgecolor=DARK, linewidth=0, zorder=1, **options
+    )
+
+
+def _frame(ax: Axes, left: float, width: float) -> None:
+    outline = Rectangle((left, LOWEST), width, 180.0 - LOWEST, fill=False, edgecolor=DARK)
+    outline.set(linewidth=0.6, zorder=2, clip_on=False)
+    ax.add_patch(outline)

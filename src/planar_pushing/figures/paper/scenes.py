@@ -1,0 +1,13 @@
+"""Figures 2, 3, 8 and 11: one solution of a scene each."""
+
+from __future__ import annotations
+
+from planar_pushing.figures.parts import scene
+
+BALANCE = (scene.body, scene.force, scene.line_of_force, scene.motions, scene.center)
+
+quasi_static = scene.SceneFigure((*BALANCE, scene.support_friction))
+slipping = scene.SceneFigure(
+    (scene.body, scene.motion_cone, scene.force, scene.motions, scene.center)
+)
+dynamic = scene.SceneFigure((*BALANCE, scene.moment_arm))

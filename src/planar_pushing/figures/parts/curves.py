@@ -1,0 +1,204 @@
+"""What the figures of curves, cones and maps share: selections from the grid, and their panels."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import matplotlib
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from planar_pushing.figures.parts import arrows, drawing, labels
+from planar_pushing.figures.settings import Settings, Sources
+from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE
+from planar_pushing.mechanics.plane import Array, direction
+
+#: Ends of curves that close on themselves.
+BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}
+#: Force angles of a mapping that are drawn between the edges of its cone, degrees.
+INSIDE = (45.0, 90.0)
+
+
+def chosen(given: float | None, default: float) -> float:
+    """Value of a figure: the study's, or the module's own."""
+    return default if given is None else given
+
+
+def rod_lengths(settings: Settings, default: tuple[float, ...]) -> tuple[float, ...]:
+    """Rod lengths of a figure: the study's, or the module's own."""
+    given = settings.rod_length
+    if given is None:
+        return default
+    return given if isinstance(given, tuple) else (given,)
+
+
+def _slider(dataset: xr.Dataset) -> dict[str, float]:
+    """The study's slider, from the parameters of a dataset over its grid."""
+    found: dict[str, float] = json.loads(dataset.attrs["parameters"])["slider"]
+    return found
+
+
+def rod_angle(dataset: xr.Dataset) -> float:
+    """The study's rod angle, degrees; a dataset over other angles is cut there."""
+    return float(_slider(dataset)["rod_angle"])
+
+
+def radius(dataset: xr.Dataset) -> xr.Variable:
+    """Radius of the ring that a dataset over the grid was computed for."""
+    return named((), float(_slider(dataset)["radius"]), "length", "radius of the ring")
+
+
+def named(dims: Iterable[str] | str, values: object, units: str, long_name: str) -> xr.Variable:
+    """Make a variable with its unit and name."""
+    attributes = {"units": units, "long_name": long_name}
+    return xr.Variable(
+        dims if isinstance(dims, str) else tuple(dims), np.asarray(values), attributes
+    )
+
+
+def titled(dataset: xr.Dataset, title: str, sources: Sources) -> xr.Dataset:
+    """Give the plotted numbers a title, and the sources of the datasets that they come from."""
+    origins = dict.fromkeys(str(each.attrs["source"]) for each in sources.values())
+    dataset.attrs = {"title": title, "source": "; ".join(origins)}
+    return dataset
+
+
+def curves(limit_curves: xr.Dataset, effects: str, lengths: tuple[float, ...]) -> xr.Dataset:
+    """Limit curves under some effects at the paper's rod angle, one for each rod length."""
+    cut = limit_curves.sel(
+        effects=effects, rod_angle=rod_angle(limit_curves), rod_length=list(lengths)
+    )
+    return cut[["force_x", "force_y"]].drop_vars("effects")
+
+
+def cone_mapping(sources: Sources, effects: str, length: float, friction: float) -> xr.Dataset:
+    """Forces of a friction cone and the motions they map to: its edges, and angles inside it."""
+    cones = sources["motion_cones"]
+    where = {"effects": effects, "rod_angle": rod_angle(cones), "rod_length": length}
+    edges = cones.sel(where | {"friction_coefficient": friction})
+    curve = sources["limit_curves"].sel(where)
+    right, left = float(edges.friction_cone_right), float(edges.friction_cone_left)
+    between = [angle for angle in INSIDE if right < angle < left]
+    angle = np.array([right, *between, left])
+    within = curve.sel(force_angle=between)
+    motion = [edges.motion_cone_right, *within.motion_angle, edges.motion_cone_left]
+    magnitude = np.array([edges.limit_force_right, *within.force, edges.limit_force_left])
+    tip = magnitude[:, None] * direction(np.deg2rad(angle))
+    return xr.Dataset(
+        {
+            "mapped_force_x": named("map", tip[:, 0], "force", "mapped force along the fence"),
+            "mapped_force_y": named("map", tip[:, 1], "force", "mapped force normal to the fence"),
+            "mapped_force_angle": named("map", angle, "degree", "angle of the mapped force"),
+            "mapped_motion_angle": named(
+                "map", np.array(motion), "degree", "angle of the motion it causes"
+            ),
+            "mapped_rod_length": named((), length, "length", "rod length of the mapping"),
+            "friction_coefficient": edges.friction_coefficient.variable,
+            "radius": radius(cones),
+        }
+    )
+
+
+def shades(count: int) -> list[tuple[float, ...]]:
+    """Colours of an ordered family of force curves, dark to light, told apart in grey as well."""
+    return [tuple(each) for each in matplotlib.colormaps["copper"](np.linspace(0.1, 0.82, count))]
+
+
+def number(value: float) -> str:
+    """Number as mathematical text, infinity included."""
+    return r"\infty" if np.isinf(value) else f"{value:g}"
+
+
+def degrees(angle: float) -> str:
+    """Angle as mathematical text, to a tenth of a degree."""
+    return rf"${angle:.1f}^\circ$"
+
+
+def on_curve(ax: Axes, xy: Array, text: str, color: Any, side: str = "center") -> None:
+    """Label that interrupts the curve it names; `side` is its horizontal alignment."""
+    box = {"boxstyle": "round,pad=0.12", "facecolor": "white", "edgecolor": "none"}
+    labels.label(ax, xy, text, color=color, size=NOTE_SIZE, bbox=box, zorder=4, ha=side)
+
+
+def family(ax: Axes, data: xr.Dataset, place: float, side: str, bold: float | None = None) -> None:
+    """Force curves of several rod lengths, each interrupted by its length at the angle `place`.
+
+    The first, outermost one carries the symbol too, aligned to `side`; `bold` is the rod length of
+    a curve to draw heavier.
+    """
+    colors = shades(data.sizes["rod_length"])
+    for color, length in zip(colors, data.rod_length.values, strict=True):
+        curve = data.sel(rod_length=length)
+        width = None if bold is None else (1.7 if length == bold else 0.9)
+        ax.plot(curve.force_x, curve.force_y, color=color, linewidth=width, **BUTT)
+        at = curve.sel(force_angle=place, method="nearest")
+        tip = np.array([float(at.force_x), float(at.force_y)])
+        first = length == data.rod_length[0]
+        text = f"$l = {number(length)}$" if first else f"${number(length)}$"
+        on_curve(ax, tip, text, color, side if first else "center")
+
+
+def mapping_panels(
+    figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbol: str, titles: Sequence[str]
+) -> Axes:
+    """Three panels from the friction cone through the curve to the motion cone.
+
+    Returns the middle one, for the caller to draw the curves `lines` in; `symbol` names the motion.
+    """
+    angles = {"f": data.mapped_force_angle.values, symbol: data.mapped_motion_angle.values}
+    for place, name in zip((0.0, 0.68), angles, strict=True):
+        _cone_panel(figure, data, (place, 0.0, 0.32, 0.9), name, angles[name])
+    middle = _curve_panel(figure, data, lines, symbol)
+    for place, title in zip((0.16, 0.5, 0.84), titles, strict=True):
+        figure.text(place, 0.97, title, ha="center", va="top", color=DARK)
+    for place in (0.335, 0.665):
+        figure.text(place, 0.975, r"$\longrightarrow$", ha="center", va="top", color=GUIDE)
+    return middle
+
+
+def _cone_panel(
+    figure: Figure,
+    data: xr.Dataset,
+    rect: tuple[float, float, float, float],
+    name: str,
+    angles: Array,
+) -> None:
+    """Slider and fence with a cone at the contact, its edges' angles and the numbered arrows."""
+    color, draw = (FORCE, arrows.force_arrow) if name == "f" else (MOTION, arrows.motion_arrow)
+    rod, ring = float(data.mapped_rod_length), float(data.radius)
+    center, reach = rod * arrows.unit(float(data.rod_angle)), 0.62 * (rod + ring)
+    right = max(center[0] + ring, reach)
+    box = (-reach, right, min(center[1] - ring, -0.4 * reach), max(center[1] + ring, reach))
+    ax = drawing.schematic(figure, box, rect=rect, pad=14)
+    drawing.slider(ax, center, ring, width=1.6)
+    drawing.fence(ax, -reach, right)
+    drawing.cone(ax, (0, 0), angles[0], angles[-1], reach, color)
+    for edge in (angles[0], angles[-1]):
+        tip = arrows.unit(edge)
+        shift = (14.0 * tip[0], 8.0 * tip[1])
+        labels.label(ax, reach * tip, degrees(edge), offset=shift, color=color, size=NOTE_SIZE)
+    for index, angle in enumerate(angles):
+        text = rf"$\mathbf{{{name}}}_{{{index + 1}}}$"
+        draw(ax, (0, 0), 0.76 * reach * arrows.unit(angle), text, head=10, width=1.1)
+    labels.declutter(ax)
+
+
+def _curve_panel(figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbol: str) -> Axes:
+    """Forces from the origin to the curve, and the motions normal to it there."""
+    span = 1.3 * float(np.abs(lines).max())
+    ax = drawing.schematic(figure, (-span, span, -span, span), rect=(0.33, 0.0, 0.34, 0.9), pad=6)
+    arrows.coordinate_axes(ax, (0, 0), 0.0, 1.05 * span, ("$f_x$", "$f_y$"), color=GUIDE)
+    angle = data.mapped_force_angle.values
+    drawing.cone(ax, (0, 0), angle[0], angle[-1], 1.12 * span / 1.3, FORCE, alpha=0.1)
+    tips = np.stack([data.mapped_force_x, data.mapped_force_y], axis=-1)
+    for index, (tip, motion) in enumerate(zip(tips, data.mapped_motion_angle.values, strict=True)):
+        arrows.force_arrow(ax, (0, 0), tip, head=8, width=1.0)
+        text = rf"$\mathbf{{{symbol}}}_{{{index + 1}}}$"
+        arrows.motion_arrow(
+            ax, tip, 0.36 * span * arrows.unit(float(motion)), text, head=8, width=1.0
+        )
+    return ax

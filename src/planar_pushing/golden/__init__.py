@@ -1,1 +1,0 @@
-"""Golden data: enclosures by ball arithmetic, on a route that shares nothing with the mechanics."""

@@ -1,0 +1,122 @@
+"""The decorators of the compiled core, and where its cache lives.
+
+A formula is a function of numbers. `compiled` hands it to numba; with ``NUMBA_DISABLE_JIT=1`` it stays
+the Python function that it is. `generic` chooses a body by the type of the first argument, in compiled
+code as in Python: what a scene does not list is not compiled into its functions.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import logging
+import os
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TypeVar
+
+import llvmlite.binding
+import numba
+from numba.extending import overload
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+#: Packages whose sources are compiled. Numba's cache sees changes in a function's own file only; the
+#: digest of all these files keeps stale callees out.
+SOURCES = ("mechanics", "simulation")
+#: How every function is compiled: to run beside others, to divide as numpy does, and exactly.
+OPTIONS = {"nogil": True, "error_model": "numpy"}
+LOG = logging.getLogger("planar_pushing")
+PACKAGE = Path(__file__).parents[1]
+
+
+def _digest() -> str:
+    """Digest of the compiled sources, of the compiler and of the processor."""
+    digest = hashlib.sha256(f"{numba.__version__} {llvmlite.binding.get_host_cpu_name()}".encode())
+    for path in sorted(path for name in SOURCES for path in (PACKAGE / name).rglob("*.py")):
+        digest.update(f"{path.relative_to(PACKAGE)}\0".encode() + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _folder() -> str:
+    """Folder of the cache: beside the sources where they can be written, else the user's own."""
+    users = Path(os.environ.get("XDG_CACHE_HOME") or Path("~/.cache").expanduser())
+    name = f"compiled-{_digest()}"
+    for base in (PACKAGE / "__pycache__", users / "planar-pushing", Path(tempfile.gettempdir())):
+        try:
+            (base / name).mkdir(parents=True, exist_ok=True)
+        except OSError:
+            continue
+        if os.access(base / name, os.W_OK):
+            return str(base / name)
+    raise OSError("no folder for compiled code can be written; set XDG_CACHE_HOME to one that can")
+
+
+CACHE = _folder()
+
+
+def compiled(function: Function) -> Function:
+    """Compile a function of numbers, without fast mathematics: every run gives the same results."""
+    before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, CACHE
+    try:
+        made = numba.njit(cache=True, **OPTIONS)(function)
+    finally:
+        numba.config.CACHE_DIR = before
+    return made  # type: ignore[no-any-return]
+
+
+def inlined(function: Function) -> Function:
+    """Compile a function as a part of the functions that call it, and not by itself.
+
+    The compiler optimises a function together with all that it calls, so each layer of functions above a
+    large one costs its time again; a layer that is inlined costs nothing.
+    """
+    return numba.njit(inline="always", **OPTIONS)(function)  # type: ignore[no-any-return]
+
+
+@contextmanager
+def announced(kernel: Any) -> Iterator[None]:
+    """Say on the log when a call has had to compile what it calls, which takes seconds."""
+    before, start = _compilations(kernel), time.perf_counter()
+    yield
+    if _compilations(kernel) > before:
+        seconds = time.perf_counter() - start
+        LOG.info(
+            "compiled %s in %.0f s; later runs read it from %s", kernel.__name__, seconds, CACHE
+        )
+
+
+def _compilations(kernel: Any) -> int:
+    return sum(kernel.stats.cache_misses.values()) if hasattr(kernel, "stats") else 0
+
+
+def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
+    """Make a function whose body `choose` picks by the kind of its first argument.
+
+    The kind of a named tuple is its class, that of a plain tuple the tuple of its entries' kinds.
+    """
+
+    @functools.wraps(choose)
+    def function(first: Any, *rest: Any) -> Any:
+        return choose(_kind(first))(first, *rest)
+
+    def typed(first: Any, *rest: Any) -> Any:
+        # Not a call of the body: a layer between would be optimised with all that the body calls.
+        body = choose(_kind_of_type(first))
+        return getattr(body, "py_func", body)
+
+    overload(function, jit_options=OPTIONS, strict=False)(typed)
+    return function
+
+
+def _kind(value: Any) -> Any:
+    return tuple(map(_kind, value)) if type(value) is tuple else type(value)
+
+
+def _kind_of_type(kind: Any) -> Any:
+    if hasattr(kind, "instance_class"):
+        return kind.instance_class
+    return tuple(map(_kind_of_type, kind.types))

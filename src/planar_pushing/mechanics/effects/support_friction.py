@@ -1,0 +1,69 @@
+"""Friction between the slider and its support, of degree 1 (Eqs. 2-3)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.effects.base import LEVERAGES, MAKERS, RESPONSES, SPIN_RATIOS, WEIGHT
+from planar_pushing.mechanics.supports.ring import ring_response, ring_spin_ratio
+from planar_pushing.terms.domain import Number, require_fields
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RingFriction:
+    """Coulomb friction between the ring and the support, its pressure even around the ring.
+
+    Parameters
+    ----------
+    weight : float or array
+        W > 0: the slider's weight times the coefficient of support friction.
+
+    Raises
+    ------
+    InvalidValue
+        Where the weight is not a positive finite number.
+    """
+
+    weight: Number = 1.0
+
+    def __post_init__(self) -> None:
+        require_fields(self, "weight")
+
+    @property
+    def degree(self) -> int:
+        return 1
+
+
+class RingSupport(NamedTuple):
+    """Friction of a ring in the compiled core."""
+
+    weight: float
+
+
+@compiled
+def _response(effect, speed, spin):
+    weight = effect.weight
+    force, torque, vv, vs, ss = ring_response(speed, spin)
+    return weight * force, weight * torque, weight * vv, weight * vs, weight * ss
+
+
+@compiled
+def _made(effect, row):
+    return RingSupport(row[WEIGHT])
+
+
+@compiled
+def _spin_ratio(effect, arm):
+    return ring_spin_ratio(arm)
+
+
+@compiled
+def _leverages(effect):
+    """``H(k) / k``: 1/2 for a motion centre far away, 2 for one at the ring's centre."""
+    return 0.5, 2.0
+
+
+RESPONSES[RingSupport], MAKERS[RingSupport] = _response, _made
+SPIN_RATIOS[RingSupport], LEVERAGES[RingSupport] = _spin_ratio, _leverages

@@ -1,0 +1,87 @@
+"""Scenes and values as plain data: what files hold of a scene, and JSON for the attributes of datasets."""
+
+from __future__ import annotations
+
+import json
+import math
+from functools import cache
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction, PerfectlyRough
+from planar_pushing.mechanics.effects import Inertia, RingFriction
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.errors import InvalidValue
+
+#: Packages whose versions datasets hold.
+PACKAGES = ("planar-pushing", "numpy", "scipy", "xarray", "h5netcdf", "h5py")
+
+
+def to_json(value: object) -> str:
+    """JSON of plain values and models, with infinities as the word inf and keys in order."""
+    return json.dumps(plain(value), sort_keys=True, allow_nan=False)
+
+
+def plain(value: object) -> object:
+    """Value as JSON has it; infinities, which JSON lacks, become the words inf and -inf."""
+    if hasattr(value, "model_dump"):
+        return plain(value.model_dump())
+    if isinstance(value, dict):
+        return {str(key): plain(each) for key, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(each) for each in value]
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
+
+
+@cache
+def versions() -> str:
+    """Versions of the packages that make a dataset, as JSON."""
+    return to_json({name: version(name) for name in PACKAGES})
+
+
+def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
+    """What a scene file of this scene holds; errors as in `save_scene`."""
+    slider = scene.slider
+    return {
+        "title": title,
+        "slider": {
+            "rod_length": float(slider.rod_length),
+            "rod_angle": _degrees(slider.rod_angle),
+            "radius": float(slider.radius),
+        },
+        "contact": _contact_entry(scene),
+        "effects": [_effect_entry(effect) for effect in scene.effects],
+    }
+
+
+def _degrees(radians: float) -> float:
+    """Degrees that `np.deg2rad` turns back into the same radians, the shortest such number."""
+    degrees = float(np.rad2deg(radians))
+    short = [float(f"{degrees:.{digits}g}") for digits in range(1, 18)]
+    beside = [float(np.nextafter(degrees, end)) for end in (0.0, 180.0)]
+    return next((each for each in short + beside if np.deg2rad(each) == radians), degrees)
+
+
+def _contact_entry(scene: Scene) -> dict[str, Any]:
+    match scene.contact:
+        case Coulomb(friction_coefficient=mu):
+            return {"law": "coulomb", "friction_coefficient": float(mu)}
+        case InfiniteFriction(at_zero_normal=kind):
+            return {"law": "infinite_friction", "at_zero_normal": kind}
+        case PerfectlyRough():
+            return {"law": "perfectly_rough"}
+    allowed = "Coulomb, InfiniteFriction and PerfectlyRough"
+    raise InvalidValue("contact", scene.contact, allowed, "save a scene of one of these laws")
+
+
+def _effect_entry(effect: object) -> dict[str, Any]:
+    match effect:
+        case RingFriction(weight=weight):
+            return {"type": "ring_friction", "weight": float(weight)}
+        case Inertia(mass=mass, gyration_radius=radius):
+            return {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
+    raise InvalidValue(
+        "effects", effect, "RingFriction and Inertia", "save a scene of these effects"
+    )

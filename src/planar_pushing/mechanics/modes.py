@@ -1,0 +1,137 @@
+"""Enumeration of the contact modes of one push from rest (Secs. 2-5)."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from planar_pushing.mechanics.angles import RESOLUTION
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.plane import QUARTER_TURN, contact_motion, toward
+from planar_pushing.mechanics.reduced.base import held_on_edge, slips, stick
+from planar_pushing.mechanics.reduced.turning import SLIPS
+
+#: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
+COINCIDENCE = 9e-13
+#: A force this far outside the cone, relative to its size, is taken to the edge.
+OUTSIDE = 5e-13
+#: Solutions of one push: separate, stick, and the slips under each edge.
+MOST = 2 + 2 * SLIPS
+SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
+SLIP_RIGHT, SLIP_LEFT = int(ContactMode.SLIP_RIGHT), int(ContactMode.SLIP_LEFT)
+
+
+@compiled
+def _depth(own, moved, edge, side):
+    """How far a force is inside an edge, and the rounding of it; both times the speed of the centre."""
+    force = toward(own, edge)
+    depth = side * (force.along * moved.aside - force.aside * moved.along)
+    return depth, RESOLUTION * (abs(force.aside) + moved.blur * abs(force.along))
+
+
+@compiled
+def _rise(own, moved):
+    """The force's part along the fence's normal, the middle of every cone, and the rounding of it."""
+    normal = toward(own, QUARTER_TURN)
+    part = normal.along * moved.along + normal.aside * moved.aside
+    return part, RESOLUTION * (abs(normal.along) + moved.blur * abs(normal.aside))
+
+
+@compiled
+def _kept_inside(effects, own, law, moved, right, left):
+    """The sticking motion, its force taken to the edge of the cone that it has left by rounding.
+
+    Of two edges that it has left, the one on its side of the rod: rounding turns the force of a long rod
+    within its side.
+    """
+    if law.rough or min(right, left) >= -OUTSIDE * sqrt(moved.along**2 + moved.aside**2):
+        return moved
+    first, second = toward(own, law.right), toward(own, law.left)
+    one, other = first.aside * moved.aside > 0.0, second.aside * moved.aside > 0.0
+    if one and (right <= left or not other):
+        return held_on_edge(effects, own, first, moved)
+    return held_on_edge(effects, own, second, moved) if other else moved
+
+
+@compiled
+def _write(mode, v_x, v_y, spin, f_x, f_y, modes, motions, count):
+    modes[count] = mode
+    motions[count, 0], motions[count, 1], motions[count, 2] = v_x, v_y, spin
+    motions[count, 3], motions[count, 4] = f_x, f_y
+    return count + 1
+
+
+@compiled
+def _slipping(effects, own, law, pusher, mode, modes, motions, count):
+    """Write down the slips of a mode; how many solutions there are then, and whether one is the stick."""
+    edge, side = (law.left, 1.0) if mode == SLIP_RIGHT else (law.right, -1.0)
+    found = np.empty((SLIPS, 5))
+    at_edge = False
+    for i in range(slips(effects, own, toward(own, edge), pusher.y, found)):
+        v_x, v_y, spin, f_x, f_y = found[i]
+        slip = side * (contact_motion(own, v_x, v_y, spin)[0] - pusher.x)
+        if slip > COINCIDENCE:
+            count = _write(mode, v_x, v_y, spin, f_x, f_y, modes, motions, count)
+        at_edge = at_edge or abs(slip) <= COINCIDENCE
+    return count, at_edge
+
+
+@compiled
+def contact_modes(effects, own, law, pusher, moves, modes, motions):
+    """Write down every consistent solution, in units of the pusher's motion.
+
+    Parameters
+    ----------
+    effects : tuple
+    own : Rod
+    law : Law
+    pusher : Direction
+        Of the pusher's motion, which has unit size.
+    moves : bool
+        Whether the pusher moves at all.
+    modes : ndarray of int, shape (MOST,)
+    motions : ndarray, shape (MOST, 5)
+        Take the solutions, in the order of `ContactMode`: v_x, v_y, R omega, f_x, f_y.
+
+    Returns
+    -------
+    int
+        How many there are.
+
+    Notes
+    -----
+    At an edge of the motion cone stick and slip are one solution. Rounding moves the force and the motion
+    of that edge apart by the cone's condition number, so there a stick counts where no slip does, and a
+    slip that vanishes counts as the stick.
+    """
+    if not moves:
+        return _write(SEPARATE, 0.0, 0.0, 0.0, 0.0, 0.0, modes, motions, 0)
+    count = 0
+    if pusher.y <= 0.0:
+        count = _write(SEPARATE, 0.0, 0.0, 0.0, 0.0, 0.0, modes, motions, 0)
+    moved = stick(effects, own, pusher)
+    right, right_noise = _depth(own, moved, law.right, -1.0)
+    left, left_noise = _depth(own, moved, law.left, 1.0)
+    rise, noise = _rise(own, moved)
+    held = law.rough or (right > right_noise and left > left_noise and rise > noise)
+    place = count  # of the stick, before the slips
+    if law.slips:
+        first, on_left = _slipping(effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1)
+        count, on_right = _slipping(effects, own, law, pusher, SLIP_LEFT, modes, motions, first)
+        slides_right, slides_left = first > place + 1, count > first
+        # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
+        held |= (on_left and not slides_left) or (on_right and not slides_right)
+        slides = slides_right or slides_left
+    else:
+        count, slides = place + 1, not law.closed
+    reached = right >= -right_noise and left >= -left_noise and rise >= -noise
+    if held or (reached and not slides):
+        moved = _kept_inside(effects, own, law, moved, right, left)
+        v_x, v_y, spin, f_x, f_y = moved[:5]
+        _write(STICK, v_x, v_y, spin, f_x, f_y, modes, motions, place)
+        return count
+    modes[place : count - 1] = modes[place + 1 : count]
+    motions[place : count - 1] = motions[place + 1 : count]
+    return count - 1

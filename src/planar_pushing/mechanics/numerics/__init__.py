@@ -1,0 +1,1 @@
+"""Roots in brackets, and kernels mapped over arrays."""

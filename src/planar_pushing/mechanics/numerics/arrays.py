@@ -1,0 +1,159 @@
+"""From public arguments to compiled kernels and back: floats, numpy arrays and `xarray.DataArray`.
+
+A kernel is a compiled loop over the rows of an array, one row a scene. Arguments are broadcast (those with
+named dimensions by name, lazily where they are lazy), cut into blocks of rows, and mapped by threads.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, NamedTuple
+
+import numba
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.mechanics.compiled import announced
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.terms.quantities import MECHANICS, attributes
+
+#: Rows of a block: a few milliseconds to some tens of work, so that Ctrl-C is heard.
+BLOCK = 8192
+
+
+class Output(NamedTuple):
+    """Name, dimensions behind the broadcast ones with their sizes, and type of a result."""
+
+    name: str
+    tail: tuple[tuple[str, int], ...] = ()
+    dtype: str = "f8"
+
+
+def mapped(
+    kernel: Callable[..., None], kinds: Any, columns: Sequence[Any], outputs: Sequence[Output]
+) -> list[npt.NDArray[Any]]:
+    """Call ``kernel(kinds, rows, *results)`` for blocks of rows, on all cores.
+
+    Parameters
+    ----------
+    kernel : compiled function
+    kinds : tuple
+        What its body is compiled for.
+    columns : sequence of array_like
+        The columns of a row; broadcast against one another to shape S.
+    outputs : sequence of Output
+
+    Returns
+    -------
+    list of ndarray
+        One for each output, shape S + its tail.
+    """
+    arrays = [np.asarray(column, dtype=float) for column in columns]
+    shape = np.broadcast_shapes(*(array.shape for array in arrays))
+    size = math.prod(shape)
+    tails = [tuple(length for _, length in output.tail) for output in outputs]
+    found = [np.empty((size, *t), o.dtype) for o, t in zip(outputs, tails, strict=True)]
+    flat = [_flat(array, shape) for array in arrays]
+
+    def block(start: int) -> None:
+        part = slice(start, min(start + BLOCK, size))
+        rows = np.empty((part.stop - start, len(flat)))
+        for i, column in enumerate(flat):
+            rows[:, i] = (
+                column if isinstance(column, np.ndarray) and not column.ndim else column[part]
+            )
+        kernel(kinds, rows, *(each[part] for each in found))
+
+    starts = range(0, size, BLOCK)
+    if size:
+        with announced(kernel):
+            block(0)
+    if len(starts) > 1:
+        in_threads(block, starts[1:])
+    return [each.reshape(shape + tail) for each, tail in zip(found, tails, strict=True)]
+
+
+def _flat(array: Array, shape: tuple[int, ...]) -> Any:
+    """An array to be sliced as if it were broadcast to a shape and flat; a number stays one."""
+    if array.ndim == 0 or array.shape == shape:
+        return array if array.ndim == 0 else array.reshape(-1)
+    return np.broadcast_to(array, shape).flat
+
+
+def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
+    """Call a function for each start on all cores; Ctrl-C ends it after the calls under way."""
+    with ThreadPoolExecutor(numba.config.NUMBA_NUM_THREADS) as pool:
+        try:
+            for _ in pool.map(block, starts):
+                pass
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def is_labelled(value: object) -> bool:
+    """Whether a value is a DataArray; xarray is not imported to ask."""
+    xarray = sys.modules.get("xarray")
+    return xarray is not None and isinstance(value, xarray.DataArray)
+
+
+def elementwise(
+    function: Callable[..., list[npt.NDArray[Any]]],
+    arguments: Sequence[Any],
+    outputs: Sequence[Output],
+) -> list[Any]:
+    """Results of a function of arrays: floats of floats, arrays of arrays, DataArrays of DataArrays.
+
+    Parameters
+    ----------
+    function : callable
+        Of arrays that broadcast, gives an array for each output, shape S + its tail.
+    arguments : sequence of float, array_like or DataArray
+    outputs : sequence of Output
+    """
+    if not any(map(is_labelled, arguments)):
+        found = function(*arguments)
+        return [each.item() if each.ndim == 0 else each for each in found]
+    return _labelled(function, arguments, outputs)
+
+
+def _labelled(
+    function: Callable[..., list[npt.NDArray[Any]]],
+    arguments: Sequence[Any],
+    outputs: Sequence[Output],
+) -> list[Any]:
+    import xarray as xr
+
+    found = xr.apply_ufunc(
+        lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
+        *arguments,
+        output_core_dims=[[dim for dim, _ in output.tail] for output in outputs],
+        dask="parallelized",
+        output_dtypes=[output.dtype for output in outputs],
+        dask_gufunc_kwargs={"output_sizes": dict(d for output in outputs for d in output.tail)},
+        keep_attrs=False,
+    )
+    arrays = found if isinstance(found, tuple) else (found,)
+    return [
+        array.rename(output.name).assign_attrs(attributes(MECHANICS, output.name))
+        for array, output in zip(arrays, outputs, strict=True)
+    ]
+
+
+def named(name: str, value: Any) -> Any:
+    """A result with its name and units where it is labelled."""
+    return (
+        value.rename(name).assign_attrs(attributes(MECHANICS, name))
+        if is_labelled(value)
+        else value
+    )
+
+
+def dataset(arrays: Sequence[Any]) -> Any:
+    """Named DataArrays as one dataset."""
+    import xarray as xr
+
+    return xr.Dataset({array.name: array for array in arrays})

@@ -1,0 +1,90 @@
+"""Roots of functions of one number in a bracket."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import inf, sqrt
+from typing import Any
+
+from planar_pushing.mechanics.compiled import compiled, generic
+
+#: Of each kind of equation, the function behind `excess`.
+EQUATIONS: dict[type, Callable[..., Any]] = {}
+
+EPSILON = 2.220446049250313e-16
+#: After two Newton steps of this relative size the error is rounding; after one, where the step has
+#: shrunk so much that the next is below rounding. Beside an infinite slope steps shrink slowly.
+SETTLED = 1e-12
+#: More than bisection needs to take a bracket of the domain to its end.
+STEPS = 200
+
+
+@generic
+def excess(kind: Any) -> Callable[..., Any]:
+    """Value and slope at x of an equation: a named tuple of what it holds besides x."""
+    return EQUATIONS[kind]
+
+
+@compiled
+def _middle(low, high):
+    """Middle of a bracket; of one that spans sizes, the middle of the sizes."""
+    if low > 0.0 and high > 4.0 * low:
+        return sqrt(low) * sqrt(high)
+    return low + (high - low) / 2
+
+
+@compiled
+def root(equation, low, high, start):
+    """Root of an equation whose value increases between low and high.
+
+    Parameters
+    ----------
+    equation : named tuple
+        Of a kind in `EQUATIONS`.
+    low, high, start : float
+        Bracket, and a first guess in it.
+
+    Returns
+    -------
+    x : float
+    found : bool
+        Whether the value changes its sign in the bracket; where it does not, x is the end at which
+        it is nearer to a root.
+
+    Notes
+    -----
+    Newton's method; where a step leaves the bracket, or steps do not shrink, the bracket is halved. The
+    ends are not evaluated unless the iteration arrives there.
+    """
+    x, last = start, high - low
+    above, below = False, False
+    for _ in range(STEPS):
+        value, slope = excess(equation, x)
+        if value == 0.0:
+            return x, True
+        if value > 0.0:
+            high, above = x, True
+        else:
+            low, below = x, True
+        new = x - value / slope if slope > 0.0 else inf
+        step = abs(new - x)
+        settled = step <= SETTLED * abs(new)
+        newton = low <= new <= high and (settled or step <= last / 2) and slope < inf
+        if not newton:
+            if high - low <= 2.0 * EPSILON * max(abs(low), abs(high)):
+                return x, _crosses(equation, low, high, above, below)
+            new = _middle(low, high)
+            step = abs(new - x)
+        elif settled and (last <= SETTLED * abs(new) or step * step <= EPSILON * abs(new) * last):
+            return new, True
+        x, last = new, step
+    return x, _crosses(equation, low, high, above, below)
+
+
+@compiled
+def _crosses(equation, low, high, above, below):
+    if not above:
+        above = excess(equation, high)[0] >= 0.0
+    if not below:
+        below = excess(equation, low)[0] <= 0.0
+    return above and below

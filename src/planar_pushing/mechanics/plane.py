@@ -1,0 +1,154 @@
+r"""Geometry of the plane: frame, signs and the kinematics of a pushed slider.
+
+::
+
+                       ring (radius R, centre c)
+             y'  y   .-'''-.            psi   rod angle
+               \ |  /   c   \           l     rod length, from the contact to the ring centre
+                \|  \  /    /           phi   force angle: f points along (cos phi, sin phi)
+                 |   `/....'            n     outward normal of the fence = +y
+                 |   / rod              theta angle of a velocity or an acceleration
+                 |  / ) psi             all angles from +x (the fence), counter-clockwise
+   --------------+-*----------- x
+         fence     contact = free end of the rod, origin of all positions; slider above the fence
+
+A twist is ``(v_x, v_y, omega)`` at the ring centre, a wrench ``(f_x, f_y, tau)`` at the ring
+centre. `f` is the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` is the
+signed distance of the line of force from the ring centre, and the spin ratio ``k = R omega / v``
+compares the rotation with the centre's speed `v` along `f`. "Motion" is velocity in a quasi-static
+scene and initial acceleration from rest otherwise. Angles are radians. The compiled core has lengths in
+units of R.
+"""
+
+from __future__ import annotations
+
+from math import atan2, copysign, cos, inf, isinf, pi, sin
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.mechanics.compiled import compiled
+
+Array = npt.NDArray[np.float64]
+
+QUARTER_TURN = pi / 2
+
+
+class Rod(NamedTuple):
+    """Length in radii, angle, and unit vector from the contact to the ring centre."""
+
+    length: float
+    angle: float
+    x: float
+    y: float
+
+
+class Direction(NamedTuple):
+    """An angle and its unit vector: along x and y, along the rod and along the rod's right-hand normal."""
+
+    angle: float
+    x: float
+    y: float
+    along: float
+    aside: float
+
+
+@compiled
+def is_quarter(angle):
+    """Whether an angle is the double nearest to a quarter turn."""
+    return np.rint(angle / QUARTER_TURN) * QUARTER_TURN == angle
+
+
+@compiled
+def unit_vector(angle):
+    """Unit vector at an angle, exact where the angle is the double nearest to a quarter turn.
+
+    A fence that moves along itself then has no normal motion left over from rounding.
+    """
+    x, y = cos(angle), sin(angle)
+    if is_quarter(angle):
+        return np.rint(x), np.rint(y)
+    return x, y
+
+
+@compiled
+def rod(length, angle):
+    """The rod of a slider."""
+    x, y = unit_vector(angle)
+    return Rod(length, angle, x, y)
+
+
+@compiled
+def toward(own, angle):
+    """The direction at an angle, seen from a rod.
+
+    Along an axis the double is taken for the quarter turn and the products are exact. Elsewhere they
+    would cancel where the difference of the angles, with what its subtraction rounds off, does not: a
+    long rod multiplies it by its length.
+    """
+    x, y = unit_vector(angle)
+    if is_quarter(angle) or own.x == 0.0 or own.y == 0.0:
+        return Direction(angle, x, y, x * own.x + y * own.y, x * own.y - y * own.x)
+    lean = own.angle - angle
+    back = lean - own.angle
+    rounding = (own.angle - (lean - back)) - (angle + back)
+    c, s = cos(lean), sin(lean)
+    return Direction(angle, x, y, c - rounding * s, s + rounding * c)
+
+
+@compiled
+def moment_arm(own, force):
+    """Moment arm of a line of force about the ring centre, Eq. (10): ``l sin(psi - phi)``."""
+    return own.length * force.aside
+
+
+@compiled
+def contact_motion(own, v_x, v_y, spin):
+    """Motion of the contact under a twist."""
+    lever = own.length * spin
+    return v_x + lever * own.y, v_y - lever * own.x
+
+
+@compiled
+def contact_motion_angle(own, force, spin_ratio):
+    """Angle of the contact's motion, on the branch within 90 degrees of the force.
+
+    The contact moves along ``f + k l (sin psi, -cos psi)`` (Eqs. 11-12 for inertia). Its deviation from
+    `f` has a cosine proportional to ``1 + k l sin(psi - phi) >= 1``: the pusher never does negative work.
+    """
+    pull = spin_ratio * own.length
+    if isinf(pull):
+        sign = copysign(1.0, pull)
+        return force.angle - atan2(sign * force.along, sign * force.aside)
+    return force.angle - atan2(pull * force.along, 1.0 + pull * force.aside)
+
+
+@compiled
+def motion_center(own, force_angle, spin_ratio):
+    """Motion centre relative to the contact, in radii.
+
+    It lies at the signed distance ``-1/k`` along x', the force direction turned by -90 degrees, from the
+    ring centre (text below Eq. 3). A translation puts it at infinity: the coordinates are then infinite,
+    or the ring centre's where x' has no such component.
+    """
+    x, y = unit_vector(force_angle - QUARTER_TURN)
+    away = -1.0 / spin_ratio if spin_ratio != 0.0 else -inf
+    return (
+        own.length * own.x + (away * x if x != 0.0 else 0.0),
+        own.length * own.y + (away * y if y != 0.0 else 0.0),
+    )
+
+
+@compiled
+def _unit_vectors(angles, vectors):
+    for i in range(len(angles)):
+        vectors[i, 0], vectors[i, 1] = unit_vector(angles[i])
+
+
+def direction(angle: npt.ArrayLike) -> Array:
+    """Unit vectors at `angle` (radians, shape S), shape S + (2,), as `unit_vector`."""
+    angles = np.asarray(angle, dtype=float)
+    vectors = np.empty((angles.size, 2))
+    _unit_vectors(np.ascontiguousarray(angles.reshape(-1)), vectors)
+    return vectors.reshape(*angles.shape, 2)

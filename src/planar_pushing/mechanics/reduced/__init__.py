@@ -1,0 +1,1 @@
+"""What the contact feels of the slider: the effects with the rotation eliminated."""

@@ -1,0 +1,1 @@
+"""Where the slider presses on the plane: one file a support."""

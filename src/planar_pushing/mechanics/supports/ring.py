@@ -1,0 +1,192 @@
+r"""Friction of a ring whose pressure is even: force, torque and their slope in closed form (Eqs. 2-3).
+
+With ``m = k^2``, ``x = 1 - m`` and the complete elliptic integrals K, E of parameter m, inside the ring::
+
+    f(k) = (2/pi) E                    force along the motion, in units of W
+    t(k) = (2/pi) (E - x K) / k        torque, in units of W R
+    t'(k) = (2/pi) (K - E) / m         and f' = -k t'
+
+and outside the ring is self-dual: ``f(k) = t(1/|k|)``, ``t(k) = sign(k) f(1/|k|)``. Far from the ring a
+Landen step, m -> q^2 with ``q = (1 - k') / (1 + k')`` and ``k' = sqrt(x)``, gives E and K as two power
+series in q^2 whose leading terms cancel on paper. Next to the ring E and K are series in x and
+``log x`` (DLMF 19.12).
+"""
+
+from __future__ import annotations
+
+from math import log, pi, sqrt
+
+from planar_pushing.mechanics.compiled import compiled
+
+#: From this spin ratio on the series in x and log x are used, below it those of the Landen step.
+NEAR_RING = 0.9
+#: Chebyshev interpolants of the series on the range where each is used, in powers of its variable, their
+#: part in the result good to 1e-16; a test computes them anew in 60 digits. In y = q^2: ``(Q - 1) / y``
+#: and ``(Q - P) / y^2`` with P = 2F1(-1/2, -1/2; 1; y), E's series (Gauss-Kummer), and
+#: Q = 2F1(1/2, 1/2; 1; y), K's.
+FIRST = (
+    0.25000000000000006, 0.14062499999994713, 0.09765625001365902, 0.07476806503340462,
+    0.060562204329880964, 0.050886909305350364, 0.0439177652053106, 0.03810616153039507,
+    0.03782446460764198, 0.015631813216525955, 0.06470609318632879,
+)  # fmt: skip
+SECOND = (
+    0.1249999999999992, 0.09375000000104759, 0.07324218727682609, 0.059814471506772854,
+    0.05046767903438272, 0.0436373810550743, 0.038132026670576843, 0.036578330911736325,
+    0.01909765156726422, 0.059885914086535014,
+)  # fmt: skip
+#: In x, with L = -log(x) / 2: ``E = 1 + x (L a + b)`` and ``E - x K = 1 + x (L c + d)``.
+FORCE_LOG = (
+    0.5, 0.18750000000003117, 0.11718749999220156, 0.0854492195117455, 0.06729122144694714,
+    0.05551642215986849, 0.047232963056293396, 0.04139374843883687, 0.034353845332090543,
+    0.043458940292445174, -0.004674813014226711, 0.08407803334091984,
+)  # fmt: skip
+FORCE_REST = (
+    0.44314718055994534, 0.056805192709958305, 0.021831370448182244, 0.0115445210546696,
+    0.007142015431666473, 0.004854377345554587, 0.0035201761722187595, 0.0026098960809256976,
+    0.00240180124637138, 0.0005366979555088722, 0.003532711288509859,
+)  # fmt: skip
+TORQUE_LOG = (
+    -0.5, -0.06249999999997841, -0.023437500004529113, -0.012207030880500954,
+    -0.0074768220451003065, -0.005046471555089506, -0.003640522022567207, -0.002689089387889427,
+    -0.0024639413402626153, -0.0005555770823409454, -0.003605054428073503,
+)  # fmt: skip
+TORQUE_REST = (
+    -0.9431471805599453, -0.03976839757002871, -0.009053774082596827, -0.003393079363912447,
+    -0.0016242979642924528, -0.0009004133240894815, -0.0005468326506166093, -0.0003826524849336343,
+    -0.00015523762071687332, -0.0003810325862280515,
+)  # fmt: skip
+#: Complement of k^2 on the ring, where K is infinite and its part in the wrench is zero.
+LEAST = 1e-300
+#: First guess of the inverse, least squares to 2e-6: below NEAR_ARM = H(NEAR_RING) ``k / (2 h)`` in powers
+#: of h^2, above it ``(1 - k) / (1 - h)`` in powers of ``1 - h`` (rows) and of ``1 / (3 - log(1 - h))``.
+NEAR_ARM = 0.7
+FAR_GUESS = (
+    0.999999760385, -1.49988611473, 3.7410008829, -11.1557958789, 33.9655182731, -91.5921831635,
+    191.508490522, -275.550931762, 236.605542579, -90.2721427178,
+)  # fmt: skip
+NEAR_GUESS = (
+    (0.000156516413, 0.970322332, -1.09258578, 12.5808268, -30.0963718),
+    (0.441440572, -5.0783755, 22.8687427),
+    (-1.89847635, 5.78040765),
+    (-1.29486139, 2.40357923),
+)
+#: Below this moment arm the spin ratio is twice the arm to the last place.
+SMALL = 1e-9
+
+
+@compiled
+def _polynomial(coefficients, x):
+    """Value of a polynomial, its even and odd parts side by side: half as many dependent steps."""
+    square, i = x * x, len(coefficients) - 1
+    one, other = coefficients[i], coefficients[i - 1]
+    while i >= 3:
+        i -= 2
+        one = one * square + coefficients[i]
+        other = other * square + coefficients[i - 1]
+    if i == 1:
+        return other + x * one
+    return one * square + coefficients[0] + x * other
+
+
+@compiled
+def _far(k):
+    """f, t and t' for 0 <= k < NEAR_RING.
+
+    ``f = (1 + k') / 2 P``, ``t = k B`` with ``B = ((1 - q/2) Q - q/2 (Q - P) / q^2) / (1 + k')``, and
+    ``t' = 2 Q / (1 + k') - B``. What is added to the leading terms is small, and so is its rounding.
+    """
+    ends = 1.0 + sqrt((1.0 - k) * (1.0 + k))
+    half = k * k / (2.0 * ends * ends)  # q / 2
+    y = 4.0 * half * half
+    first, second = _polynomial(FIRST, y), _polynomial(SECOND, y)
+    bracket = (1.0 - half) + y * (first * (1.0 - half) - half * second)
+    force = ends / 2 * (1.0 + y * (first - y * second))
+    return force, k * bracket / ends, (2.0 + 2.0 * y * first - bracket) / ends
+
+
+@compiled
+def _near(small, large):
+    """f, t and t' at ``k = small / large`` from NEAR_RING to 1; at 1, where t' is infinite, it is large."""
+    k, gap = small / large, (large - small) / large
+    x = max(gap * (2.0 - gap), LEAST)
+    half_log = -log(x) / 2
+    first = half_log * _polynomial(FORCE_LOG, x) + _polynomial(FORCE_REST, x)
+    second = half_log * _polynomial(TORQUE_LOG, x) + _polynomial(TORQUE_REST, x)
+    force, torque = 1.0 + x * first, 1.0 + x * second
+    slope = first - second - force  # K - E; 1 / x would carry the rounding of force and torque
+    return 2 / pi * force, 2 / pi * torque / k, 2 / pi * slope / (k * k)
+
+
+@compiled
+def inner(small, large):
+    """f(k), t(k) and t'(k) at ``k = small / large``, 0 <= small <= large, per unit weight and radius."""
+    if small < NEAR_RING * large:
+        return _far(small / large)
+    return _near(small, large)
+
+
+@compiled
+def ring_wrench(speed, spin):
+    """Force along the motion, torque, and their slope over the ratio <= 1 of the two speeds; Eqs. (2)-(3).
+
+    Parameters
+    ----------
+    speed, spin : float
+        ``v >= 0`` and ``R omega``, not both zero.
+
+    Returns
+    -------
+    force, torque, slope : float
+        Per unit weight and radius.
+    """
+    size = abs(spin)
+    if size <= speed:
+        force, torque, slope = inner(size, speed)
+    else:
+        torque, force, slope = inner(speed, size)
+    return force, torque if spin >= 0.0 else -torque, slope
+
+
+@compiled
+def ring_response(speed, spin):
+    """Force and torque as `ring_wrench`, and the derivatives vv, vs = sv and ss of the potential."""
+    force, torque, slope = ring_wrench(speed, spin)
+    if abs(spin) <= speed:
+        k, ss = spin / speed, slope / speed
+        return force, torque, k * k * ss, -k * ss, ss
+    k, vv = speed / spin, slope / abs(spin)
+    return force, torque, vv, -k * vv, k * k * vv
+
+
+@compiled
+def _guess(arm):
+    """Spin ratio to 2e-6, and next to the ring its distance from 1 to 6e-6."""
+    if arm < NEAR_ARM:
+        return 2.0 * arm * _polynomial(FAR_GUESS, arm * arm)
+    short = 1.0 - arm
+    part = 1.0 / (3.0 - log(short + LEAST))
+    first, second, third, fourth = NEAR_GUESS
+    rest = _polynomial(third, part) + short * _polynomial(fourth, part)
+    gap = _polynomial(first, part) + short * (_polynomial(second, part) + short * rest)
+    return 1.0 - short * gap
+
+
+@compiled
+def _inner_spin_ratio(arm):
+    """Root of ``t(k) - h f(k)`` for 0 <= h <= 1 by a Halley step, with ``t'' = (f / x - 2 t') / k``."""
+    if arm < SMALL:
+        return 2.0 * arm
+    k = _guess(arm)
+    force, torque, slope = inner(k, 1.0)
+    lever, x = 1.0 + arm * k, (1.0 - k) * (1.0 + k) + LEAST
+    excess, rate = torque - arm * force, slope * lever
+    bend = (force / x - 2.0 * slope) / k * lever + arm * slope
+    return min(k - excess * rate / (rate * rate - excess * bend / 2.0), 1.0)
+
+
+@compiled
+def ring_spin_ratio(arm):
+    """Spin ratio k under a force of this moment arm, in radii: the inverse of ``H = t / f`` (Eq. 7)."""
+    size = abs(arm)
+    k = _inner_spin_ratio(size) if size <= 1.0 else 1.0 / _inner_spin_ratio(1.0 / size)
+    return k if arm >= 0.0 else -k

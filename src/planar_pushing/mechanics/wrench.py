@@ -1,0 +1,101 @@
+"""Potential and wrench of an effect at given twists, and the ring's two relations, elementwise."""
+
+from __future__ import annotations
+
+from math import hypot, inf
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.contact import PerfectlyRough
+from planar_pushing.mechanics.effects import Effect
+from planar_pushing.mechanics.effects.base import COLUMNS, made, response
+from planar_pushing.mechanics.numerics.arrays import Output, mapped
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.supports.ring import ring_spin_ratio, ring_wrench
+
+V_X, V_Y, SPIN = range(COLUMNS, COLUMNS + 3)
+WRENCH = (Output("wrench", (("wrench_component", 3),)),)
+
+
+@compiled
+def _wrenches(kinds, rows, wrenches):
+    """The subgradient nearest zero at rest."""
+    for i in range(len(rows)):
+        v_x, v_y, spin = rows[i, V_X], rows[i, V_Y], rows[i, SPIN]
+        speed = hypot(v_x, v_y)
+        wrenches[i] = 0.0
+        if speed > 0.0 or spin != 0.0:
+            force, torque, _, _, _ = response(made(kinds, rows[i]), speed, spin)
+            wrenches[i, 2] = torque
+            if speed > 0.0:
+                wrenches[i, 0], wrenches[i, 1] = force * (v_x / speed), force * (v_y / speed)
+
+
+def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
+    """Wrench at the ring centre that sustains twists, the gradient of the effect's potential.
+
+    Parameters
+    ----------
+    effect : RingFriction or Inertia
+    twist : array_like, shape S + (3,)
+        (v_x, v_y, omega) at the ring centre.
+    slider : Slider, optional
+        Gives the ring its radius, 1 without.
+
+    Returns
+    -------
+    ndarray, shape S + (3,)
+        (f_x, f_y, tau); at rest, where friction takes any wrench inside the limit surface, zero.
+    """
+    own = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
+    scene = Scene(slider=own, contact=PerfectlyRough(), effects=(effect,))
+    twists = np.asarray(twist, dtype=float)
+    columns = [
+        scene.weight,
+        *scene.inertia,
+        twists[..., 0],
+        twists[..., 1],
+        own.radius * twists[..., 2],
+    ]
+    found = mapped(_wrenches, scene.kinds, columns, WRENCH)[0]
+    found[..., 2] *= own.radius
+    return np.asarray(found)
+
+
+def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
+    """Potential of twists of shape S + (3,), shape S: friction's power, or the kinetic energy.
+
+    Parameters are those of `wrench`. A potential of degree d is the power of its wrench over d.
+    """
+    power = (np.asarray(twist, dtype=float) * wrench(effect, twist, slider)).sum(axis=-1)
+    return np.asarray(power / effect.degree)
+
+
+@compiled
+def _profiles(kinds, rows, forces, torques):
+    for i in range(len(rows)):
+        k = rows[i, 0]
+        if abs(k) < inf:
+            forces[i], torques[i], _ = ring_wrench(1.0, k)
+        else:
+            forces[i], torques[i] = 0.0, 1.0 if k > 0.0 else -1.0
+
+
+def ring_profile(spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
+    """f(k) and t(k) of Eqs. (2)-(3) per unit weight and radius, for any k including infinities."""
+    force, torque = mapped(_profiles, (), [spin_ratio], (Output("force"), Output("torque")))
+    return force, torque
+
+
+@compiled
+def _spin_ratios(kinds, rows, ratios):
+    for i in range(len(rows)):
+        ratios[i] = ring_spin_ratio(rows[i, 0])
+
+
+def ring_spin_ratios(moment_arm: npt.ArrayLike) -> Array:
+    """Spin ratios under forces of these moment arms, in radii: the inverse of ``t(k) / f(k)`` (Eq. 7)."""
+    return mapped(_spin_ratios, (), [moment_arm], (Output("spin_ratio"),))[0]

@@ -1,0 +1,86 @@
+"""A smooth function of time as Chebyshev polynomials, to rounding."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.simulation.fence import POINTS
+
+#: Points in a piece: the zeros of a Chebyshev polynomial, so that a piece sees its own side of a jump.
+NODES = np.cos(np.pi * (np.arange(POINTS)[::-1] + 0.5) / POINTS)
+TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(NODES, POINTS - 1))
+#: What rounding leaves of values and of coefficients, relative to the largest of a piece.
+ROUNDING = 2e-15
+#: Points beside the nodes, at which an interpolant is checked.
+CHECKS = np.array([-0.97, 0.021, 0.53])
+#: Least part of a span that is a piece, and most pieces: a function that is not smooth ends there.
+SHORTEST, MOST = 2.0**-30, 4096
+
+
+class Piece(NamedTuple):
+    """The fence's velocity up to a time: coefficients, shape (2, degree + 1), and what is rounding."""
+
+    end: float
+    velocity: Array
+    noise: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def slope(self) -> Array:
+        """Coefficients of the derivative over the piece's own length, from -1 to 1."""
+        if self.velocity.shape[1] == 1:
+            return np.zeros_like(self.velocity)
+        found = np.zeros_like(self.velocity)
+        found[:, :-1] = chebyshev.chebder(self.velocity, axis=1)
+        return found
+
+    @property
+    def mean(self) -> Array:
+        """Coefficients of the mean since the piece began."""
+        if self.velocity.shape[1] == 1:
+            return self.velocity
+        found = np.zeros_like(self.velocity)
+        for row, part in zip(found, self.velocity, strict=True):
+            quotient = chebyshev.chebdiv(chebyshev.chebint(part, lbnd=-1), [1.0, 1.0])[0]
+            row[: len(quotient)] = quotient
+        return found
+
+
+def pieces_of(
+    velocity: Callable[[float], tuple[float, float]], start: float, end: float
+) -> list[Piece]:
+    """Pieces of a velocity between two times, halved until each is a polynomial to rounding."""
+    found: list[Piece] = []
+    left = [(start, end)]
+    while left:
+        low, high = left.pop()
+        piece, resolved = _interpolated(velocity, low, high)
+        short = high - low <= SHORTEST * (end - start) or len(found) + len(left) >= MOST
+        if resolved or short:
+            found.append(piece)
+        else:
+            middle = (low + high) / 2
+            left += [(middle, high), (low, middle)]
+    return found
+
+
+def _interpolated(
+    velocity: Callable[[float], tuple[float, float]], low: float, high: float
+) -> tuple[Piece, bool]:
+    """The interpolant between two times, and whether it is the function to rounding."""
+    middle, half = (low + high) / 2, (high - low) / 2
+    values = np.array([velocity(middle + half * node) for node in NODES])
+    coefficients = TO_COEFFICIENTS @ values
+    size = np.abs(values).max(axis=0)
+    coefficients[np.abs(coefficients) <= ROUNDING * size] = 0.0
+    there = np.array([velocity(middle + half * node) for node in CHECKS])
+    apart = np.abs(chebyshev.chebval(CHECKS, coefficients).T - there)
+    tail = np.abs(coefficients[-2:]).max(axis=0)
+    resolved = bool((tail == 0).all() and (apart <= POINTS * ROUNDING * size).all())
+    noise = 0.0 if resolved and not coefficients[1:].any() else ROUNDING
+    degree = np.flatnonzero(coefficients.any(axis=1)).max(initial=0)
+    return Piece(high, coefficients[: degree + 1].T, (noise * size[0], noise * size[1])), resolved

@@ -1,0 +1,61 @@
+"""The event-driven integration of one problem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.simulation.events.driver import ENDED, advance, begin
+from planar_pushing.simulation.events.run import RUNS, STATE, Task
+from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.rows import ROW, Stop, in_units, reason, records
+from planar_pushing.simulation.systems.setup import put, row_of, system_of
+from planar_pushing.terms.options import Policy
+
+#: Rows handed on at once.
+BATCH = 256
+
+
+class EventDriven:
+    """One run; iterating over it hands on its rows, and goes on where it was interrupted.
+
+    Parameters
+    ----------
+    problem : Problem
+    times : array_like
+        Increasing, within the duration; the rows hold these times and every event.
+    """
+
+    def __init__(self, problem: Problem, times: npt.ArrayLike) -> None:
+        scene = problem.scene
+        self.radius = float(scene.slider.radius)
+        fence = problem.pusher.fence(float(problem.duration), self.radius)
+        row = row_of(scene, problem.twist, problem.gap)
+        self.system = system_of(scene, row, fence)
+        policy = list(Policy).index(problem.on_ambiguity)
+        self.task = Task(problem.rtol, policy, np.asarray(times, float))
+        self.run = records(RUNS[scene.stores_energy], 1)[0]
+        put(self.system, row, self.run.vectors[STATE])
+        begin(self.system, self.run)
+
+    def __iter__(self) -> Iterator[Any]:
+        while self.run.phase != ENDED:
+            rows = records(ROW, BATCH)
+            count = advance(self.system, self.task, self.run, rows)
+            if count:
+                yield in_units(rows[:count], self.radius)
+
+    @property
+    def stopped(self) -> str:
+        """Why the run ended before its time; empty otherwise."""
+        run = self.run
+        match Stop(run.stopped):
+            case Stop.SINGULAR:
+                return f"{reason(run.stopped)} {ContactMode(run.kind).name}"
+            case Stop.EVENTS:
+                return f"{run.events} events, {run.at_once} of them {reason(run.stopped)}"
+        return reason(run.stopped)

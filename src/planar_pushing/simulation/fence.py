@@ -1,0 +1,117 @@
+"""The fence's motion in the compiled core: spans in which its velocity is smooth, made of polynomials.
+
+A piece holds Chebyshev coefficients over its own length of time, of the velocity, of its derivative and of
+the mean velocity since the piece began. A constant velocity is a polynomial of degree 0.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled
+
+#: Rows of a piece's coefficients: of each quantity that along the fence and that normal to it.
+VELOCITY, ACCELERATION, MEAN = 0, 2, 4
+#: Coefficients of a piece at most.
+POINTS = 16
+#: A piece, in radii of the slider: its time, its degree, the pieces of its span from `first` to before
+#: `last`, what rounding leaves of each part of its velocity, the displacement at its start, and its
+#: coefficients.
+PIECE = np.dtype(
+    [
+        ("start", "f8"), ("end", "f8"), ("degree", "i8"), ("first", "i8"), ("last", "i8"),
+        ("noise", "f8", (2,)), ("origin", "f8", (2,)), ("series", "f8", (6, POINTS)),
+    ],
+    align=True,
+)  # fmt: skip
+#: Parts of a span at which its speed is looked at.
+PARTS = 64
+
+
+class Span(NamedTuple):
+    """A span of time in which the velocity is smooth, and its pieces from `first` to before `last`."""
+
+    start: float
+    end: float
+    first: int
+    last: int
+    constant: bool
+
+
+@compiled
+def span(fence, index):
+    """The span of a piece; the fence is an array of pieces."""
+    piece = fence[index]
+    constant = piece.last - piece.first == 1 and piece.degree == 0
+    return Span(
+        fence[piece.first].start, fence[piece.last - 1].end, piece.first, piece.last, constant
+    )
+
+
+@compiled
+def _piece(fence, during, time):
+    """Index of the piece of a span that holds a time."""
+    low, high = during.first, during.last
+    while high - low > 1:
+        middle = (low + high) // 2
+        if time >= fence[middle].start:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@compiled
+def _value(piece, row, time):
+    """Value of a Chebyshev series by Clenshaw's recurrence."""
+    series, degree = piece.series[row], piece.degree
+    if degree == 0:
+        return series[0]
+    x = ((time - piece.start) - (piece.end - time)) / (piece.end - piece.start)
+    one, two = 0.0, 0.0
+    for i in range(degree, 0, -1):
+        one, two = 2.0 * x * one - two + series[i], one
+    return x * one - two + series[0]
+
+
+@compiled
+def velocity(fence, during, time):
+    """Velocity of the fence at a time of a span, exactly zero where it is nothing but rounding."""
+    piece = fence[_piece(fence, during, time)]
+    x, y = _value(piece, VELOCITY, time), _value(piece, VELOCITY + 1, time)
+    return x if abs(x) > piece.noise[0] else 0.0, y if abs(y) > piece.noise[1] else 0.0
+
+
+@compiled
+def acceleration(fence, during, time):
+    """Acceleration of the fence at a time of a span."""
+    if during.constant:
+        return 0.0, 0.0
+    piece = fence[_piece(fence, during, time)]
+    return _value(piece, ACCELERATION, time), _value(piece, ACCELERATION + 1, time)
+
+
+@compiled
+def displacement(fence, during, time):
+    """Displacement of the fence since the start of its motion."""
+    piece = fence[_piece(fence, during, time)]
+    passed, origin = time - piece.start, piece.origin
+    x, y = _value(piece, MEAN, time), _value(piece, MEAN + 1, time)
+    return origin[0] + passed * x, origin[1] + passed * y
+
+
+@compiled
+def typical_speed(fence):
+    """The greatest speed among samples of the fence's motion."""
+    most, index = 0.0, 0
+    while index < len(fence):
+        during = span(fence, index)
+        for part in range(1 if during.constant else PARTS + 1):
+            time = during.start + part / PARTS * (during.end - during.start)
+            x, y = velocity(fence, during, time)
+            most = max(most, sqrt(x * x + y * y))
+        index = during.last
+    return most

@@ -1,0 +1,1 @@
+"""The time-stepping integrator: one incremental problem a step."""

@@ -1,0 +1,1 @@
+"""The equations of motion of a pushed slider, without and with inertia."""

@@ -1,0 +1,86 @@
+"""Systems and their states from rows of numbers: a scene's, or one of an array of scenes."""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.effects.base import COLUMNS, GYRATION, MASS, WEIGHT, made
+from planar_pushing.mechanics.plane import Array, unit_vector
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.simulation.fence import typical_speed
+from planar_pushing.simulation.rows import records
+from planar_pushing.simulation.systems import inertial, quasi_static
+from planar_pushing.simulation.systems.base import (
+    BODY,
+    SYSTEMS,
+    Inertial,
+    QuasiStatic,
+    initial,
+)
+
+#: Columns of a row behind those of the effects; twist and gap in radii.
+LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(COLUMNS, COLUMNS + 11)
+#: Systems by whether they have inertia.
+KINDS = {False: QuasiStatic, True: Inertial}
+SYSTEMS.update({QuasiStatic: quasi_static, Inertial: inertial})
+
+
+def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
+    """The numbers of a scene, or arrays of them, and its initial state, in the order of the columns.
+
+    The core has lengths in radii, so its mass is the scene's times the radius; without friction the weight
+    is zero, and without inertia the mass.
+    """
+    slider, (mass, gyration) = scene.slider, scene.inertia
+    radius, (v_x, v_y, omega) = slider.radius, twist
+    return [
+        scene.weight if scene.friction else 0.0,
+        mass * radius if scene.stores_energy else 0.0,
+        gyration, slider.length_ratio, slider.rod_angle, *scene.law,
+        v_x / radius, v_y / radius, omega, gap / radius,
+    ]  # fmt: skip
+
+
+@compiled
+def fill(row, fence, body):
+    """Write down what of a scene does not change while it moves.
+
+    Parameters
+    ----------
+    row : ndarray
+    fence : array of PIECE
+    body : record of BODY
+    """
+    own = max(sqrt(row[V_X] * row[V_X] + row[V_Y] * row[V_Y]), abs(row[SPIN]))
+    speed = max(own, typical_speed(fence))
+    body.speed = speed if speed > 0.0 else 1.0
+    body.length, body.weight, body.mass = row[LENGTH], row[WEIGHT], row[MASS]
+    body.moment = body.mass * row[GYRATION]
+    body.force = body.mass * body.speed * body.speed + body.weight
+    body.right_angle, body.left_angle = row[RIGHT], row[LEFT]
+    body.right[0], body.right[1] = unit_vector(row[RIGHT])
+    body.left[0], body.left[1] = unit_vector(row[LEFT])
+    body.slips, body.closed, body.rough = row[SLIPS] != 0.0, row[CLOSED] != 0.0, row[ROUGH] != 0.0
+    body.gap, body.evaluations = row[GAP], 0
+
+
+@compiled
+def put(system, row, state):
+    """Write down the state at time 0."""
+    initial(system, row[ANGLE], row[GAP], row[V_X:GAP], state)
+
+
+def system_of(scene: Scene, row: Array, fence: Any) -> Any:
+    """The system of one scene, from its row and its fence."""
+    body = records(BODY, 1)[0]
+    fill(row, fence, body)
+    return KINDS[scene.stores_energy](made(scene.kinds, row), body, fence)
+
+
+def row_of(scene: Scene, twist: Any, gap: float) -> Array:
+    """The row of one scene."""
+    return np.array([float(each) for each in columns(scene, twist, gap)])

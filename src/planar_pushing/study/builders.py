@@ -1,0 +1,37 @@
+"""The builder of each dataset.
+
+It imports all of them, so nothing that one dataset's job depends on imports it: a change to one builder
+would make every dataset stale.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import xarray as xr
+
+from planar_pushing.study.datasets import (
+    acceleration_centers,
+    contact_modes,
+    limit_curves,
+    motion_cones,
+    scenes,
+)
+from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.slices import sliced_study
+
+Built = xr.Dataset | dict[str, xr.Dataset]
+
+BUILDERS: dict[str, Callable[[StudyFile], Built]] = {
+    "limit_curves": limit_curves.build,
+    "motion_cones": motion_cones.build,
+    "contact_modes": contact_modes.build,
+    "acceleration_centers": acceleration_centers.build,
+    "scenes": scenes.build,
+}
+
+
+def build_dataset(name: str, values: dict[str, Any]) -> Built:
+    """Build a dataset, or one for each group, from a slice of a study."""
+    return BUILDERS[name](sliced_study(values))

@@ -1,0 +1,184 @@
+"""Field types of scene and study files: each names what it allows, for errors and for the schema."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import re
+from collections.abc import Callable
+from enum import StrEnum
+from typing import Annotated, Any, Literal
+
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    WithJsonSchema,
+    model_validator,
+)
+from pydantic_core import PydanticCustomError
+
+from planar_pushing.terms.options import TOLERANCE, AtZeroNormal, EffectSet, Method, Policy
+
+
+def refuse(allowed: str) -> PydanticCustomError:
+    """Error of a value that is not what `allowed` says."""
+    return PydanticCustomError("not_allowed", "{allowed}", {"allowed": allowed})
+
+
+class FileModel(BaseModel):
+    """A part of a file: frozen, and with no key that it does not know."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known_keys(cls, given: object) -> object:
+        if not isinstance(given, dict):
+            raise refuse(f"a mapping with the keys {', '.join(cls.model_fields)}")
+        for key in given:
+            if key not in cls.model_fields:
+                context = {"key": key, "known": list(cls.model_fields)}
+                raise PydanticCustomError("unknown_key", "unknown key", context)
+        return given
+
+
+def _not_empty(given: object) -> object:
+    if not isinstance(given, (list, tuple)) or not given:
+        raise refuse("a list with at least one entry")
+    return given
+
+
+#: Requires a list that is not empty.
+NotEmpty = BeforeValidator(_not_empty)
+
+
+def _name(given: object) -> object:
+    if not isinstance(given, str) or not re.fullmatch(r"[A-Za-z0-9_]+", given):
+        raise refuse("a name of letters, digits and underscores, which becomes a file's name")
+    return given
+
+
+#: A name that becomes a part of file names.
+Name = Annotated[str, BeforeValidator(_name)]
+
+
+def _number(given: object, allows: Callable[[float], bool], allowed: str) -> float:
+    number = math.inf if given == "inf" else given
+    if isinstance(number, bool) or not isinstance(number, (int, float)):
+        raise refuse(allowed)
+    try:
+        value = float(number)
+    except OverflowError:
+        raise refuse(allowed) from None
+    if not allows(value):
+        raise refuse(allowed)
+    return value
+
+
+def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
+    """Type of a number of which `allows` holds, described by `allowed`."""
+    return Annotated[
+        float,
+        BeforeValidator(lambda given: _number(given, allows, allowed)),
+        WithJsonSchema({"description": allowed} | (schema or {"type": "number"})),
+    ]
+
+
+def choice(options: type[StrEnum]) -> Any:
+    """Type of a text that is one of these options."""
+    return Literal.__getitem__(tuple(map(str, options)))
+
+
+AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
+
+
+def _expand(given: object) -> object:
+    if isinstance(given, dict):
+        if set(given) != {"start", "stop", "step"}:
+            raise refuse(AXIS)
+        given = _steps(
+            *(_number(given[key], math.isfinite, AXIS) for key in ("start", "stop", "step"))
+        )
+    if not isinstance(given, (list, tuple)):
+        raise refuse(AXIS)
+    if not given:
+        raise refuse(f"{AXIS}, and at least one number")
+    return tuple(given)
+
+
+def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
+    if any(b <= a for a, b in itertools.pairwise(values)):
+        raise refuse(AXIS)
+    return values
+
+
+def _steps(start: float, stop: float, step: float) -> list[float]:
+    """Values from `start` to `stop` with both ends, free of accumulated rounding."""
+    if step <= 0 or stop < start:
+        return []
+    count = round((stop - start) / step)
+    if abs(count * step - (stop - start)) > 1e-9 * step:
+        return []
+    return [round(start + i * (stop - start) / max(count, 1), 12) for i in range(count + 1)]
+
+
+def axis(item: Any) -> Any:
+    """Type of a grid axis: a list of numbers of type `item`, or a range."""
+    numbers = item.__metadata__[-1].json_schema
+    span = {"type": "object", "additionalProperties": False, "required": ["start", "stop", "step"]}
+    span["properties"] = {
+        "start": numbers,
+        "stop": numbers,
+        "step": {"type": "number", "exclusiveMinimum": 0},
+    }
+    schema = {"anyOf": [{"type": "array", "minItems": 1, "items": numbers}, span]}
+    return Annotated[
+        tuple[item, ...],
+        BeforeValidator(_expand),
+        AfterValidator(_increasing),
+        WithJsonSchema(schema | {"description": AXIS}),
+    ]
+
+
+Positive = number(
+    "a finite number > 0", lambda x: 0 < x < math.inf, type="number", exclusiveMinimum=0
+)
+NonNegative = number("a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0)
+RodAngle = number(
+    "degrees in the open interval (0, 180)", lambda x: 0 < x < 180,
+    type="number", exclusiveMinimum=0, exclusiveMaximum=180,
+)  # fmt: skip
+Degrees = number("a finite number of degrees", math.isfinite)
+FiniteNumber = number("a finite number", math.isfinite)
+RelativeTolerance = number(
+    TOLERANCE.allowed, TOLERANCE.holds,
+    type="number", minimum=TOLERANCE.least, maximum=TOLERANCE.most,
+)  # fmt: skip
+SampleCount = number(
+    "a whole number >= 2", lambda n: 2 <= n < math.inf and n == int(n), type="integer", minimum=2
+)
+Number = number("a number, or inf", lambda x: not math.isnan(x))
+Share = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
+FrictionCoefficient = number(
+    "a number >= 0, or inf", lambda x: x >= 0,
+    anyOf=[{"type": "number", "minimum": 0}, {"const": "inf"}],
+)  # fmt: skip
+FiniteFrictionCoefficient = number(
+    "a finite number >= 0; infinite friction is a law of its own, law: infinite_friction",
+    lambda x: 0 <= x < math.inf, type="number", minimum=0,
+)  # fmt: skip
+
+PolicyName = choice(Policy)
+MethodName = choice(Method)
+AtZeroNormalName = choice(AtZeroNormal)
+EffectsName = choice(EffectSet)
+
+Lengths = axis(NonNegative)
+Magnitudes = axis(Positive)
+RodAngles = axis(RodAngle)
+Angles = axis(Degrees)
+Shares = axis(Share)
+FrictionCoefficients = axis(FrictionCoefficient)
+FiniteFrictionCoefficients = axis(FiniteFrictionCoefficient)

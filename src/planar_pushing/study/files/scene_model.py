@@ -1,0 +1,130 @@
+"""What a scene file holds."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field, ValidationInfo, field_validator
+
+from planar_pushing.mechanics.contact import (
+    ContactLaw,
+    Coulomb,
+    InfiniteFriction,
+    PerfectlyRough,
+)
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.study.files.fields import (
+    AtZeroNormalName,
+    FileModel,
+    FiniteFrictionCoefficient,
+    NonNegative,
+    NotEmpty,
+    Positive,
+    RodAngle,
+    refuse,
+)
+from planar_pushing.study.files.simulate_model import SimulateEntry
+from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
+
+
+class SliderEntry(FileModel):
+    """The ring and its rod; lengths in any one unit, the angle in degrees."""
+
+    rod_length: NonNegative
+    rod_angle: RodAngle
+    radius: Positive = 1.0
+
+    def build(self) -> Slider:
+        return Slider(
+            rod_length=self.rod_length, rod_angle=np.deg2rad(self.rod_angle), radius=self.radius
+        )
+
+
+class CoulombEntry(FileModel):
+    """Coulomb friction with a finite coefficient."""
+
+    law: Literal["coulomb"]
+    friction_coefficient: FiniteFrictionCoefficient
+
+    def build(self) -> ContactLaw:
+        return Coulomb(self.friction_coefficient)
+
+
+class InfiniteFrictionEntry(FileModel):
+    """Infinite friction; at zero normal force the tangential force is free, or there is none."""
+
+    law: Literal["infinite_friction"]
+    at_zero_normal: AtZeroNormalName = AtZeroNormal.FREE.value
+
+    def build(self) -> ContactLaw:
+        return InfiniteFriction(self.at_zero_normal)
+
+
+class PerfectlyRoughEntry(FileModel):
+    """Kinematic no-slip."""
+
+    law: Literal["perfectly_rough"]
+
+    def build(self) -> ContactLaw:
+        return PerfectlyRough()
+
+
+class RingFrictionEntry(FileModel):
+    """Support friction of the ring: weight is W, the weight times the coefficient of friction."""
+
+    type: Literal["ring_friction"]
+    weight: Positive = 1.0
+
+    def build(self) -> Effect:
+        return RingFriction(weight=self.weight)
+
+
+class InertiaEntry(FileModel):
+    """Inertia of the slider about its centre."""
+
+    type: Literal["inertia"]
+    mass: Positive = 1.0
+    gyration_radius: Positive = 1.0
+
+    def build(self) -> Effect:
+        return Inertia(mass=self.mass, gyration_radius=self.gyration_radius)
+
+
+ContactEntry = Annotated[
+    CoulombEntry | InfiniteFrictionEntry | PerfectlyRoughEntry, Field(discriminator="law")
+]
+EffectEntry = Annotated[RingFrictionEntry | InertiaEntry, Field(discriminator="type")]
+
+
+class SceneFile(FileModel):
+    """A scene: the slider, the law of its contact with the fence, and what resists its motion.
+
+    `simulate` says how the fence moves over time, where the scene is one to be simulated.
+    """
+
+    title: str = ""
+    slider: SliderEntry
+    contact: ContactEntry
+    effects: Annotated[tuple[EffectEntry, ...], NotEmpty]
+    simulate: SimulateEntry | None = None
+
+    @field_validator("simulate")
+    @classmethod
+    def _twist_has_inertia(
+        cls, given: SimulateEntry | None, info: ValidationInfo
+    ) -> SimulateEntry | None:
+        inert = EffectKind.INERTIA in {
+            EFFECT_TYPES[each.type] for each in info.data.get("effects", ())
+        }
+        if given and given.initial_twist and not inert:
+            raise refuse("initial_twist with inertia among the effects only")
+        return given
+
+    def build(self) -> Scene:
+        return Scene(
+            slider=self.slider.build(),
+            contact=self.contact.build(),
+            effects=tuple(effect.build() for effect in self.effects),
+        )

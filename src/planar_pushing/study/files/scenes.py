@@ -1,0 +1,127 @@
+"""Read and write scene and study files, with one clear error for what is wrong in them."""
+
+from __future__ import annotations
+
+import difflib
+from pathlib import Path
+from typing import TypeVar
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+from ruamel.yaml import YAML
+from ruamel.yaml.error import YAMLError
+
+from planar_pushing.mechanics.entries import scene_entry
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.files.fields import FileModel
+from planar_pushing.study.files.replacing import PathLike, replacing
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.terms.errors import InvalidFile
+
+Model = TypeVar("Model", bound=FileModel)
+
+
+def load_scene(path: PathLike) -> Scene:
+    """Read a scene file.
+
+    Raises
+    ------
+    InvalidFile
+        Naming the file, the key, the value, what is allowed and what to do.
+    """
+    return load_scene_file(path).build()
+
+
+def load_scene_file(path: PathLike) -> SceneFile:
+    """Read a scene file with its title; errors as in `load_scene`."""
+    return load_model(path, SceneFile)
+
+
+def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
+    """Write a scene file that `load_scene` reads back as the same scene.
+
+    A rod angle that no number of degrees turns into comes back within one unit in the last place.
+
+    Raises
+    ------
+    InvalidValue
+        Where the scene has a law or an effect that scene files have no name for.
+    """
+    save_scene_file(SceneFile.model_validate(scene_entry(scene, title)), path)
+
+
+def save_scene_file(file: SceneFile, path: PathLike) -> None:
+    """Write a scene file that `load_scene_file` reads back as the same, its simulation included."""
+    content = file.model_dump(mode="json", exclude_none=True)
+    with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
+        writer = YAML(typ="safe", pure=True)
+        writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]
+        writer.dump(content, stream)
+
+
+def load_model(path: PathLike, model: type[Model]) -> Model:
+    """Read a YAML file as a model of its content; errors as in `load_scene`."""
+    path = Path(path)
+    try:
+        content = YAML(typ="safe", pure=True).load(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise InvalidFile(f"{path}: no such file; give the path of a YAML file") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise InvalidFile(f"{path}: cannot be read ({error}); give a YAML text file") from None
+    except YAMLError as error:
+        raise InvalidFile(f"{path}: not YAML: {_where(error)}; mend the line") from None
+    if not isinstance(content, dict):
+        raise InvalidFile(f"{path}: holds no keys; allowed: {', '.join(model.model_fields)}")
+    try:
+        return model.model_validate(content)
+    except ValidationError as error:
+        lines = [_explain(path, each) for each in error.errors()]
+        more = [f"{path}: and {len(lines) - 5} more"] if len(lines) > 5 else []
+        raise InvalidFile("\n".join(lines[:5] + more)) from None
+
+
+def _where(error: YAMLError) -> str:
+    mark = getattr(error, "problem_mark", None)
+    problem = getattr(error, "problem", None) or str(error).splitlines()[0]
+    return f"line {mark.line + 1}, column {mark.column + 1}: {problem}" if mark else problem
+
+
+def _key(location: tuple[int | str, ...]) -> str:
+    """Location as written in the file: without the tags that tell laws and effects apart."""
+    key, previous = "", None
+    for index, part in enumerate(location):
+        tag = previous == "contact" or (
+            isinstance(previous, int) and location[index - 2] == "effects"
+        )
+        if isinstance(part, int):
+            key += f"[{part}]"
+        elif not tag:
+            key += f".{part}" if key else part
+        previous = part
+    return key
+
+
+def _explain(path: Path, error: ErrorDetails) -> str:
+    """One line: file, key, value, what is allowed, what to do."""
+    key, given, context = _key(error["loc"]), error["input"], error.get("ctx", {})
+    allowed, remedy = error["msg"], "change the value"
+    match error["type"]:
+        case "missing":
+            return f"{path}: {key}: missing; allowed: a value for this key; add it"
+        case "unknown_key":
+            unknown, known = context["key"], context["known"]
+            near = difflib.get_close_matches(str(unknown), known, n=1)
+            key, given = (f"{key}.{unknown}" if key else str(unknown)), given[unknown]
+            allowed = f"the keys {', '.join(known)}"
+            remedy = f"did you mean {near[0]}?" if near else "remove the key"
+        case "union_tag_invalid":
+            allowed = f"{context['discriminator']} one of {context['expected_tags']}"
+        case "union_tag_not_found":
+            allowed = f"a mapping with the key {context['discriminator']}"
+        case "literal_error":
+            allowed = context["expected"]
+        case "model_attributes_type" | "dict_type":
+            allowed = "a mapping"
+        case "string_type":
+            allowed = "text"
+    return f"{path}: {key or 'the file'}: {given!r} given; allowed: {allowed}; {remedy}"

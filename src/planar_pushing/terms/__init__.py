@@ -1,0 +1,1 @@
+"""The words that every room shares: errors, options, units, and the ranges of parameters."""

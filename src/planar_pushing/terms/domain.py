@@ -1,0 +1,137 @@
+"""The domain: what each parameter may be, and the one refusal of a value outside it.
+
+Each parameter stands here once, with its range, and with what a user can do. Parameters are numbers,
+numpy arrays or `xarray.DataArray`; of a lazy array the blocks are checked when they are computed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from planar_pushing.terms.errors import InvalidValue
+
+#: A number, a numpy array or a DataArray.
+Number = Any
+
+#: Longest rod, and range of the radius of gyration, in radii of the slider.
+LONGEST, GYRATION = 1e6, (1e-4, 1e4)
+#: Greatest coefficient of friction of Coulomb's law; infinite friction is a law of its own.
+ROUGHEST = 1e9
+#: Range of s = m |a| / W for a push from rest with friction and inertia.
+SHARES = (1e-12, 1e12)
+
+
+class Range(NamedTuple):
+    """What a parameter may be, in code and in words, and what to do where it is not."""
+
+    allows: Callable[[Any], Any]
+    allowed: str
+    remedy: str
+
+
+def _positive(remedy: str) -> Range:
+    return Range(lambda x: (x > 0) & (x < math.inf), "a finite number > 0", remedy)
+
+
+RANGES = {
+    "rod_length": Range(
+        lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
+        "give the distance from the contact to the ring centre",
+    ),
+    "rod_angle": Range(
+        lambda x: (x > 0) & (x < math.pi), "radians in the open interval (0, pi)",
+        "keep the slider above the fence",
+    ),
+    "radius": _positive("give the ring's radius in the unit of the rod length"),
+    "friction_coefficient": Range(
+        lambda x: (x >= 0) & (x <= ROUGHEST), f"a number in [0, {ROUGHEST:g}]",
+        "use the law of infinite friction where no coefficient is large enough",
+    ),
+    "weight": _positive("leave the effect out of the scene if the support is frictionless"),
+    "mass": _positive("leave the effect out of the scene if the slider has no inertia"),
+    "gyration_radius": _positive("leave the effect out of the scene if the slider has no inertia"),
+    "force_angle": Range(np.isfinite, "a finite number of radians", "give the angle of a force"),
+    "pusher_angle": Range(np.isfinite, "a finite number of radians", "give one angle"),
+    "pusher_magnitude": Range(
+        lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
+        "turn the pusher around by its angle, not by a sign",
+    ),
+    "inertia_share": Range(
+        lambda x: (x >= 0) & (x <= 1), "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
+    ),
+    "duration": _positive("give the time to simulate"),
+    "gap": Range(
+        lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0", "start on the fence or above it",
+    ),
+}  # fmt: skip
+#: Ranges of dimensionless combinations: of which parameter the refusal speaks, and its range.
+RATIOS = {
+    "length_ratio": ("rod_length", Range(
+        lambda x: x <= LONGEST, f"at most {LONGEST:g} times the radius",
+        "give the radius and the rod length in one unit",
+    )),
+    "gyration_ratio": ("gyration_radius", Range(
+        lambda x: (x >= GYRATION[0]) & (x <= GYRATION[1]),
+        f"{GYRATION[0]:g} to {GYRATION[1]:g} times the slider's radius",
+        "no slider is so far from its support: model a point mass or a longer rod",
+    )),
+    "conservative_gyration": ("gyration_radius", Range(
+        lambda x: abs(x - 1) <= 1e-12, "the radius of the ring",
+        "use motion_cone, which is exact for every radius of gyration",
+    )),
+    "force_ratio": ("pusher_magnitude", Range(
+        lambda x: (x >= SHARES[0]) & (x <= SHARES[1]),
+        f"m a / W in [{SHARES[0]:g}, {SHARES[1]:g}] for a scene with friction and inertia",
+        "leave the effect out that has no part in the motion",
+    )),
+}  # fmt: skip
+
+
+def is_lazy(value: object) -> bool:
+    """Whether a value is a DataArray whose numbers are computed later."""
+    return hasattr(value, "dims") and getattr(value, "chunks", None) is not None
+
+
+def required(name: str, given: Number) -> Number:
+    """The parameter that was given, a list as an array; of a lazy one each block is checked in its turn.
+
+    Raises
+    ------
+    InvalidValue
+        Where a number is outside the range, with the name, the first number outside and the range.
+    """
+    return _required(name, given, RANGES[name])
+
+
+def required_ratio(ratio: str, values: Number) -> Number:
+    """Refuse a parameter out of proportion to the others; result and errors as of `required`."""
+    name, allowed = RATIOS[ratio]
+    return _required(name, values, allowed)
+
+
+def require_fields(value: object, *names: str) -> None:
+    """Take the fields of a frozen value through `required`."""
+    for name in names:
+        object.__setattr__(value, name, required(name, getattr(value, name)))
+
+
+def _required(name: str, given: Number, allowed: Range) -> Number:
+    if is_lazy(given):
+        blocks = given.data.map_blocks(lambda block: _required(name, block, allowed), dtype=float)
+        return given.copy(data=blocks)
+    try:
+        numbers = np.asarray(given)
+    except ValueError:  # lists of several lengths
+        numbers = np.array(math.nan)
+    if numbers.dtype.kind not in "iuf":
+        numbers = np.array(math.nan)
+    wrong = numbers[~np.asarray(allowed.allows(numbers), dtype=bool)]
+    if wrong.size:
+        own = numbers.ndim == 0 and not isinstance(given, np.number)
+        shown = given if own else float(wrong.flat[0])
+        raise InvalidValue(name, shown, allowed.allowed, allowed.remedy)
+    return numbers if isinstance(given, (list, tuple)) else given

@@ -1,0 +1,68 @@
+"""Options that files, Python and the command line share: their names, and what they allow.
+
+An option is given as the enum or as its value.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import NamedTuple
+
+
+class Policy(StrEnum):
+    """Which mode is taken where several are consistent."""
+
+    KEEP_CONTACT = "keep-contact"
+    SEPARATE = "separate"
+    STAY_IN_MODE = "stay-in-mode"
+
+
+class Method(StrEnum):
+    """How a motion is integrated over time."""
+
+    EVENT_DRIVEN = "event-driven"
+    TIME_STEPPING = "time-stepping"
+
+
+class AtZeroNormal(StrEnum):
+    """Tangential force of infinite friction without normal force: the paper's definitions 1 and 2."""
+
+    FREE = "free"
+    NONE = "none"
+
+
+class EffectKind(StrEnum):
+    """What resists the motion, by its name in studies and datasets."""
+
+    SUPPORT_FRICTION = "support_friction"
+    INERTIA = "inertia"
+
+
+class EffectSet(StrEnum):
+    """The effects that resist the motion together, by their name in studies and datasets."""
+
+    SUPPORT_FRICTION = EffectKind.SUPPORT_FRICTION.value
+    INERTIA = EffectKind.INERTIA.value
+    BOTH = f"{EffectKind.SUPPORT_FRICTION}+{EffectKind.INERTIA}"
+
+
+#: Effects by the types that scene files give them.
+EFFECT_TYPES = {"ring_friction": EffectKind.SUPPORT_FRICTION, "inertia": EffectKind.INERTIA}
+#: Effects by the degree of homogeneity of their potential.
+EFFECT_DEGREES = {1: EffectKind.SUPPORT_FRICTION, 2: EffectKind.INERTIA}
+
+
+class Range(NamedTuple):
+    """A closed range of numbers, in figures and in words."""
+
+    least: float
+    most: float
+    allowed: str
+
+    def holds(self, number: float) -> bool:
+        """Whether a number lies in the range."""
+        return self.least <= number <= self.most
+
+
+#: Relative tolerance of a motion over time: what double precision can hold.
+TOLERANCE = Range(1e-13, 1e-2, "a number in [1e-13, 1e-2]")

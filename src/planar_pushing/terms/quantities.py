@@ -1,0 +1,158 @@
+"""Units and long names of every variable and coordinate: of datasets, of logs and of batches."""
+
+from __future__ import annotations
+
+#: Name: (units, long name). "1" is the unit of a ratio, a count, a flag or a label.
+Quantities = dict[str, tuple[str, str]]
+
+#: What a dataset holds.
+DATASET: Quantities = {
+    "adhesive": ("1", "whether the fence pulls on the slider"),
+    "case": ("1", "hard case"),
+    "center": ("length", "motion centre relative to the contact"),
+    "center_x": ("length", "motion centre relative to the ring centre, along the fence"),
+    "center_y": ("length", "motion centre relative to the ring centre, normal to the fence"),
+    "condition": (
+        "1",
+        "condition number: relative change of the reference per relative change of the inputs",
+    ),
+    "cone_center": ("length", "motion centre relative to the contact, under one effect"),
+    "cone_force_angle": (
+        "degree",
+        "force angle, from the right to the left edge of the friction cone",
+    ),
+    "cone_motion_angle": ("degree", "angle of the contact motion under one effect"),
+    "conservative_cone_left": ("degree", "left edge of the conservative acceleration cone"),
+    "conservative_cone_right": ("degree", "right edge of the conservative acceleration cone"),
+    "consistent": ("1", "number of consistent solutions in the mode"),
+    "contact": ("1", "contact law"),
+    "contact_motion": ("motion", "motion of the slider at the contact"),
+    "effect": ("1", "effect that alone resists the motion"),
+    "effects": ("1", "effects that resist the motion"),
+    "error_bound": ("1", "relative error that rounding the inputs causes: condition times epsilon"),
+    "error_ulp": ("1", "error of the result in units in the last place of the reference"),
+    "evaluations": ("1", "points at which the effect was evaluated"),
+    "exact_cone_left": ("degree", "left edge of the exact acceleration cone"),
+    "exact_cone_right": ("degree", "right edge of the exact acceleration cone"),
+    "force": ("force", "force of the pusher on the slider"),
+    "force_angle": ("degree", "force angle"),
+    "force_angle_fast": ("degree", "force angle of the mode's fastest motion"),
+    "force_x": ("force", "force of the pusher along the fence"),
+    "force_y": ("force", "force of the pusher normal to the fence"),
+    "friction_coefficient": ("1", "coefficient of friction at the contact"),
+    "friction_cone_left": ("degree", "left edge of the friction cone"),
+    "friction_cone_right": ("degree", "right edge of the friction cone"),
+    "ill_conditioned": ("1", "whether double precision loses six digits whatever the algorithm"),
+    "inertia_share": ("1", "s / (1 + s) with s = m a / W: 0 is friction alone, 1 inertia alone"),
+    "law": ("1", "type of the contact law"),
+    "line": ("1", "hard place, 1 to 7: ring, ends, lengths, contact, speed, rest, Painleve"),
+    "limit_force_left": ("force", "force on the limit curve at the left edge of the friction cone"),
+    "limit_force_right": (
+        "force",
+        "force on the limit curve at the right edge of the friction cone",
+    ),
+    "mode": ("1", "contact mode"),
+    "motion_angle": ("degree", "angle of the contact motion"),
+    "motion_cone_left": ("degree", "left edge of the motion cone"),
+    "motion_cone_right": ("degree", "right edge of the motion cone"),
+    "operation": ("1", "what was computed"),
+    "outcome": ("1", "number of consistent solutions: none, one, several"),
+    "pulls": ("1", "whether the contact can stick while the pusher moves away"),
+    "pusher_angle": ("degree", "angle of the pusher motion"),
+    "pusher_magnitude": ("motion", "magnitude of the pusher motion"),
+    "pusher_motion": ("motion", "motion of the pusher"),
+    "quantity": ("1", "what the number is"),
+    "quantity_unit": ("1", "unit of the number"),
+    "radius": ("length", "radius of the ring"),
+    "reference": ("1", "certified value in 40 digits, in the case's unit"),
+    "reference_high": ("1", "certified value, first double, in the case's unit"),
+    "reference_low": ("1", "certified value, second double, in the case's unit"),
+    "result": ("1", "value in double precision, in the case's unit"),
+    "ring_center": ("length", "ring centre relative to the contact"),
+    "rod_angle": ("degree", "rod angle"),
+    "rod_length": ("length", "rod length, from the contact to the ring centre"),
+    "scene": ("1", "name of the scene, or grid for a dataset"),
+    "slip": ("motion", "motion of the slider over the fence"),
+    "slips_while_pushing": ("1", "whether some push makes the contact slip"),
+    "solution": ("1", "number of the solution"),
+    "spin_ratio": ("1", "spin ratio R omega / v"),
+    "spin_ratio_fast": ("1", "spin ratio of the mode's fastest motion"),
+    "support_angle": ("degree", "place on the ring, from the ring centre"),
+    "support_force": ("force/radian", "friction of the support on the ring, per angle of the ring"),
+    "support_motion": ("motion", "motion of a point of the ring"),
+    "time": ("s", "duration of one run"),
+    "twist": ("motion", "twist of the slider at the ring centre, rotation times radius"),
+    "twist_component": ("1", "component of the twist"),
+    "xy": ("1", "along the fence, normal to the fence"),
+}
+#: What the log of a motion over time holds; a name may mean something else than in a dataset.
+LOG: Quantities = {
+    **DATASET,
+    "contact_dissipated": ("force length", "energy dissipated at the contact, accumulated"),
+    "dissipated": ("force length", "energy dissipated by each effect, accumulated"),
+    "effect": ("1", "effect that resists the motion"),
+    "evaluations": ("1", "how often each effect was evaluated, accumulated"),
+    "fence": ("length", "displacement of the fence"),
+    "force": ("force", "force of the fence on the slider"),
+    "gap": ("length", "height of the contact point above the fence"),
+    "kinetic_energy": ("force length", "kinetic energy of the slider"),
+    "position": ("length", "ring centre, from the contact at time 0"),
+    "rod_angle": ("degree", "rod angle, not taken modulo a turn"),
+    "slip": ("length", "slip of the contact along the fence, accumulated"),
+    "solutions": ("1", "number of consistent solutions"),
+    "time": ("time", "time"),
+    "twist": ("length/time", DATASET["twist"][1]),
+    "work": ("force length", "work of the fence on the slider, accumulated"),
+}
+#: What a batch of motions holds; a name may mean something else than in a log.
+BATCH: Quantities = {
+    **LOG,
+    "duration": ("time", "time to simulate"),
+    "evaluations": ("1", "how often the motion was evaluated"),
+    "initial_rod_angle": ("degree", "rod angle at time 0"),
+    "mode_changes": ("1", "number of changes of mode"),
+    "part": ("1", "part of the duration"),
+    "rod_angle": DATASET["rod_angle"],
+    "solutions": ("1", "number of modes that were consistent when the mode was chosen"),
+    "stopped": ("1", "whether the motion could not go on, and why"),
+    "time": ("time", "time reached; less than the duration where the motion could not go on"),
+    "velocity": ("length/time", "velocity of the fence"),
+}
+
+#: What the functions of the mechanics give for labelled arrays: angles are radians.
+MECHANICS: Quantities = {
+    **DATASET,
+    **{
+        name: ("radian", DATASET[name][1])
+        for name in (
+            *("motion_angle", "force_angle", "motion_cone_right", "motion_cone_left"),
+            *("conservative_cone_right", "conservative_cone_left"),
+        )
+    },
+    "closed": ("1", "whether the edges belong to the cone"),
+    "left": ("radian", "left edge of the cone"),
+    "right": ("radian", "right edge of the cone"),
+    "consistent": ("1", "whether there is a solution in this place"),
+    "force_size": ("force", "size of the force on the limit curve"),
+    "solutions": ("1", "number of consistent solutions"),
+    "twist": ("motion", "twist of the slider at the ring centre; the rotation in motion/length"),
+}
+
+#: What the units of a dataset stand for.
+NOTES = {
+    "length": "the unit of the study's radius",
+    "force": "the unit of the study's weight; without friction mass times a unit motion",
+    "motion": "speed in a quasi-static scene, initial acceleration from rest otherwise",
+}
+#: What the units of a log stand for.
+LOG_NOTES = {
+    "length": "the unit of the scene's lengths",
+    "time": "the unit of the simulated duration",
+    "force": "the unit of the scene's weight; without friction mass length / time^2",
+}
+
+
+def attributes(quantities: Quantities, name: str) -> dict[str, str]:
+    """Attributes of a variable: its units and its long name."""
+    units, long_name = quantities[name]
+    return {"units": units, "long_name": long_name}

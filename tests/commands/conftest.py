@@ -1,0 +1,50 @@
+"""The command line in this process, and results that it queries."""
+
+import pytest
+
+from planar_pushing.commands import main
+from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
+
+
+@pytest.fixture
+def run(capsys):
+    """Run a command; its code, and what it printed to both streams."""
+
+    def call(*arguments):
+        code = main(list(arguments))
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return call
+
+
+@pytest.fixture
+def refused(run):
+    """Run a command that refuses its input: two exits with one line, which begins as `said`."""
+
+    def call(arguments, said):
+        code, out, err = run(*arguments)
+        assert (code, out) == (2, "")
+        assert err.startswith(f"planar-pushing {arguments[0]}: {said}"), err
+        assert err.count("\n") == 1
+
+    return call
+
+
+@pytest.fixture(scope="session")
+def results(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("results")
+    study = load_study("workflow/config/smoke.yaml")
+    values = study_slice(study, "motion_cones")
+    write_dataset(build_dataset("motion_cones", values), folder / "data/motion_cones.nc")
+    return str(folder)
+
+
+@pytest.fixture(scope="session")
+def log(tmp_path_factory):
+    path = tmp_path_factory.mktemp("log") / "log.nc"
+    assert main(["simulate", "workflow/scenes/figure_14a.yaml", "-o", str(path)]) == 0
+    return path

@@ -1,0 +1,66 @@
+"""The command `query`, with right and with wrong input."""
+
+import json
+
+import pytest
+
+
+def test_query(run, results):
+    words = [
+        "--effects",
+        "inertia",
+        "--rod-length",
+        "2",
+        "--rod-angle",
+        "45",
+        "--friction-coefficient",
+        "2",
+    ]
+    code, out, _ = run("query", "motion_cones", "--results", results, *words)
+    assert code == 0
+    assert "effects=inertia, rod_length=2.0" in out
+    assert "motion_cone_right [degree]    -14.036243467" in out
+
+
+def test_query_with_equals_signs(run, results):
+    words = ["--effects=inertia", "--rod-length=2", "--rod-angle=45", "--friction-coefficient=inf"]
+    code, out, _ = run("query", "motion_cones", "--results", results, *words)
+    assert code == 0
+    assert "motion_cone_right [degree]    -33.69006752597" in out
+
+
+def test_query_of_several_axes_prints_a_table_each(run, results):
+    code, out, _ = run("query", "motion_cones", "--results", results, "--rod-length", "2")
+    assert code == 0
+    assert out.splitlines()[0] == "rod_length=2.0"
+    assert out.count("motion_cone_right [degree]") == 1
+
+
+def test_query_json(run, results):
+    words = ["--rod-length", "2", "--friction-coefficient", "inf", "--json"]
+    code, out, _ = run("query", "motion_cones", "--results", results, *words)
+    told = json.loads(out)
+    assert code == 0
+    assert told["dims"] == {"effects": 3, "rod_angle": 2}
+    assert told["coords"]["friction_coefficient"]["data"] == "inf"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["query", "motion_cones", "--rod-length=2", "--rod-length", "3"],
+         "query: '--rod-length=2 --rod-length 3' given; allowed: pairs"),
+        (["query", "cones"],
+         "name: 'cones' given; allowed: limit_curves"),
+        (["query", "motion_cones", "--rod-lenght", "2"],
+         "rod_lenght: '2' given; allowed: the axes effects"),
+        (["query", "motion_cones", "--rod-length", "7"],
+         "rod_length: '7' given; allowed: 0, 1, 2, 5; choose a value"),
+        (["query", "motion_cones", "--rod-length", "long"],
+         "rod_length: 'long' given; allowed: a number, or inf"),
+        (["query", "motion_cones", "--rod-length"],
+         "query: '--rod-length' given; allowed: pairs"),
+    ],
+)  # fmt: skip
+def test_wrong_input(refused, results, arguments, said):
+    refused([*arguments[:2], "--results", results, *arguments[2:]], said)

@@ -1,0 +1,91 @@
+"""The command `simulate`, with right and with wrong input."""
+
+import json
+
+import numpy as np
+import pytest
+
+from planar_pushing.study.store import read_dataset
+
+PULLING = "workflow/scenes/figure_14a.yaml"
+
+PLAIN = "workflow/scenes/figure_08.yaml"
+
+
+def test_simulate_follows_the_section_of_the_scene(log):
+    found = read_dataset(log)
+    assert found.attrs["finished"] == 1
+    assert found.attrs["on_ambiguity"] == "keep-contact"
+    assert found.sizes["time"] == 97
+    assert float(found.rod_angle[-1]) == pytest.approx(55.0117131650713, abs=1e-9)
+
+
+def test_an_option_takes_the_place_of_the_section(run, tmp_path):
+    path = tmp_path / "log.nc"
+    options = ("--on-ambiguity", "separate", "--json")
+    code, out, _ = run("simulate", PULLING, "-o", str(path), *options)
+    told = json.loads(out)
+    assert (code, told["time"], told["stopped"]) == (0, 1.5, "")
+    assert [(each["time"], each["mode"]) for each in told["modes"]] == [
+        (0.0, "STICK"),
+        (0.5, "SEPARATE"),
+    ]
+    assert told["modes"][1]["consistent"] > 1
+    assert told["gap"] == pytest.approx(np.sin(np.deg2rad(10)), abs=1e-12)
+
+
+def test_the_options_alone_make_a_simulation(run, tmp_path):
+    path = tmp_path / "log.nc"
+    options = ("--pusher-angle", "165", "--duration", "3", "--samples", "5", "--rtol", "1e-9")
+    code, out, err = run("simulate", PLAIN, "-o", str(path), *options, "--no-progress")
+    assert (code, err) == (0, "")
+    assert "slip: 2.151415744" in out
+    assert "mode: SLIP_RIGHT" in out
+
+
+def test_twice_the_speed_takes_half_the_time(run, tmp_path):
+    slips = []
+    for speed, duration in (("1", "2"), ("2", "1")):
+        path = tmp_path / f"{speed}.nc"
+        options = ("--pusher-angle", "165", "--pusher-speed", speed, "--duration", duration)
+        run("simulate", PLAIN, "-o", str(path), *options)
+        slips.append(float(read_dataset(path).slip[-1]))
+    assert slips[0] == pytest.approx(slips[1], abs=1e-9)
+
+
+def test_progress_is_shown_when_asked_for(run, tmp_path):
+    path = tmp_path / "log.nc"
+    _, out, err = run("simulate", PULLING, "-o", str(path), "--progress")
+    assert "1.5" in err
+    assert out.startswith(f"written: {path}\n")
+
+
+WRONG = [
+    (["simulate", "none.yaml", "-o", "log.nc"],
+     "none.yaml: no such file; give the path of a YAML"),
+    (["simulate", PULLING, "-o", "log.txt"],
+     "output: 'log.txt' given; allowed: a name ending in .nc or .h5; rename the file"),
+    (["simulate", PULLING, "-o", "/dev/null/log.nc"],
+     "/dev/null/log.nc: cannot be written"),
+    (["simulate", PLAIN, "--pusher-angle", "1", "-o", "log.nc"],
+     "duration: None given; allowed: the option --duration, or a section simulate in"),
+    (["simulate", PLAIN, "--duration", "1", "-o", "log.nc"],
+     "pusher_angle: None given; allowed: the option --pusher-angle, or a section simulate in"),
+    (["simulate", PULLING, "--duration", "-1", "-o", "log.nc"],
+     "duration: -1.0 given; allowed: a finite number > 0"),
+    (["simulate", PULLING, "--rtol", "0", "-o", "log.nc"],
+     "rtol: 0.0 given; allowed: a number in [1e-13, 1e-2]"),
+    (["simulate", PULLING, "--samples", "1", "-o", "log.nc"],
+     "samples: 1 given; allowed: a whole number >= 2"),
+    (["simulate", PULLING, "--method", "euler", "-o", "log.nc"],
+     "method: 'euler' given; allowed: 'event-driven' or 'time-stepping'"),
+    (["simulate", PULLING, "--on-ambiguity", "both", "-o", "log.nc"],
+     "on_ambiguity: 'both' given; allowed: 'keep-contact', 'separate' or 'stay-in-mode'"),
+    (["simulate", PULLING, "--pusher-angle", "nan", "-o", "log.nc"],
+     "pusher_angle: nan given; allowed: a finite number of degrees"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("arguments", "said"), WRONG)
+def test_wrong_input(refused, arguments, said):
+    refused(arguments, said)

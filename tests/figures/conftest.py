@@ -1,0 +1,13 @@
+"""Logs of motion over time."""
+
+import pytest
+
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.simulations import simulate_file
+
+LOGS = ("figure_14a", "figure_14b", "figure_15", "pulling_with_inertia", "impact")
+
+
+@pytest.fixture(scope="session")
+def logs():
+    return {name: simulate_file(load_scene_file(f"workflow/scenes/{name}.yaml")) for name in LOGS}

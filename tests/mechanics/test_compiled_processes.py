@@ -1,0 +1,207 @@
+"""The core in new processes: what is compiled and cached, and the formulas without the compiler."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numba
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from mechanics.builders import EFFECT_SETS, make_scene
+from planar_pushing.mechanics import compiled as core
+
+SOURCES = Path(core.__file__).parents[1]
+TESTS = Path(__file__).parents[1]
+EPS = np.finfo(float).eps
+
+python_mode = pytest.mark.skipif(
+    bool(numba.config.DISABLE_JIT), reason="a test of the compiler, or one that starts this one"
+)
+
+
+def run(code, folder=SOURCES.parent, **environment):
+    """What a process prints as JSON whose package is the one in a folder."""
+    paths = os.pathsep.join([str(folder), str(TESTS)])
+    found = subprocess.run(
+        [sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=False,
+        env=os.environ | {"PYTHONPATH": paths} | environment,
+    )  # fmt: skip
+    assert found.returncode == 0, found.stderr
+    return json.loads(found.stdout)
+
+
+@pytest.fixture
+def copy(tmp_path):
+    """A copy of the package without anything compiled."""
+    clean = shutil.ignore_patterns("__pycache__", "figures", "evidence", "report", "certified")
+    shutil.copytree(SOURCES, tmp_path / SOURCES.name, ignore=clean)
+    return tmp_path
+
+
+# --- Only the effects that a scene calls for ---------------------------------------------------------
+
+COMPILED = """
+import json, numpy as np
+import planar_pushing as pp
+from mechanics.builders import make_scene
+from planar_pushing.mechanics import push, wrench
+
+pp.solve(make_scene(2.0, 1.0, [pp.Inertia()]), 1.0)
+pp.wrench(pp.RingFriction(), [1.0, 2.0, 3.0])
+found = {}
+for name, kernel in (("solve with inertia", push._modes), ("wrench of friction", wrench._wrenches)):
+    (signature,) = kernel.signatures
+    code = kernel.inspect_llvm(signature)
+    found[name] = [word for word in ("supports4ring", "turning", "llvm.log.f64") if word in code]
+print(json.dumps(found))
+"""
+
+
+@python_mode
+def test_code_compiled_for_inertia_alone_holds_no_elliptic_integral(copy):
+    """The second kernel shows that the names would be seen if they were there."""
+    found = run(COMPILED, copy)
+    assert found["solve with inertia"] == []
+    assert "supports4ring" in found["wrench of friction"]
+
+
+COUNTED = """
+import json
+from collections import Counter
+import numpy as np
+import planar_pushing as pp
+from mechanics.builders import EFFECT_SETS, make_scene
+from planar_pushing.mechanics.effects import base
+from planar_pushing.mechanics.supports import ring
+
+calls = Counter()
+
+def counted(name, function):
+    def wrapped(*given):
+        calls[name] += 1
+        return function(*given)
+    return wrapped
+
+for kind, function in base.RESPONSES.items():
+    base.RESPONSES[kind] = counted(kind.__name__, function)
+ring.inner = counted("ring", ring.inner)
+found = {}
+for name, effects in EFFECT_SETS.items():
+    calls.clear()
+    scene = make_scene(2.0, 1.4, effects)
+    share = 0.5 if name == "both" else None
+    for angle in (-0.2, 0.3, 1.0, 2.9):
+        pp.solve(scene, angle)
+        pp.spin_ratio(scene, angle, share)
+        pp.limit_curve(scene, angle)
+        pp.motion_centers(scene, angle, share)
+    pp.motion_cone(scene)
+    found[name] = calls.copy()
+print(json.dumps(found))
+"""
+
+
+def test_an_absent_effect_is_not_evaluated():
+    found = run(COUNTED, NUMBA_DISABLE_JIT="1")
+    assert set(found["friction"]) == {"RingSupport", "ring"}
+    assert set(found["inertia"]) == {"Mass"}
+    assert set(found["both"]) == {"RingSupport", "Mass", "ring"}
+    assert all(count > 0 for counts in found.values() for count in counts.values())
+
+
+# --- With and without the compiler -------------------------------------------------------------------
+
+#: Tests of the formulas; the others test what surrounds them.
+FORMULAS = (
+    "effects", "reduced", "supports/test_ring.py", "numerics", "test_plane.py", "test_wrench.py",
+    "test_cones.py", "test_limit_curve.py", "test_centers.py", "test_modes.py",
+    "test_modes_limits.py", "test_modes_hard.py", "test_solve.py", "test_solve_backward_error.py",
+    "test_push.py",
+)  # fmt: skip
+
+
+@python_mode
+def test_the_tests_of_the_mechanics_pass_without_the_compiler():
+    files = [str(TESTS / "mechanics" / name) for name in FORMULAS]
+    found = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *files],
+        capture_output=True, text=True, check=False, cwd=TESTS.parent,
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": str(SOURCES.parent)},
+    )  # fmt: skip
+    assert found.returncode == 0, found.stdout[-3000:]
+
+
+def sample():
+    """Numbers of each function at generic scenes, relative to their own size."""
+    random = np.random.default_rng(2)
+    length, psi = 10 ** random.uniform(-2, 2, 40), random.uniform(0.1, 3.0, 40)
+    mu, angle = 10 ** random.uniform(-1, 1, 40), random.uniform(-3.0, 3.0, 40)
+    found = {}
+    for name, effects in EFFECT_SETS.items():
+        scene, share = (
+            make_scene(length, pp.Coulomb(mu), effects, psi),
+            0.3 if name == "both" else None,
+        )
+        cone, curve = pp.motion_cone(scene), pp.limit_curve(scene, angle)
+        solved = pp.solve(scene, angle, 1.3)
+        found[name] = {
+            "cone": np.array([cone.right, cone.left]),
+            "curve": np.array([curve.magnitude, curve.spin_ratio, curve.motion_angle]),
+            "spin ratio": pp.spin_ratio(scene, angle, share),
+            "mode": solved.mode,
+            "twist": solved.twist,
+            "force": solved.force,
+        }
+    return found
+
+
+SAMPLED = """
+import json
+from mechanics.test_compiled_processes import sample
+print(json.dumps({
+    name: {key: value.tolist() for key, value in each.items()} for name, each in sample().items()
+}))
+"""
+
+
+@python_mode
+def test_both_modes_give_the_same_numbers_to_a_few_ulp():
+    python = run(SAMPLED, NUMBA_DISABLE_JIT="1")
+    for name, each in sample().items():
+        assert np.array_equal(each.pop("mode"), python[name]["mode"])
+        for key, value in each.items():
+            np.testing.assert_allclose(value, python[name][key], rtol=16 * EPS, atol=8 * EPS)
+
+
+# --- The cache -------------------------------------------------------------------------------------
+
+
+PROFILE = """
+import json
+from planar_pushing.mechanics import wrench
+force, _ = wrench.ring_profile(0.5)
+print(json.dumps([float(force), sum(wrench._profiles.stats.cache_hits.values())]))
+"""
+
+
+@python_mode
+def test_a_changed_callee_leaves_no_stale_code(copy):
+    """Numba's cache looks at the caller's file alone, which stays as it is."""
+    force, hits = run(PROFILE, copy)
+    assert (force, hits) == (pytest.approx(0.934215457667694, rel=1e-14), 0)
+    assert run(PROFILE, copy) == [force, 1]
+    callee = copy / SOURCES.name / "mechanics/supports/ring.py"
+    text = callee.read_text()
+    changed = text.replace(
+        "    return force, k * bracket / ends", "    return 2.0 * force, k * bracket / ends"
+    )
+    assert changed != text
+    callee.write_text(changed)
+    assert run(PROFILE, copy) == [2.0 * force, 0]

@@ -1,0 +1,38 @@
+"""Limit curves against the transcription of the paper."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+
+import planar_pushing as pp
+import reference
+from mechanics.builders import PSI, make_scene
+
+RADIANS = 1e-12
+
+
+@pytest.mark.parametrize("phi", [0.2, 0.9, 2.6])
+@pytest.mark.parametrize("length", [0.3, 2.0, 20.0])
+def test_limit_curve_with_both_effects(length, phi):
+    """W f + m v with v = 1 / sqrt(1 + rho^2 k^2), on the line of force h."""
+    weight, mass, rho = 2.0, 3.0, 0.7
+    effects = [pp.RingFriction(weight=weight), pp.Inertia(mass=mass, gyration_radius=rho)]
+    curve = pp.limit_curve(make_scene(length, effects=effects), phi)
+    k = mpf(float(curve.spin_ratio))
+    speed = 1 / mp.sqrt(1 + mpf(rho) ** 2 * k**2)
+    force = weight * reference.ring_force(k) + mass * speed
+    torque = weight * reference.ring_torque(k) + mass * speed * mpf(rho) ** 2 * k
+    assert float(curve.magnitude) == pytest.approx(float(force), rel=1e-14)
+    assert float(torque / force) == pytest.approx(length * np.sin(PSI - phi), rel=1e-13)
+    exact = reference.motion_angle(length, phi, PSI, k)
+    assert float(curve.motion_angle) == pytest.approx(float(exact), abs=RADIANS)
+
+
+@pytest.mark.parametrize("phi", [0.2, PSI, 2.6])
+@pytest.mark.parametrize("length", [1e-3, 1.0, 1e3])
+def test_limit_curve_of_friction(length, phi):
+    curve = pp.limit_curve(make_scene(length, effects=[pp.RingFriction(weight=2.0)]), phi)
+    k = reference.friction_spin_ratio(reference.moment_arm(length, phi, PSI))
+    assert float(curve.magnitude) == pytest.approx(float(2 * reference.ring_force(k)), rel=1e-13)

@@ -1,0 +1,90 @@
+"""The driver: runs that are interrupted and resumed, runs without the compiler, and the stiff method."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from mechanics.builders import BOTH, FRICTION, make_scene
+from planar_pushing.simulation.events.driver import ENDED, advance
+from planar_pushing.simulation.events.integrate import EventDriven
+from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.rows import ROW, records
+from simulation.runs import final, heading, run
+
+FENCE = [(0, heading(60)), (0.5, heading(100))]
+
+
+def rows_of(problem, room):
+    """Rows of a run that is interrupted whenever so many rows are written."""
+    run, found = EventDriven(problem, np.linspace(0, 1, 50)), []
+    while run.run.phase != ENDED:
+        rows = records(ROW, room)
+        found.append(rows[: advance(run.system, run.task, run.run, rows)])
+    return np.concatenate(found)
+
+
+@pytest.mark.parametrize("effects", [FRICTION, BOTH], ids=["friction", "both"])
+def test_a_run_goes_on_where_it_was_interrupted(effects):
+    scene = make_scene(2, 0.5, effects)
+    problem = Problem(scene=scene, pusher=pp.Pusher(velocity=FENCE), duration=1)
+    whole, parts = rows_of(problem, 500), rows_of(problem, 1)
+    assert len(whole) > 50
+    assert whole.tobytes() == parts.tobytes()
+
+
+def test_an_interrupt_between_two_batches_leaves_a_run_that_can_be_finished():
+    problem = Problem(scene=make_scene(2, 0.5), pusher=pp.Pusher(velocity=FENCE), duration=1)
+    whole = np.concatenate(list(EventDriven(problem, np.linspace(0, 1, 1000))))
+    run = EventDriven(problem, np.linspace(0, 1, 1000))
+    found = []
+    for rows in run:  # an interrupt leaves this loop
+        found.append(rows)
+        if len(found) == 2:
+            break
+    found += list(run)
+    assert np.concatenate(found).tobytes() == whole.tobytes()
+
+
+UNCOMPILED = """
+import sys
+import numpy as np
+import planar_pushing as pp
+for effects in (pp.RingFriction(),), (pp.Inertia(),), (pp.RingFriction(), pp.Inertia()):
+    slider = pp.Slider(rod_length=2, rod_angle=0.8)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
+    for method in "event-driven", "time-stepping":
+        step = {"step": 0.01} if method == "time-stepping" else {}
+        log = pp.simulate(scene, pusher=pp.Pusher(velocity=(0.3, 1.0)), duration=0.1, rtol=1e-6, samples=3,
+                          method=method, **step)
+        for name in "rod_angle", "slip", "work":
+            print(float(log[name][-1]).hex())
+"""
+
+
+def test_the_same_numbers_without_the_compiler():
+    printed = [
+        subprocess.run(
+            [sys.executable, "-c", UNCOMPILED], env=os.environ | {"NUMBA_DISABLE_JIT": flag},
+            capture_output=True, text=True, check=True,
+        ).stdout.split()
+        for flag in ("0", "1")
+    ]  # fmt: skip
+    compiled, plain = (np.array([float.fromhex(each) for each in part]) for part in printed)
+    assert len(compiled) == 18
+    # An event multiplies what rounding leaves of its time.
+    assert plain == pytest.approx(compiled, rel=1e-14, abs=3e-14)
+
+
+def test_friction_that_settles_fast_is_followed_by_the_stiff_method():
+    """Slow pushing with inertia: the twist settles a thousand times faster than the slider moves."""
+    scene = make_scene(2, 2.0, BOTH)
+    log = run(scene, heading(60, 0.02), 0.5 / 0.02)
+    slow = run(make_scene(2, 2.0), heading(60), 0.5)
+    assert final(log, "evaluations")[0] < 40_000
+    assert final(log, "rod_angle") == pytest.approx(final(slow, "rod_angle"), abs=0.02)
+    finer = run(scene, heading(60, 0.02), 0.5 / 0.02, rtol=1e-12)
+    assert final(log, "rod_angle") == pytest.approx(final(finer, "rod_angle"), abs=1e-8)

@@ -1,0 +1,78 @@
+"""The section `simulate` of scene files: what it allows, in one message each."""
+
+import pytest
+
+from planar_pushing import InvalidFile
+from planar_pushing.study.files.scenes import load_scene_file
+
+SCENE = """\
+slider: {rod_length: 2, rod_angle: 30}
+contact: {law: coulomb, friction_coefficient: 2}
+effects:
+  - {type: ring_friction}
+simulate:
+  pusher: [{time: 0, angle: 10}, {time: 0.5, angle: -10, speed: 2}]
+  duration: 1.5
+"""
+
+
+@pytest.mark.parametrize(
+    ("written", "instead", "said"),
+    [
+        ("duration: 1.5", "duration: 0",
+         "simulate.duration: 0 given; allowed: a finite number > 0; change the value"),
+        ("duration: 1.5", "durations: 1.5",
+         "simulate.durations: 1.5 given; allowed: the keys pusher_angle, pusher_speed, pusher, "
+         "duration, method, on_ambiguity, rtol, initial_twist, initial_gap, samples, step; "
+         "did you mean duration?"),
+        ("  duration: 1.5\n", "",
+         "simulate.duration: missing; allowed: a value for this key; add it"),
+        ("angle: -10", "angle: down",
+         "simulate.pusher[1].angle: 'down' given; allowed: a finite number of degrees; change the value"),
+        ("speed: 2", "speed: -2",
+         "simulate.pusher[1].speed: -2 given; allowed: a finite number >= 0; change the value"),
+        ("time: 0.5", "time: -1",
+         "simulate.pusher[1].time: -1 given; allowed: a finite number >= 0; change the value"),
+        ("pusher: [{time: 0, angle: 10}, {time: 0.5, angle: -10, speed: 2}]", "pusher: []",
+         "simulate.pusher: [] given; allowed: a list with at least one entry; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  method: euler",
+         "simulate.method: 'euler' given; allowed: 'event-driven' or 'time-stepping'; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  on_ambiguity: any",
+         "simulate.on_ambiguity: 'any' given; allowed: 'keep-contact', 'separate' or 'stay-in-mode'; "
+         "change the value"),
+        ("duration: 1.5", "duration: 1.5\n  rtol: 1",
+         "simulate.rtol: 1 given; allowed: a number in [1e-13, 1e-2]; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  samples: 2.5",
+         "simulate.samples: 2.5 given; allowed: a whole number >= 2; change the value"),
+    ],
+)  # fmt: skip
+def test_error(tmp_path, written, instead, said):
+    assert written in SCENE
+    assert message(tmp_path, SCENE.replace(written, instead, 1)) == said
+
+
+@pytest.mark.parametrize(
+    ("written", "instead", "allowed"),
+    [
+        ("duration", "pusher_angle: 3\n  duration", "exactly one of pusher_angle and pusher"),
+        ("duration", "pusher_speed: 3\n  duration", "pusher_speed with pusher_angle only"),
+        ("{time: 0, ", "{time: 0.1, ", "times of pusher that begin at 0 and increase"),
+        ("time: 0.5", "time: 0", "times of pusher that begin at 0 and increase"),
+        ("duration", "step: 0.1\n  duration", "step with the method time-stepping only"),
+        ("duration", "initial_twist: {omega: 3}\n  duration",
+         "initial_twist with inertia among the effects only"),
+    ],
+)  # fmt: skip
+def test_contradiction(tmp_path, written, instead, allowed):
+    said = message(tmp_path, SCENE.replace(written, instead, 1))
+    assert said.startswith("simulate: ")
+    assert f" given; allowed: {allowed}" in said
+    assert "\n" not in said
+
+
+def message(tmp_path, text):
+    path = tmp_path / "scene.yaml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InvalidFile) as caught:
+        load_scene_file(path)
+    return str(caught.value).removeprefix(f"{path}: ")

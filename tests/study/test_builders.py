@@ -1,0 +1,22 @@
+"""Datasets built by name: bytes that depend on the content alone."""
+
+import pytest
+
+from planar_pushing.study.builders import BUILDERS, build_dataset
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
+
+
+def test_every_dataset_has_its_builder():
+    assert {name: f"planar_pushing.study.datasets.{name}" for name in DATASETS} == {
+        name: build.__module__ for name, build in BUILDERS.items()
+    }
+
+
+@pytest.mark.parametrize("name", DATASETS)
+def test_bytes_depend_on_the_content_alone(results, tmp_path, name):
+    study = load_study("workflow/config/smoke.yaml")
+    write_dataset(build_dataset(name, study_slice(study, name)), tmp_path / "again.nc")
+    assert (tmp_path / "again.nc").read_bytes() == (results / f"data/{name}.nc").read_bytes()

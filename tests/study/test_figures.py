@@ -1,0 +1,36 @@
+"""The entries of the figures."""
+
+import pytest
+
+from planar_pushing.study.figures import FIGURES, computes
+from planar_pushing.study.figures.base import COLUMN_WIDTH, PAGE_WIDTH
+from planar_pushing.study.study_file import load_study
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_the_caption_and_the_size_suit_a_column_or_a_page(name):
+    assert FIGURES[name].size[0] in (COLUMN_WIDTH, PAGE_WIDTH)
+    assert FIGURES[name].caption.endswith(".")
+
+
+def test_a_scene_needs_the_effects_of_the_figure_that_shows_it():
+    study = load_study("workflow/config/smoke.yaml")
+    grid = study.grid.model_copy(update={"effects": ("support_friction",)})
+    rubs = study.model_copy(update={"grid": grid})
+    names = [
+        "figure_02",
+        "figure_09a",
+        "figure_12",
+        "figure_13",
+        "limit_curves",
+        "acceleration_centers",
+    ]
+    assert [computes(rubs, name) for name in names] == [True, False, False, True, True, False]
+    assert all(computes(study, name) for name in names)
+
+
+def test_a_study_without_simulations_does_not_draw_their_figures():
+    study = load_study("workflow/config/smoke.yaml")
+    bare = study.model_copy(update={"simulations": {"figure_15": "x"}})
+    assert computes(study, "figure_14")
+    assert [computes(bare, f"figure_{number}") for number in (13, 14, 15)] == [True, False, True]

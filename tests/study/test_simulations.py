@@ -1,0 +1,36 @@
+"""Scene files as arguments of `simulate`."""
+
+import numpy as np
+import pytest
+
+from planar_pushing import InvalidValue
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.study.simulations import arguments, simulate_file, velocity
+
+
+def test_pieces_are_velocities_of_the_fence():
+    pieces = [{"time": 0, "angle": 10}, {"time": 0.5, "angle": -10, "speed": 2}]
+    found = arguments(SimulateEntry(pusher=pieces, duration=1.5))["pusher"].pieces
+    assert [time for time, _ in found] == [0.0, 0.5]
+    expected = [np.cos(np.deg2rad(10)), 2 * np.cos(np.deg2rad(10))]
+    assert [each[0] for _, each in found] == pytest.approx(expected)
+    assert [each[1] < 0 for _, each in found] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("angle", "expected"),
+    [(0, (1, 0)), (90, (0, 1)), (180, (-1, 0)), (-90, (0, -1)), (540, (-1, 0))],
+)
+def test_along_and_across_the_fence_is_exact(angle, expected):
+    assert velocity(PieceEntry(time=0, angle=angle)) == expected
+
+
+def test_the_initial_twist_is_in_degrees():
+    entry = SimulateEntry(pusher_angle=0, duration=1, initial_twist={"v_x": 1, "omega": 180})
+    assert arguments(entry)["twist"] == (1, 0, np.pi)
+
+
+def test_a_scene_without_the_section_is_not_simulated():
+    with pytest.raises(InvalidValue, match="simulate: None given; allowed: a section"):
+        simulate_file(load_scene_file("workflow/scenes/figure_08.yaml"))

@@ -1,0 +1,113 @@
+"""Each mistake in a study file ends in one message: file, key, value, allowed, remedy."""
+
+from pathlib import Path
+
+import pytest
+
+from planar_pushing import InvalidFile
+from planar_pushing.study.study_file import load_study
+
+STUDY = Path("workflow/config/smoke.yaml").read_text(encoding="utf-8")
+
+AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
+
+
+def message(tmp_path, text):
+    path = tmp_path / "file.yaml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InvalidFile) as caught:
+        load_study(path)
+    assert str(caught.value).startswith(f"{path}: ")
+    return str(caught.value).removeprefix(f"{path}: ")
+
+
+@pytest.mark.parametrize(
+    ("written", "instead", "said"),
+    [
+        ("rod_length: [0, 1, 2, 5]", "rod_length: []",
+         f"grid.rod_length: [] given; allowed: {AXIS}, and at least one number; change the value"),
+        ("rod_length: [0, 1, 2, 5]", "rod_length: 3",
+         f"grid.rod_length: 3 given; allowed: {AXIS}; change the value"),
+        ("rod_length: [0, 1, 2, 5]", "rod_length: [0, 2, 1]",
+         f"grid.rod_length: [0, 2, 1] given; allowed: {AXIS}; change the value"),
+        ("rod_length: [0, 1, 2, 5]", "rod_length: [0, one]",
+         "grid.rod_length[1]: 'one' given; allowed: a finite number >= 0; change the value"),
+        ("force_angle: {start: 0, stop: 360, step: 15}", "force_angle: {start: 0, stop: 360, step: 0}",
+         f"grid.force_angle: {{'start': 0, 'stop': 360, 'step': 0}} given; allowed: {AXIS}, "
+         "and at least one number; change the value"),
+        ("force_angle: {start: 0, stop: 360, step: 15}", "force_angle: {start: 0, stop: 360, step: 7}",
+         f"grid.force_angle: {{'start': 0, 'stop': 360, 'step': 7}} given; allowed: {AXIS}, "
+         "and at least one number; change the value"),
+        ("force_angle: {start: 0, stop: 360, step: 15}", "force_angle: {start: 0, stop: 360}",
+         f"grid.force_angle: {{'start': 0, 'stop': 360}} given; allowed: {AXIS}; change the value"),
+        ("[0, 1.5, 2, inf]", "[-1, 2, inf]",
+         "grid.friction_coefficient[0]: -1 given; allowed: a number >= 0, or inf; change the value"),
+        ("rod_angle: [45, 90]", "rod_angle: [0, 90]",
+         "grid.rod_angle[0]: 0 given; allowed: degrees in the open interval (0, 180); "
+         "change the value"),
+        ("  figure_07: {rod_length: [1, 2, 5]}\n", "",
+         "figures.figure_07: missing; allowed: an entry for each of figure_01, figure_05, figure_06, "
+         "figure_07, figure_10, figure_12, figure_13; add it"),
+        ("  figure_07: {rod_length: [1, 2, 5]}\n", "  figure_07: {}\n",
+         "figures.figure_07.rod_length: missing; allowed: values of the grid; add it"),
+        ("  figure_07: {", "  figure_99: {",
+         "figures.figure_07: missing; allowed: an entry for each of figure_01, figure_05, figure_06, "
+         "figure_07, figure_10, figure_12, figure_13; add it"),
+        ("  figure_12: {file", "  figure_99: {file",
+         "scenes.figure_12: missing; allowed: an entry for each of figure_02, figure_03, figure_08, "
+         "figure_09a, figure_09b, figure_11, figure_12; add it"),
+        ("inertia: {mass: 1, gyration_radius: 1}", "inertia: {mass: 1, gyration_radius: 2}",
+         "inertia.gyration_radius: 2.0 given; allowed: the radius of the ring, 1.0, "
+         "which the paper's bound presumes; change it"),
+        ("grid:\n", "golden: nowhere\ngrid:\n",
+         "golden: 'nowhere' given; allowed: a folder of golden data; leave the key out"),
+        ("[0, 1.5, 2, inf]", "[0, 1.5, 2]",
+         "grid.friction_coefficient: (0.0, 1.5, 2.0) given; allowed: values that include [inf], "
+         "which the figures plot; add them"),
+        ("effects: [support_friction, inertia, support_friction+inertia]", "effects: [inertia]",
+         "scenes.figure_02: unknown, or of effects that grid.effects does not list; allowed: figure_09a, "
+         "figure_09b; remove it"),
+        ("inertia: {mass: 1, gyration_radius: 1}\n", "",
+         "grid.effects: 'inertia' given; allowed: effects that the study has parameters for; "
+         "add the key inertia, or remove the entry"),
+        ("workflow/scenes/figure_03.yaml, force_angle: 36", "nowhere.yaml, force_angle: 36",
+         "scenes.figure_03.file: nowhere.yaml: no such file; give the path of a YAML file"),
+        ("force_angle: 62", "force_angle: 62, pusher_angle: 3",
+         "scenes.figure_02: {'file': 'workflow/scenes/figure_02.yaml', 'force_angle': 62, "
+         "'pusher_angle': 3} given; allowed: exactly one of pusher_angle and force_angle; "
+         "change the value"),
+        ("workflow/scenes/figure_02.yaml", "none.yaml",
+         "scenes.figure_02.file: none.yaml: no such file; give the path of a YAML file"),
+        ("figure_06: {rod_length: 2", "figure_06: {rod_length: 4",
+         "figures.figure_06.rod_length: (4.0,) given; allowed: values of the grid, "
+         "(0.0, 1.0, 2.0, 5.0); change it or add it to the grid"),
+        ("rod_angle: [45, 90]", "rod_angle: [60, 90]",
+         "grid.rod_angle: (60.0, 90.0) given; allowed: values that include [45.0], "
+         "which the figures plot; add them"),
+        ("inertia_share: {start: 0, stop: 1, step: 0.5}", "inertia_share: [0, 0.5]",
+         "grid.inertia_share: (0.0, 0.5) given; allowed: values that include [1.0], "
+         "which the figures plot; add them"),
+        ("effects: [support_friction, inertia, support_friction+inertia]", "effects: []",
+         "grid.effects: [] given; allowed: a list with at least one entry; change the value"),
+        ("effects: [support_friction, inertia", "effects: [friction, inertia",
+         "grid.effects[0]: 'friction' given; allowed: 'support_friction', 'inertia' or "
+         "'support_friction+inertia'; change the value"),
+        ("figure_15: workflow/scenes/figure_15", "figure_15: nowhere",
+         "simulations.figure_15: nowhere.yaml: no such file; give the path of a YAML file"),
+        ("figure_15: workflow/scenes/figure_15", "figure_15: workflow/scenes/figure_08",
+         "simulations.figure_15: workflow/scenes/figure_08.yaml given; allowed: scene files with the "
+         "section simulate; add it to the file"),
+        ("  figure_15: w", "  a/b: w",
+         "simulations.a/b.[key]: 'a/b' given; allowed: a name of letters, digits and underscores, "
+         "which becomes a file's name; change the value"),
+    ],
+)  # fmt: skip
+def test_study_error(tmp_path, written, instead, said):
+    assert written in STUDY
+    assert message(tmp_path, STUDY.replace(written, instead, 1)) == said
+
+
+def test_many_errors_are_cut_short(tmp_path):
+    said = message(tmp_path, STUDY.replace("[0, 1, 2, 5]", "[a, b, c, d, e, f, g]", 1))
+    assert said.count("\n") == 5
+    assert said.endswith("and 2 more")

@@ -1,0 +1,169 @@
+"""Every refusal of the mechanics: name, given, allowed, remedy."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from mechanics.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
+
+NOT_NUMBERS = ["2", None, True, float("nan"), 1j, ["1.0"], [[1.0], [2.0, 3.0]]]
+FINITE_POSITIVE = "a finite number > 0"
+FINITE = "a finite number >= 0"
+NO_FRICTION = "leave the effect out of the scene if the support is frictionless"
+NO_INERTIA = "leave the effect out of the scene if the slider has no inertia"
+
+
+def check(call, name, given, allowed, remedy):
+    with pytest.raises(pp.InvalidValue) as caught:
+        call()
+    error = caught.value
+    assert (error.name, error.allowed, error.remedy) == (name, allowed, remedy)
+    assert error.given is given or error.given == given
+    assert str(error) == f"{name}: {given!r} given; allowed: {allowed}; {remedy}"
+
+
+@pytest.mark.parametrize("given", [*NOT_NUMBERS, -1.0, np.inf, -np.inf], ids=repr)
+class TestNumbers:
+    def test_rod_length(self, given):
+        check(
+            lambda: pp.Slider(rod_length=given, rod_angle=PSI), "rod_length", given, FINITE,
+            "give the distance from the contact to the ring centre",
+        )  # fmt: skip
+
+    def test_rod_angle(self, given):
+        check(
+            lambda: pp.Slider(rod_length=1.0, rod_angle=given), "rod_angle", given,
+            "radians in the open interval (0, pi)", "keep the slider above the fence",
+        )  # fmt: skip
+
+    def test_radius(self, given):
+        check(
+            lambda: pp.Slider(rod_length=1.0, rod_angle=PSI, radius=given), "radius", given,
+            FINITE_POSITIVE, "give the ring's radius in the unit of the rod length",
+        )  # fmt: skip
+
+    def test_weight(self, given):
+        check(lambda: pp.RingFriction(weight=given), "weight", given, FINITE_POSITIVE, NO_FRICTION)
+
+    def test_mass(self, given):
+        check(lambda: pp.Inertia(mass=given), "mass", given, FINITE_POSITIVE, NO_INERTIA)
+
+    def test_gyration_radius(self, given):
+        check(
+            lambda: pp.Inertia(gyration_radius=given),
+            "gyration_radius", given, FINITE_POSITIVE, NO_INERTIA,
+        )  # fmt: skip
+
+    def test_friction_coefficient(self, given):
+        check(
+            lambda: pp.Coulomb(given), "friction_coefficient", given, "a number in [0, 1e+09]",
+            "use the law of infinite friction where no coefficient is large enough",
+        )  # fmt: skip
+
+    def test_pusher_magnitude(self, given):
+        check(
+            lambda: pp.solve(make_scene(1.0), 1.0, given), "pusher_magnitude", given, FINITE,
+            "turn the pusher around by its angle, not by a sign",
+        )  # fmt: skip
+
+
+@pytest.mark.parametrize("given", [*NOT_NUMBERS, np.inf, -np.inf], ids=repr)
+def test_pusher_angle(given):
+    check(
+        lambda: pp.solve(make_scene(1.0), given), "pusher_angle", given,
+        "a finite number of radians", "give one angle",
+    )  # fmt: skip
+
+
+def test_an_integer_beyond_the_floats_is_not_a_finite_number():
+    with pytest.raises(pp.InvalidValue, match="allowed: a finite number >= 0"):
+        pp.Slider(rod_length=10**400, rod_angle=PSI)
+
+
+@pytest.mark.parametrize("given", [0.0, np.pi, 4.0])
+def test_rod_angle_is_strictly_above_the_fence(given):
+    with pytest.raises(pp.InvalidValue, match=r"open interval \(0, pi\)"):
+        pp.Slider(rod_length=1.0, rod_angle=given)
+
+
+@pytest.mark.parametrize("call", [
+    lambda: pp.RingFriction(weight=0.0),
+    lambda: pp.Inertia(mass=0.0),
+    lambda: pp.Inertia(gyration_radius=0.0),
+    lambda: pp.Slider(rod_length=1.0, rod_angle=PSI, radius=0.0),
+])  # fmt: skip
+def test_zero_is_not_positive(call):
+    with pytest.raises(pp.InvalidValue, match=r"0\.0 given; allowed: a finite number > 0"):
+        call()
+
+
+@pytest.mark.parametrize("given", ["both", "", None, 1], ids=repr)
+def test_at_zero_normal(given):
+    check(
+        lambda: pp.InfiniteFriction(at_zero_normal=given), "at_zero_normal", given,
+        '"free" or "none"', 'choose "free" for definition 1 and "none" for definition 2',
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "given", [(), [], None, pp.RingFriction(), (1.0,), (None,), "ab"], ids=repr
+)
+def test_effects(given):
+    slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
+    check(
+        lambda: pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=given), "effects", given,
+        "a tuple of at least one of RingFriction and Inertia",
+        "list what resists the motion, for instance (RingFriction(),)",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("given", [None, 2.0, "infinite"], ids=repr)
+def test_contact(given):
+    slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
+    check(
+        lambda: pp.Scene(slider=slider, contact=given, effects=FRICTION), "contact", given,
+        "Coulomb, InfiniteFriction or PerfectlyRough", "construct one of these laws",
+    )  # fmt: skip
+
+
+def test_classes_are_not_instances():
+    slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
+    with pytest.raises(pp.InvalidValue, match="construct one of these laws"):
+        pp.Scene(slider=slider, contact=pp.InfiniteFriction, effects=FRICTION)
+    with pytest.raises(pp.InvalidValue, match="list what resists the motion"):
+        pp.Scene(slider=slider, contact=pp.InfiniteFriction(), effects=(pp.RingFriction,))
+
+
+@pytest.mark.parametrize("function", [pp.spin_ratio, pp.motion_angle, pp.motion_centers])
+class TestInertiaShare:
+    @pytest.mark.parametrize("effects", [FRICTION, INERTIA], ids=["friction", "inertia"])
+    def test_superfluous(self, function, effects):
+        check(
+            lambda: function(make_scene(1.0, effects=effects), 0.3, 0.5), "inertia_share", 0.5,
+            "None for a scene whose effects are of one kind", "leave the argument out",
+        )  # fmt: skip
+
+    def test_missing(self, function):
+        check(
+            lambda: function(make_scene(1.0, effects=BOTH), 0.3), "inertia_share", None,
+            "numbers in [0, 1] for a scene with friction and inertia",
+            "give s / (1 + s) with s = m a / W; motion_cone and solve need none",
+        )  # fmt: skip
+
+    @pytest.mark.parametrize("given", [-1e-9, 1.1, float("nan"), "half"], ids=repr)
+    def test_out_of_range(self, function, given):
+        check(
+            lambda: function(make_scene(1.0, effects=BOTH), 0.3, given), "inertia_share", given,
+            "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
+        )  # fmt: skip
+
+
+def test_whole_numbers_are_numbers():
+    scene = pp.Scene(
+        slider=pp.Slider(rod_length=2, rod_angle=1, radius=np.float64(1)),
+        contact=pp.Coulomb(2),
+        effects=(pp.RingFriction(weight=1), pp.Inertia(mass=1, gyration_radius=1)),
+    )
+    assert pp.solve(scene, 1, 1).outcome is pp.Outcome.UNIQUE
