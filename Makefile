@@ -26,7 +26,7 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
 
-bench: $(COMPILED) ## time the wrench, its inverse and a motion cone against their floors
+bench: $(COMPILED) ## print how fast the mechanics and simulations are, as ratios in one run
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
 golden: $(READY) ## compute the golden data anew and print the differences; WRITE=1 stores them

@@ -27,6 +27,9 @@ EFFECT_SETS = {"friction": FRICTION, "inertia": INERTIA, "both": FRICTION + INER
 #: Ratios that a call may take; beyond twice as much the bench fails.
 WRENCH, INVERSE, EDGE, SOLVE = 1.2, 3.0, 6.0, 500.0
 MODES = {"friction": 100.0, "inertia": 100.0, "both": 500.0}
+#: A simulation with 101 samples, and a scene of a batch of ten thousand, in scalar pairs; the time of
+#: two cores as a part of that of one.
+SIMULATE, BATCH, TWO_CORES = 11_000.0, 180.0, 1 / 1.7
 ARRAYS = {
     "even in direction": np.tan(RANDOM.uniform(0, np.pi / 2, COUNT)),
     "uniform in [0, 2]": RANDOM.uniform(0, 2, COUNT),
@@ -117,6 +120,50 @@ def test_modes_of_a_million_scenes(ratio, effects):
     angle, size = RANDOM.uniform(-np.pi, np.pi, COUNT), 10 ** RANDOM.uniform(-1, 1, COUNT)
     floor = two_integrals(ARRAYS["even in direction"])
     ratio(lambda: pp.solve(every, angle, size), floor, MODES[effects], rounds=3)
+
+
+@pytest.mark.parametrize("effects", ["friction", "inertia"])
+def test_simulate_a_scene(ratio, effects):
+    slider = pp.Slider(rod_length=2.0, rod_angle=np.pi / 4)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.4), effects=EFFECT_SETS[effects])
+    pusher = pp.Pusher(velocity=(0.3, 1.0))
+    floor = scalar_pairs(20_000)
+    ratio(
+        lambda: pp.simulate(scene, pusher=pusher, duration=2.0),
+        floor,
+        SIMULATE,
+        scale=20_000,
+        rounds=10,
+    )
+
+
+def batch():
+    """Ten thousand scenes of friction, each another."""
+    count = 10_000
+    angle = RANDOM.uniform(0.3, np.pi - 0.3, count)
+    return pp.simulate_batch(
+        rod_length=RANDOM.uniform(0.5, 3.0, count),
+        rod_angle=RANDOM.uniform(0.5, 2.5, count),
+        friction_coefficient=RANDOM.uniform(0.2, 2.0, count),
+        velocity=np.stack([np.cos(angle), np.sin(angle)], axis=-1),
+        duration=2.0,
+    )
+
+
+def test_batch_of_scenes(ratio):
+    ratio(batch, scalar_pairs(20_000), BATCH, scale=2.0, rounds=3)
+
+
+def test_batch_on_two_cores(ratio, monkeypatch):
+    def run(cores):
+        monkeypatch.setattr(numba.config, "NUMBA_NUM_THREADS", cores)
+        start = time.perf_counter()
+        batch()
+        return time.perf_counter() - start
+
+    run(1)
+    ratio.benchmark.pedantic(lambda: run(2), rounds=1)
+    ratio.write(min(run(2) for _ in range(3)) / min(run(1) for _ in range(3)), TWO_CORES)
 
 
 def test_import_and_first_call_take_a_second(ratio):

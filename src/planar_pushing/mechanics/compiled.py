@@ -28,7 +28,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 #: digest of all these files keeps stale callees out.
 SOURCES = ("mechanics", "simulation")
 #: How every function is compiled: to run beside others, to divide as numpy does, and exactly.
-OPTIONS = {"nogil": True, "error_model": "numpy"}
+OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
 LOG = logging.getLogger("planar_pushing")
 PACKAGE = Path(__file__).parents[1]
 
