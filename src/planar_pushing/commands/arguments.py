@@ -43,7 +43,7 @@ def add_push(sub: argparse.ArgumentParser, required: bool) -> None:
 
 
 def check_push(args: argparse.Namespace) -> None:
-    """Refuse angles and magnitudes that are no motion of the fence."""
+    """Refuse angles and magnitudes that the fence cannot have."""
     for name in ("pusher_angle", "force_angle"):
         given = getattr(args, name, None)
         if given is not None:

@@ -71,7 +71,7 @@ def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
 
 
 def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
-    """First of the errors, in the words of the options."""
+    """First of the errors, under the name of its option."""
     first = error.errors()[0]
     name = str(first["loc"][0]) if first["loc"] else "simulate"
     allowed = str(first.get("ctx", {}).get("expected", first["msg"]))

@@ -15,7 +15,7 @@ from planar_pushing.certified import ring
 from planar_pushing.certified.balls import Undecided
 from planar_pushing.certified.roots import increasing_root
 
-#: Ends of the spin ratios that are looked at.
+#: Ends of the range of spin ratios that the quadrature covers.
 LEAST, MOST = arb(2) ** -20, 1 - arb(2) ** -20
 #: Parts of a span of k on which a condition is shown by balls.
 PARTS = 32
