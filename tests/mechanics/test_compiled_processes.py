@@ -89,8 +89,8 @@ def counted(name, function):
         return function(*given)
     return wrapped
 
-for kind, function in base.RESPONSES.items():
-    base.RESPONSES[kind] = counted(kind.__name__, function)
+for kind, module in base.KINDS.items():
+    module.response = counted(kind.__name__, module.response)
 ring.inner = counted("ring", ring.inner)
 found = {}
 for name, effects in EFFECT_SETS.items():

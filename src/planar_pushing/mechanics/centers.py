@@ -20,7 +20,7 @@ from planar_pushing.mechanics.cones import (
     rod_columns,
 )
 from planar_pushing.mechanics.effects.base import made
-from planar_pushing.mechanics.numerics.arrays import Output, elementwise, mapped
+from planar_pushing.mechanics.numerics.arrays import Output, evaluated
 from planar_pushing.mechanics.plane import (
     contact_motion_angle,
     moment_arm,
@@ -28,7 +28,7 @@ from planar_pushing.mechanics.plane import (
     rod,
     toward,
 )
-from planar_pushing.mechanics.reduced.isotropic import signed_spin_ratio
+from planar_pushing.mechanics.reduced import base
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.domain import Number, required, required_ratio
 
@@ -53,7 +53,7 @@ def _centers(kinds, rows, centers):
         row = rows[i]
         own = rod(row[LENGTH], row[ANGLE])
         force = toward(own, row[FIRST])
-        ratio = signed_spin_ratio(made(kinds, row), own, force)
+        ratio = base.spin_ratio(made(kinds, row), own, force)
         x, y = motion_center(rod(row[REACH], row[ANGLE]), force.angle, ratio)
         centers[i, 0], centers[i, 1] = row[SECOND] * x, row[SECOND] * y
 
@@ -73,11 +73,8 @@ def motion_centers(
     angle = required("force_angle", force_angle)
     shares = effect_columns(scene, require_share(scene, inertia_share))
     reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
-    return elementwise(
-        lambda *given: mapped(_centers, scene.kinds, given, CENTER),
-        [*shares, *rod_columns(scene), angle, scene.slider.radius, reach],
-        CENTER,
-    )[0]
+    columns = [*shares, *rod_columns(scene), angle, scene.slider.radius, reach]
+    return evaluated(_centers, scene.kinds, columns, CENTER)[0]
 
 
 @compiled
@@ -147,9 +144,6 @@ def conservative_motion_cone(scene: Scene) -> Any:
     if scene.stores_energy:
         required_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
     law = scene.law
-    right, left = elementwise(
-        lambda *given: mapped(_conservative_cones, scene.kinds, given, CONE),
-        [*effect_columns(scene), *rod_columns(scene), law.right, law.left],
-        CONE,
-    )
+    columns = [*effect_columns(scene), *rod_columns(scene), law.right, law.left]
+    right, left = evaluated(_conservative_cones, scene.kinds, columns, CONE)
     return interval(right, left, closed=False)

@@ -11,15 +11,16 @@ import numpy.typing as npt
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import COLUMNS, made
-from planar_pushing.mechanics.numerics.arrays import Output, elementwise, mapped, named
+from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.plane import rod, toward
-from planar_pushing.mechanics.reduced import base, isotropic
+from planar_pushing.mechanics.reduced import base
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
 
 #: Columns of a row behind those of the effects.
 LENGTH, ANGLE, FIRST, SECOND = range(COLUMNS, COLUMNS + 4)
+CONE = (Output("motion_cone_right"), Output("motion_cone_left"), Output("closed", (), "?"))
 
 
 def friction_cone(scene: Scene) -> Any:
@@ -69,7 +70,7 @@ def _spin_ratios(kinds, rows, ratios):
         row = rows[i]
         own = rod(row[LENGTH], row[ANGLE])
         force = toward(own, row[FIRST])
-        ratios[i] = isotropic.signed_spin_ratio(made(kinds, row), own, force)
+        ratios[i] = base.spin_ratio(made(kinds, row), own, force)
 
 
 @compiled
@@ -84,13 +85,9 @@ def _under_forces(
     kernel: Callable[..., None], name: str, scene: Scene, force_angle: Number, share: Number | None
 ) -> Number:
     """What a kernel gives for each force angle."""
-    columns = effect_columns(scene, require_share(scene, share))
-    outputs = [Output(name)]
-    return elementwise(
-        lambda *given: mapped(kernel, scene.kinds, given, outputs),
-        [*columns, *rod_columns(scene), required("force_angle", force_angle)],
-        outputs,
-    )[0]
+    columns = [*effect_columns(scene, require_share(scene, share)), *rod_columns(scene)]
+    force = required("force_angle", force_angle)
+    return evaluated(kernel, scene.kinds, [*columns, force], [Output(name)])[0]
 
 
 def spin_ratio(
@@ -157,12 +154,8 @@ def motion_cone(scene: Scene) -> Any:
     `friction_cone`.
     """
     law = scene.law
-    outputs = [Output("motion_cone_right"), Output("motion_cone_left"), Output("closed", (), "?")]
-    right, left, reached = elementwise(
-        lambda *given: mapped(_motion_cones, scene.kinds, given, outputs),
-        [*effect_columns(scene), *rod_columns(scene), law.right, law.left],
-        outputs,
-    )
+    columns = [*effect_columns(scene), *rod_columns(scene), law.right, law.left]
+    right, left, reached = evaluated(_motion_cones, scene.kinds, columns, CONE)
     return interval(right, left, law.closed & reached)
 
 

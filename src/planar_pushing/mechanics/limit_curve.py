@@ -17,13 +17,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.cones import ANGLE, FIRST, LENGTH, rod_columns
 from planar_pushing.mechanics.effects.base import made
-from planar_pushing.mechanics.numerics.arrays import (
-    Output,
-    dataset,
-    elementwise,
-    is_labelled,
-    mapped,
-)
+from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labelled
 from planar_pushing.mechanics.plane import Array, direction, rod, toward
 from planar_pushing.mechanics.reduced.base import limit_motion
 from planar_pushing.mechanics.scene import Scene
@@ -79,12 +73,6 @@ def _curve(kinds, rows, angles, magnitudes, ratios, motions):
         magnitudes[i], ratios[i], motions[i] = limit_motion(made(kinds, row), own, force)
 
 
-def _forces(scene: Scene) -> list[Number]:
-    """Force of each effect in a unit translation; 1 for one that is not there."""
-    mass, gyration = scene.inertia
-    return [scene.weight, mass, gyration]
-
-
 def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     """Limit curve of a scene at the given force angles (Eqs. 2-7; the ellipse of Sec. 4).
 
@@ -99,11 +87,10 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     LimitCurve, or xarray.Dataset
         A dataset where an argument is a DataArray.
     """
+    # Force of each effect in a unit translation; 1 for one that is not there.
+    forces = [scene.weight, *scene.inertia]
     angle = required("force_angle", force_angle)
-    arguments = [*_forces(scene), *rod_columns(scene), angle]
-    found = elementwise(
-        lambda *given: mapped(_curve, scene.kinds, given, OUTPUTS), arguments, OUTPUTS
-    )
+    found = evaluated(_curve, scene.kinds, [*forces, *rod_columns(scene), angle], OUTPUTS)
     if any(map(is_labelled, found)):
         return dataset(found[1:])
     return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))

@@ -15,8 +15,7 @@ from unittest.mock import patch
 
 import numba
 
-from planar_pushing.mechanics.effects import base
-from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.effects import inertia
 from planar_pushing.mechanics.numerics.root import EQUATIONS
 from planar_pushing.mechanics.reduced import isotropic, turning
 from planar_pushing.mechanics.supports import ring
@@ -28,9 +27,9 @@ Function = Callable[..., Any]
 #: inertia at a motion, under a line of force, and where its terms stand in an equation with friction.
 PLACES: tuple[tuple[EffectKind, dict[Any, Any], Any], ...] = (
     (EffectKind.SUPPORT_FRICTION, vars(ring), "inner"),
-    (EffectKind.INERTIA, base.RESPONSES, Mass),
-    (EffectKind.INERTIA, base.SPIN_RATIOS, Mass),
-    (EffectKind.INERTIA, base.LEVERAGES, Mass),
+    (EffectKind.INERTIA, vars(inertia), "response"),
+    (EffectKind.INERTIA, vars(inertia), "spin_ratio"),
+    (EffectKind.INERTIA, vars(inertia), "leverages"),
     (EffectKind.INERTIA, vars(turning), "_node"),
     (EffectKind.INERTIA, EQUATIONS, isotropic.CurveImbalance),
 )

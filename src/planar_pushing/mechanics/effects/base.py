@@ -1,8 +1,9 @@
 """The interface of an effect: a convex potential of the twist, whose gradient is the wrench.
 
 Formulas work without dimensions: lengths in units of the slider's radius, a motion of an isotropic
-effect as the centre's speed `v` and the rotation ``s = R omega``. A member of the family is a named tuple
-of numbers and a compiled function; effects add, so a scene holds a tuple of those that it has.
+effect as the centre's speed `v` and the rotation ``s = R omega``. A member of the family is a module: a
+named tuple of numbers, and compiled functions of it by the names below. Effects add, so a scene holds a
+tuple of those that it has.
 """
 
 from __future__ import annotations
@@ -12,11 +13,8 @@ from typing import Any, Protocol
 
 from planar_pushing.mechanics.compiled import compiled, generic
 
-#: Of each kind of effect, the functions behind `response`, `made`, `spin_ratio_alone`, `leverages_alone`.
-RESPONSES: dict[type, Callable[..., Any]] = {}
-MAKERS: dict[type, Callable[..., Any]] = {}
-SPIN_RATIOS: dict[type, Callable[..., Any]] = {}
-LEVERAGES: dict[type, Callable[..., Any]] = {}
+#: Of each kind of effect, its module.
+KINDS: dict[type, Any] = {}
 #: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration.
 WEIGHT, MASS, GYRATION = range(3)
 COLUMNS = 3
@@ -29,6 +27,12 @@ class Effect(Protocol):
     def degree(self) -> int:
         """Degree of homogeneity of the potential: 1 dissipates energy, 2 stores it."""
         ...
+
+
+def member(kind: type, name: str) -> Callable[..., Any]:
+    """A function of an effect's module."""
+    found: Callable[..., Any] = getattr(KINDS[kind], name)
+    return found
 
 
 @generic
@@ -49,7 +53,7 @@ def response(kind: Any) -> Callable[..., Any]:
     """
     if isinstance(kind, tuple):
         return _single if len(kind) == 1 else _sum
-    return RESPONSES[kind]
+    return member(kind, "response")
 
 
 @compiled
@@ -69,7 +73,7 @@ def made(kind: Any) -> Callable[..., Any]:
     """Effects of the kinds of a tuple, with the numbers of a row of an array of scenes."""
     if isinstance(kind, tuple):
         return _made_single if len(kind) == 1 else _made_all
-    return MAKERS[kind]
+    return member(kind, "made")
 
 
 @compiled
@@ -85,10 +89,16 @@ def _made_all(effects, row):
 @generic
 def spin_ratio_alone(kind: Any) -> Callable[..., Any]:
     """Spin ratio ``k = s / v`` of an effect that alone meets a force of a moment arm >= 0, in radii."""
-    return SPIN_RATIOS[kind]
+    return member(kind, "spin_ratio")
 
 
 @generic
 def leverages_alone(kind: Any) -> Callable[..., Any]:
     """Least and greatest moment arm per spin ratio, ``h / k``, of an effect that is alone."""
-    return LEVERAGES[kind]
+    return member(kind, "leverages")
+
+
+@generic
+def rough_leverage(kind: Any) -> Callable[..., Any]:
+    """``h / k`` of an effect that is alone, to 1e-4, at the squares of rotation and speed."""
+    return member(kind, "rough_leverage")

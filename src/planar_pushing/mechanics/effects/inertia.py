@@ -6,14 +6,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import (
-    GYRATION,
-    LEVERAGES,
-    MAKERS,
-    MASS,
-    RESPONSES,
-    SPIN_RATIOS,
-)
+from planar_pushing.mechanics.effects.base import GYRATION, MASS
 from planar_pushing.terms.domain import Number, require_fields
 
 
@@ -53,25 +46,26 @@ class Mass(NamedTuple):
 
 
 @compiled
-def _response(effect, speed, spin):
+def response(effect, speed, spin):
     moment = effect.mass * effect.gyration
     return effect.mass * speed, moment * spin, effect.mass, 0.0, moment
 
 
 @compiled
-def _made(effect, row):
+def made(effect, row):
     return Mass(row[MASS], row[GYRATION])
 
 
 @compiled
-def _spin_ratio(effect, arm):
+def spin_ratio(effect, arm):
     return arm / effect.gyration  # Eq. (10)
 
 
 @compiled
-def _leverages(effect):
+def leverages(effect):
     return effect.gyration, effect.gyration
 
 
-RESPONSES[Mass], MAKERS[Mass] = _response, _made
-SPIN_RATIOS[Mass], LEVERAGES[Mass] = _spin_ratio, _leverages
+@compiled
+def rough_leverage(effect, spinning, moving):
+    return effect.gyration

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import LEVERAGES, MAKERS, RESPONSES, SPIN_RATIOS, WEIGHT
-from planar_pushing.mechanics.supports.ring import ring_response, ring_spin_ratio
+from planar_pushing.mechanics.effects.base import WEIGHT
+from planar_pushing.mechanics.supports import ring
 from planar_pushing.terms.domain import Number, require_fields
 
 
@@ -43,27 +43,28 @@ class RingSupport(NamedTuple):
 
 
 @compiled
-def _response(effect, speed, spin):
+def response(effect, speed, spin):
     weight = effect.weight
-    force, torque, vv, vs, ss = ring_response(speed, spin)
+    force, torque, vv, vs, ss = ring.ring_response(speed, spin)
     return weight * force, weight * torque, weight * vv, weight * vs, weight * ss
 
 
 @compiled
-def _made(effect, row):
+def made(effect, row):
     return RingSupport(row[WEIGHT])
 
 
 @compiled
-def _spin_ratio(effect, arm):
-    return ring_spin_ratio(arm)
+def spin_ratio(effect, arm):
+    return ring.ring_spin_ratio(arm)
 
 
 @compiled
-def _leverages(effect):
+def leverages(effect):
     """``H(k) / k``: 1/2 for a motion centre far away, 2 for one at the ring's centre."""
     return 0.5, 2.0
 
 
-RESPONSES[RingSupport], MAKERS[RingSupport] = _response, _made
-SPIN_RATIOS[RingSupport], LEVERAGES[RingSupport] = _spin_ratio, _leverages
+@compiled
+def rough_leverage(effect, spinning, moving):
+    return ring.rough_leverage(spinning, moving)

@@ -20,8 +20,8 @@ from planar_pushing.mechanics.compiled import announced
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.quantities import MECHANICS, attributes
 
-#: Rows of a block: a few milliseconds to some tens of work, so that Ctrl-C is heard.
-BLOCK = 8192
+#: Rows of a block: a millisecond to a hundred of work, so that Ctrl-C is heard and threads cost little.
+BLOCK = 32768
 
 
 class Output(NamedTuple):
@@ -85,6 +85,10 @@ def _flat(array: Array, shape: tuple[int, ...]) -> Any:
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
     """Call a function for each start on all cores; Ctrl-C ends it after the calls under way."""
+    if numba.config.NUMBA_NUM_THREADS == 1:
+        for start in starts:
+            block(start)
+        return
     with ThreadPoolExecutor(numba.config.NUMBA_NUM_THREADS) as pool:
         try:
             for _ in pool.map(block, starts):
@@ -118,6 +122,13 @@ def elementwise(
         found = function(*arguments)
         return [each.item() if each.ndim == 0 else each for each in found]
     return _labelled(function, arguments, outputs)
+
+
+def evaluated(
+    kernel: Callable[..., None], kinds: Any, columns: Sequence[Any], outputs: Sequence[Output]
+) -> list[Any]:
+    """Results of a kernel, as `mapped` calls it and `elementwise` returns them."""
+    return elementwise(lambda *given: mapped(kernel, kinds, given, outputs), columns, outputs)
 
 
 def _labelled(

@@ -12,9 +12,10 @@ from planar_pushing.mechanics.compiled import compiled, generic
 EQUATIONS: dict[type, Callable[..., Any]] = {}
 
 EPSILON = 2.220446049250313e-16
-#: After two Newton steps of this relative size the error is rounding; after one, where the step has
-#: shrunk so much that the next is below rounding. Beside an infinite slope steps shrink slowly.
-SETTLED = 1e-12
+#: Newton steps that shrink by more than this factor converge quadratically: the next one is the cube of
+#: this one over the square of the last. Where that is below rounding, or two steps in a row are this small
+#: relative to the root, the iteration ends. Beside an infinite slope steps shrink slowly.
+QUADRATIC, SETTLED = 0.02, 1e-12
 #: More than bisection needs to take a bracket of the domain to its end.
 STEPS = 200
 
@@ -56,7 +57,7 @@ def root(equation, low, high, start):
     Newton's method; where a step leaves the bracket, or steps do not shrink, the bracket is halved. The
     ends are not evaluated unless the iteration arrives there.
     """
-    x, last = start, high - low
+    x, last, newton = start, high - low, False
     above, below = False, False
     for _ in range(STEPS):
         value, slope = excess(equation, x)
@@ -67,16 +68,18 @@ def root(equation, low, high, start):
         else:
             low, below = x, True
         new = x - value / slope if slope > 0.0 else inf
-        step = abs(new - x)
-        settled = step <= SETTLED * abs(new)
-        newton = low <= new <= high and (settled or step <= last / 2) and slope < inf
-        if not newton:
-            if high - low <= 2.0 * EPSILON * max(abs(low), abs(high)):
-                return x, _crosses(equation, low, high, above, below)
+        step, before = abs(new - x), newton
+        newton = low <= new <= high and slope < inf
+        newton = newton and (step <= last / 2 or step <= SETTLED * abs(new))
+        if newton:
+            quadratic = step <= QUADRATIC * last and step**3 <= EPSILON * abs(new) * last**2
+            if before and (quadratic or max(step, last) <= SETTLED * abs(new)):
+                return new, True
+        elif high - low <= 2.0 * EPSILON * max(abs(low), abs(high)):
+            return x, _crosses(equation, low, high, above, below)
+        else:
             new = _middle(low, high)
             step = abs(new - x)
-        elif settled and (last <= SETTLED * abs(new) or step * step <= EPSILON * abs(new) * last):
-            return new, True
         x, last = new, step
     return x, _crosses(equation, low, high, above, below)
 

@@ -3,7 +3,8 @@
 With the rotation eliminated, ``Psi(u) = min over omega`` of the sum of the effects' potentials at the twist
 whose contact moves by `u` (Secs. 3 and 4). Psi is convex; its gradient is the force of the pusher, and the
 torque about the contact is zero by the minimum. Cones, limit curve, contact modes and simulation use Psi
-through the functions below alone, each of which a family of supports provides.
+through the functions below alone, which a family of effects provides. Each takes the tuple of effects
+and the `Rod`, and then directions as `Direction` has them.
 """
 
 from __future__ import annotations
@@ -12,97 +13,56 @@ from collections.abc import Callable
 from typing import Any
 
 from planar_pushing.mechanics.compiled import generic
-from planar_pushing.mechanics.reduced import isotropic, turning
+from planar_pushing.mechanics.reduced import isotropic, sticking, turning
 
 
 @generic
 def stick(kinds: Any) -> Callable[..., Any]:
-    """Twist and force, as `isotropic.Sustained`, of a contact that moves by one unit: the gradient of Psi.
-
-    Parameters
-    ----------
-    effects : tuple
-    rod : Rod
-    towards : Direction
-        Of the contact's motion.
-    """
-    return isotropic.stick
+    """`Sustained` motion of a contact that moves by one unit towards a direction: the gradient of Psi."""
+    return sticking.stick
 
 
 @generic
 def held_on_edge(kinds: Any) -> Callable[..., Any]:
-    """The motion next to a sticking one whose force lies on an edge, as `Sustained`.
-
-    Parameters
-    ----------
-    effects : tuple
-    rod : Rod
-    edge : Direction
-        Of the force.
-    moved : Sustained
-        The motion that sticks.
-    """
-    return isotropic.held_on_edge
+    """The `Sustained` motion next to another one, whose force has the direction of an edge."""
+    return sticking.held_on_edge
 
 
 @generic
 def slips(kinds: Any) -> Callable[..., Any]:
-    """Every motion under a force on an edge whose contact has a given normal part.
+    """Every motion under a force on an edge whose contact has a given normal part ``n . u``; their number.
 
     Parameters
     ----------
-    effects : tuple
-    rod : Rod
-    edge : Direction
-        Of the force.
-    normal : float
-        ``n . u``.
+    effects, rod, edge, normal
     found : ndarray, shape (SLIPS, 5)
-        Takes the motions: v_x, v_y, R omega, f_x, f_y.
-
-    Returns
-    -------
-    int
-        How many there are.
+        Takes the motions, slow ones first: v_x, v_y, R omega, f_x, f_y.
     """
-    return isotropic.steady_slips if len(kinds) == 1 else turning.slips
+    return isotropic.slips if len(kinds) == 1 else turning.slips
 
 
 @generic
 def limit_motion(kinds: Any) -> Callable[..., Any]:
-    """Size of the force on the limit curve in a direction, and the motion it causes.
+    """Size of the force on the limit curve in a direction, and its motion: spin ratio and angle.
 
-    Parameters
-    ----------
-    effects : tuple
-    rod : Rod
-    force : Direction
-
-    Returns
-    -------
-    magnitude, spin_ratio, motion_angle : float
-        Without friction the curve is that of the kinetic energy of a unit translation.
+    Without friction the curve is that of the kinetic energy of a unit translation.
     """
     return isotropic.limit_motion
 
 
 @generic
-def motion_angle(kinds: Any) -> Callable[..., Any]:
-    """Angle of the contact's motion under a force in a direction, its centre at unit speed.
+def spin_ratio(kinds: Any) -> Callable[..., Any]:
+    """Spin ratio under a force in a direction, the centre at unit speed."""
+    return isotropic.signed_spin_ratio
 
-    Parameters
-    ----------
-    effects : tuple
-    rod : Rod
-    force : Direction
-    """
+
+@generic
+def motion_angle(kinds: Any) -> Callable[..., Any]:
+    """Angle of the contact's motion under a force in a direction, the centre at unit speed."""
     return isotropic.motion_angle
 
 
 @generic
 def motion_angles(kinds: Any) -> Callable[..., Any]:
-    """Least and greatest angle of the contact's motion under a force, over all magnitudes of the motion.
-
-    Parameters are those of `motion_angle`.
-    """
+    """Least and greatest `motion_angle` over all magnitudes of the motion."""
     return isotropic.motion_angles

@@ -23,11 +23,8 @@ from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import response, spin_ratio_alone
 from planar_pushing.mechanics.numerics.root import EPSILON, EQUATIONS, root
 from planar_pushing.mechanics.plane import moment_arm
-from planar_pushing.mechanics.reduced.isotropic import (
-    slip,
-    steady_slips,
-    without_noise,
-)
+from planar_pushing.mechanics.reduced import isotropic
+from planar_pushing.mechanics.reduced.isotropic import without_noise
 
 #: Slips under one edge that are written down; a segment has had four at most.
 SLIPS = 8
@@ -193,7 +190,7 @@ def slips(effects, own, towards, normal, found):
     slow = spin_ratio_alone(effects[0], edge.arm)
     fast = spin_ratio_alone(effects[1], edge.arm)
     if abs(fast - slow) <= RESOLUTION * max(slow, fast):
-        return steady_slips(effects, own, towards, normal, found)
+        return isotropic.slips(effects, own, towards, normal, found)
     roots = np.empty(SLIPS)
     low, high = _ends(effects, edge, slow, fast)
     if normal != 0.0:
@@ -205,7 +202,7 @@ def slips(effects, own, towards, normal, found):
     for i in range(count):
         k = roots[i] if slow < fast else roots[count - 1 - i]
         speed = _speed(effects, edge, normal, k)
-        slip(effects, towards, speed, copysign(k, arm), found[i])
+        isotropic.write_slip(effects, towards, speed, copysign(k, arm), found[i])
     return count
 
 

@@ -70,6 +70,9 @@ NEAR_GUESS = (
     (-1.89847635, 5.78040765),
     (-1.29486139, 2.40357923),
 )
+#: Moment arm over spin ratio, ``H(k) / k``, to 1.2e-4 for k <= 1: in powers of m = k^2, and x log x with
+#: x = 1 - m.
+ROUGH, ROUGH_LOG = (0.5000569247, 0.7160237600, -0.1583832067, -0.0577030053), 0.5307647117
 #: Below this moment arm the spin ratio is twice the arm to the last place.
 SMALL = 1e-9
 
@@ -182,6 +185,15 @@ def _inner_spin_ratio(arm):
     excess, rate = torque - arm * force, slope * lever
     bend = (force / x - 2.0 * slope) / k * lever + arm * slope
     return min(k - excess * rate / (rate * rate - excess * bend / 2.0), 1.0)
+
+
+@compiled
+def rough_leverage(small, large):
+    """``H(k) / k`` to 1e-4 at ``k^2 = small / large``; beyond the ring it is self-dual."""
+    m = min(small, large) / max(small, large)
+    x = max(1.0 - m, LEAST)
+    rough = ROUGH[0] + m * (ROUGH[1] + m * (ROUGH[2] + m * ROUGH[3])) + ROUGH_LOG * x * log(x)
+    return rough if small <= large else 1.0 / rough
 
 
 @compiled
