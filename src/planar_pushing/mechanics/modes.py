@@ -10,7 +10,8 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import QUARTER_TURN, contact_motion, toward
-from planar_pushing.mechanics.reduced.base import held_on_edge, slips, stick
+from planar_pushing.mechanics.reduced.base import MOTION, held_on_edge, slips, stick
+from planar_pushing.mechanics.reduced.sticking import Sustained
 from planar_pushing.mechanics.reduced.turning import SLIPS
 
 #: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
@@ -56,24 +57,67 @@ def _kept_inside(effects, own, law, moved, right, left):
 
 
 @compiled
-def _write(mode, v_x, v_y, spin, f_x, f_y, modes, motions, count):
-    modes[count] = mode
-    motions[count, 0], motions[count, 1], motions[count, 2] = v_x, v_y, spin
-    motions[count, 3], motions[count, 4] = f_x, f_y
-    return count + 1
+def _part_inside(own, law, moved):
+    """Ends of the part of a pivot's interval of forces, -1 to 1, that the law transmits; it may be empty."""
+    low, high = -1.0, 1.0
+    if not law.rough:
+        for edge, side in ((law.right, -1.0), (law.left, 1.0)):
+            force = toward(own, edge)
+            depth = side * (force.along * moved.aside - force.aside * moved.along)
+            change = side * (force.along * moved.free_aside - force.aside * moved.free_along)
+            if change > 0.0:
+                low = max(low, -depth / change)
+            elif change < 0.0:
+                high = min(high, -depth / change)
+    return low, high
+
+
+@compiled
+def _settled(own, law, moved):
+    """A pivot whose force is taken to the middle of what the law transmits, if it transmits any."""
+    if moved.free_along == 0.0 and moved.free_aside == 0.0:
+        return moved
+    low, high = _part_inside(own, law, moved)
+    part = min(max((low + high) / 2.0, -1.0), 1.0)
+    half = max((high - low) / 2.0, 0.0)
+    along, aside = moved.along + part * moved.free_along, moved.aside + part * moved.free_aside
+    f_x, f_y = along * own.x + aside * own.y, along * own.y - aside * own.x
+    return Sustained(
+        moved.v_x, moved.v_y, moved.spin, f_x, f_y, along, aside, moved.blur,
+        half * moved.free_along, half * moved.free_aside, moved.pivot,
+    )  # fmt: skip
+
+
+@compiled
+def _stick(own, moved, modes, motions, place):
+    """Write down the sticking solution."""
+    modes[place] = STICK
+    found = motions[place]
+    free_x = moved.free_along * own.x + moved.free_aside * own.y
+    free_y = moved.free_along * own.y - moved.free_aside * own.x
+    found[0], found[1], found[2] = moved.v_x, moved.v_y, moved.spin
+    found[3], found[4] = moved.f_x - free_x, moved.f_y - free_y
+    found[5], found[6], found[7] = moved.f_x + free_x, moved.f_y + free_y, moved.pivot
+
+
+@compiled
+def _separate(modes, motions):
+    modes[0] = SEPARATE
+    motions[0], motions[0, 7] = 0.0, -1.0
+    return 1
 
 
 @compiled
 def _slipping(effects, own, law, pusher, mode, modes, motions, count):
     """Write down the slips of a mode; how many solutions there are then, and whether one is the stick."""
     edge, side = (law.left, 1.0) if mode == SLIP_RIGHT else (law.right, -1.0)
-    found = np.empty((SLIPS, 5))
+    found = np.empty((SLIPS, MOTION))
     at_edge = False
     for i in range(slips(effects, own, toward(own, edge), pusher.y, found)):
-        v_x, v_y, spin, f_x, f_y = found[i]
-        slip = side * (contact_motion(own, v_x, v_y, spin)[0] - pusher.x)
-        if slip > COINCIDENCE:
-            count = _write(mode, v_x, v_y, spin, f_x, f_y, modes, motions, count)
+        slip = contact_motion(own, found[i, 0], found[i, 1], found[i, 2])[0] - pusher.x
+        if side * slip > COINCIDENCE:
+            modes[count], motions[count] = mode, found[i]
+            count += 1
         at_edge = at_edge or abs(slip) <= COINCIDENCE
     return count, at_edge
 
@@ -92,8 +136,8 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     moves : bool
         Whether the pusher moves at all.
     modes : ndarray of int, shape (MOST,)
-    motions : ndarray, shape (MOST, 5)
-        Take the solutions, in the order of `ContactMode`: v_x, v_y, R omega, f_x, f_y.
+    motions : ndarray, shape (MOST, MOTION)
+        Take the solutions, in the order of `ContactMode`.
 
     Returns
     -------
@@ -107,16 +151,13 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     slip that vanishes counts as the stick.
     """
     if not moves:
-        return _write(SEPARATE, 0.0, 0.0, 0.0, 0.0, 0.0, modes, motions, 0)
-    count = 0
-    if pusher.y <= 0.0:
-        count = _write(SEPARATE, 0.0, 0.0, 0.0, 0.0, 0.0, modes, motions, 0)
-    moved = stick(effects, own, pusher)
+        return _separate(modes, motions)
+    place = _separate(modes, motions) if pusher.y <= 0.0 else 0  # of the stick, before the slips
+    moved = _settled(own, law, stick(effects, own, pusher))
     right, right_noise = _depth(own, moved, law.right, -1.0)
     left, left_noise = _depth(own, moved, law.left, 1.0)
     rise, noise = _rise(own, moved)
     held = law.rough or (right > right_noise and left > left_noise and rise > noise)
-    place = count  # of the stick, before the slips
     if law.slips:
         first, on_left = _slipping(effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1)
         count, on_right = _slipping(effects, own, law, pusher, SLIP_LEFT, modes, motions, first)
@@ -128,9 +169,7 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
         count, slides = place + 1, not law.closed
     reached = right >= -right_noise and left >= -left_noise and rise >= -noise
     if held or (reached and not slides):
-        moved = _kept_inside(effects, own, law, moved, right, left)
-        v_x, v_y, spin, f_x, f_y = moved[:5]
-        _write(STICK, v_x, v_y, spin, f_x, f_y, modes, motions, place)
+        _stick(own, _kept_inside(effects, own, law, moved, right, left), modes, motions, place)
         return count
     modes[place : count - 1] = modes[place + 1 : count]
     motions[place : count - 1] = motions[place + 1 : count]

@@ -15,9 +15,10 @@ from planar_pushing.mechanics.compiled import compiled, generic
 
 #: Of each kind of effect, its module.
 KINDS: dict[type, Any] = {}
-#: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration.
-WEIGHT, MASS, GYRATION = range(3)
-COLUMNS = 3
+#: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration, centre
+#: of mass in the body frame, and number of the support.
+WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, SUPPORT = range(6)
+COLUMNS = 6
 
 
 class Effect(Protocol):
@@ -102,3 +103,74 @@ def leverages_alone(kind: Any) -> Callable[..., Any]:
 def rough_leverage(kind: Any) -> Callable[..., Any]:
     """``h / k`` of an effect that is alone, to 1e-4, at the squares of rotation and speed."""
     return member(kind, "rough_leverage")
+
+
+@generic
+def gradient(kind: Any) -> Callable[..., Any]:
+    """Gradient and second derivative of the potential at a motion (v_x, v_y, s) of the origin, body frame.
+
+    Parameters
+    ----------
+    effects : named tuple, or tuple of named tuples
+        One effect, or several, which add.
+    x, y, spin : float
+        Not all zero.
+
+    Returns
+    -------
+    f_x, f_y, torque, xx, xy, yy, xs, ys, ss : float
+        At an atom of the support its own force is left out.
+    """
+    if isinstance(kind, tuple):
+        return _single_gradient if len(kind) == 1 else _sum_of_gradients
+    return member(kind, "gradient")
+
+
+@compiled
+def _single_gradient(effects, x, y, spin):
+    return gradient(effects[0], x, y, spin)
+
+
+@compiled
+def _sum_of_gradients(effects, x, y, spin):
+    a, b, c, d, e, f, g, h, i = gradient(effects[0], x, y, spin)
+    j, k, l, m, n, o, p, q, r = gradient(effects[1:], x, y, spin)
+    return a + j, b + k, c + l, d + m, e + n, f + o, g + p, h + q, i + r
+
+
+@generic
+def wrench_about(kind: Any) -> Callable[..., Any]:
+    """Force and torque about the origin of a rotation about a centre (c_x, c_y), body frame.
+
+    Parameters are effect or effects, c_x, c_y and spin.
+    """
+    if isinstance(kind, tuple):
+        return _single_wrench if len(kind) == 1 else _sum_of_wrenches
+    return member(kind, "wrench_about")
+
+
+@compiled
+def _single_wrench(effects, c_x, c_y, spin):
+    return wrench_about(effects[0], c_x, c_y, spin)
+
+
+@compiled
+def _sum_of_wrenches(effects, c_x, c_y, spin):
+    a, b, c = wrench_about(effects[0], c_x, c_y, spin)
+    d, e, f = wrench_about(effects[1:], c_x, c_y, spin)
+    return a + d, b + e, c + f
+
+
+@generic
+def rough(kind: Any) -> Callable[..., Any]:
+    """Centre, and square of the radius of gyration, of the mass that an effect roughly acts like."""
+    return member(kind, "rough")
+
+
+@generic
+def fastest(kind: Any) -> Callable[..., Any]:
+    """Greatest rotation that an effect alone may have, of a contact of unit speed; 0 for a mass.
+
+    Parameters are effect and rod length.
+    """
+    return member(kind, "fastest")

@@ -13,19 +13,30 @@ from collections.abc import Callable
 from typing import Any
 
 from planar_pushing.mechanics.compiled import generic
-from planar_pushing.mechanics.reduced import isotropic, sticking, turning
+from planar_pushing.mechanics.effects.any_mass import MassAt
+from planar_pushing.mechanics.effects.any_support import Support
+from planar_pushing.mechanics.reduced import isotropic, pressed, sticking, turning
+
+#: Entries of a motion that is written down: v_x, v_y, R omega; force, and the other end of its interval where
+#: it is not settled; number of the support point about which the slider pivots, -1 without one.
+MOTION = 8
+
+
+def _family(kinds: Any, one: Any, other: Any) -> Any:
+    """Of two modules that of isotropic effects, or that of any."""
+    return other if kinds[0] is Support or MassAt in kinds else one
 
 
 @generic
 def stick(kinds: Any) -> Callable[..., Any]:
     """`Sustained` motion of a contact that moves by one unit towards a direction: the gradient of Psi."""
-    return sticking.stick
+    return _family(kinds, sticking, pressed).stick
 
 
 @generic
 def held_on_edge(kinds: Any) -> Callable[..., Any]:
     """The `Sustained` motion next to another one, whose force has the direction of an edge."""
-    return sticking.held_on_edge
+    return _family(kinds, sticking, pressed).held_on_edge
 
 
 @generic
@@ -35,10 +46,12 @@ def slips(kinds: Any) -> Callable[..., Any]:
     Parameters
     ----------
     effects, rod, edge, normal
-    found : ndarray, shape (SLIPS, 5)
-        Takes the motions, slow ones first: v_x, v_y, R omega, f_x, f_y.
+    found : ndarray, shape (SLIPS, MOTION)
+        Takes the motions, slow ones first.
     """
-    return isotropic.slips if len(kinds) == 1 else turning.slips
+    if len(kinds) == 1:
+        return _family(kinds, isotropic, pressed).steady_slips
+    return _family(kinds, turning, pressed).slips
 
 
 @generic
@@ -47,22 +60,22 @@ def limit_motion(kinds: Any) -> Callable[..., Any]:
 
     Without friction the curve is that of the kinetic energy of a unit translation.
     """
-    return isotropic.limit_motion
+    return _family(kinds, isotropic, pressed).limit_motion
 
 
 @generic
 def spin_ratio(kinds: Any) -> Callable[..., Any]:
     """Spin ratio under a force in a direction, the centre at unit speed."""
-    return isotropic.signed_spin_ratio
+    return _family(kinds, isotropic, pressed).spin_ratio
 
 
 @generic
 def motion_angle(kinds: Any) -> Callable[..., Any]:
     """Angle of the contact's motion under a force in a direction, the centre at unit speed."""
-    return isotropic.motion_angle
+    return _family(kinds, isotropic, pressed).motion_angle
 
 
 @generic
 def motion_angles(kinds: Any) -> Callable[..., Any]:
     """Least and greatest `motion_angle` over all magnitudes of the motion."""
-    return isotropic.motion_angles
+    return _family(kinds, isotropic, pressed).motion_angles

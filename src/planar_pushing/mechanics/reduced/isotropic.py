@@ -70,7 +70,7 @@ def spin_ratios(effects, arm):
 
 
 @compiled
-def spin_ratio(effects, arm):
+def ratio_under(effects, arm):
     """Spin ratio under a force of a moment arm >= 0, the centre at unit speed."""
     low, high = spin_ratios(effects, arm)
     if low == high:
@@ -79,16 +79,16 @@ def spin_ratio(effects, arm):
 
 
 @compiled
-def signed_spin_ratio(effects, own, force):
+def spin_ratio(effects, own, force):
     """As `base.spin_ratio`."""
     arm = moment_arm(own, force)
-    return copysign(spin_ratio(effects, abs(arm)), arm)
+    return copysign(ratio_under(effects, abs(arm)), arm)
 
 
 @compiled
 def motion_angle(effects, own, force):
     """As `base.motion_angle`."""
-    return contact_motion_angle(own, force, signed_spin_ratio(effects, own, force))
+    return contact_motion_angle(own, force, spin_ratio(effects, own, force))
 
 
 @compiled
@@ -110,17 +110,18 @@ def without_noise(part, other):
 
 @compiled
 def write_slip(effects, edge, speed, ratio, found):
-    """Write down a motion under a force on an edge: v_x, v_y, R omega, f_x, f_y."""
+    """Write down a motion under a force on an edge, as `base.slips` does."""
     pace = max(speed, SLOWEST)
     force = response(effects, pace, ratio * pace)[0]
     found[0], found[1], found[2] = speed * edge.x, speed * edge.y, speed * ratio
     found[3], found[4] = force * edge.x, force * edge.y
+    found[5], found[6], found[7] = found[3], found[4], -1.0
 
 
 @compiled
-def slips(effects, own, edge, normal, found):
+def steady_slips(effects, own, edge, normal, found):
     """As `base.slips`: the motion under one effect keeps its direction, so there is one at most."""
-    ratio = signed_spin_ratio(effects, own, edge)
+    ratio = spin_ratio(effects, own, edge)
     advance = without_noise(edge.y, own.length * own.x * ratio)
     if not ((normal > 0.0 and advance > 0.0) or (normal < 0.0 and advance < 0.0)):
         return 0
@@ -147,7 +148,7 @@ def _speed_of_unit_energy(effects, ratio):
 @generic
 def _curve_spin_ratio(kinds: Any) -> Callable[..., Any]:
     """Spin ratio on the limit curve under a force of a moment arm >= 0."""
-    return spin_ratio if len(kinds) == 1 else _curve_spin_ratio_of_both
+    return ratio_under if len(kinds) == 1 else _curve_spin_ratio_of_both
 
 
 @compiled

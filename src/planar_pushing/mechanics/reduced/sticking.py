@@ -29,6 +29,10 @@ class Sustained(NamedTuple):
         A vector parallel to the force, along the rod and along its right-hand normal.
     blur : float
         Part of the rounding of the pusher's direction that `aside` carries; `along` carries all of it.
+    free_along, free_aside : float
+        What the force is known up to, times -1 to 1: zero but for a pivot about a point of the support.
+    pivot : int
+        Number of that point, -1 without one.
     """
 
     v_x: float
@@ -39,6 +43,9 @@ class Sustained(NamedTuple):
     along: float
     aside: float
     blur: float
+    free_along: float
+    free_aside: float
+    pivot: int
 
 
 class ContactTorque(NamedTuple):
@@ -134,7 +141,7 @@ def _sustained(effects, own, along, aside, spin, blur):
     speed = sqrt(along * along + aside * aside)
     part = response(effects, speed, spin)[0] / speed
     v_x, v_y = along * own.x + aside * own.y, along * own.y - aside * own.x
-    return Sustained(v_x, v_y, spin, part * v_x, part * v_y, along, aside, blur)
+    return Sustained(v_x, v_y, spin, part * v_x, part * v_y, along, aside, blur, 0.0, 0.0, -1)
 
 
 @compiled

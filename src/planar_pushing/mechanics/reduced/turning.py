@@ -190,7 +190,7 @@ def slips(effects, own, towards, normal, found):
     slow = spin_ratio_alone(effects[0], edge.arm)
     fast = spin_ratio_alone(effects[1], edge.arm)
     if abs(fast - slow) <= RESOLUTION * max(slow, fast):
-        return isotropic.slips(effects, own, towards, normal, found)
+        return isotropic.steady_slips(effects, own, towards, normal, found)
     roots = np.empty(SLIPS)
     low, high = _ends(effects, edge, slow, fast)
     if normal != 0.0:

@@ -1,0 +1,114 @@
+"""Rotations about a point of the support, whose own friction may then be any force up to its share.
+
+One such motion belongs to an interval of forces. A point at r from the contact carries the force E that
+leaves no torque about the contact; it is a pivot where E is within the point's share of the weight.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import sqrt
+from typing import Any, NamedTuple
+
+from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.effects.any_support import Support
+from planar_pushing.mechanics.effects.base import wrench_about
+from planar_pushing.mechanics.numerics.root import EPSILON
+from planar_pushing.mechanics.reduced.general import Motion
+
+#: Rounding of a direction, and of a force against the share of a point.
+DIRECTION, SHARE = 16.0 * EPSILON, 1e-13
+NOWHERE = -1
+
+
+class Pivot(NamedTuple):
+    """A motion about a support point with its force, body frame.
+
+    Attributes
+    ----------
+    index : int
+        Of the point, -1 where there is none.
+    motion : Motion
+    f_x, f_y : float
+        Force at the contact; where it is not settled the middle of the interval.
+    free_x, free_y : float
+        Half of the interval: the force is known up to this, times -1 to 1.
+    """
+
+    index: int
+    motion: Motion
+    f_x: float
+    f_y: float
+    free_x: float
+    free_y: float
+
+
+@compiled
+def _about(effects, length, point, spin):
+    """Motion of the contact about a point, and force and torque at the contact, the point's own apart."""
+    r_x, r_y = point[0] + length, point[1]
+    f_x, f_y, torque = wrench_about(effects, point[0], point[1], spin)
+    return Motion(spin * r_y, -spin * r_x, spin), f_x, f_y, torque + length * f_y
+
+
+@compiled
+def none():
+    """No pivot."""
+    return Pivot(NOWHERE, Motion(0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0)
+
+
+@generic
+def pivot_under(kinds: Any) -> Callable[..., Any]:
+    """The pivot under a line of force, of a motion with a given part along it: effects, line."""
+    return _pivot_under if kinds[0] is Support else _no_pivot_under
+
+
+@generic
+def pivot_of(kinds: Any) -> Callable[..., Any]:
+    """The pivot of a contact that moves by (x, y): effects, length, x, y."""
+    return _pivot_of if kinds[0] is Support else _no_pivot_of
+
+
+@compiled
+def _no_pivot_under(effects, line):
+    return none()
+
+
+@compiled
+def _no_pivot_of(effects, length, x, y):
+    return none()
+
+
+@compiled
+def _pivot_under(effects, line):
+    points = effects[0].pressure.atoms
+    for i in range(len(points)):
+        r_x, r_y = points[i, 0] + line.length, points[i, 1]
+        arm = line.x * r_y - line.y * r_x
+        if abs(arm) <= DIRECTION * (abs(r_x) + abs(r_y)):
+            continue
+        motion, f_x, f_y, torque = _about(effects, line.length, points[i], line.along / arm)
+        across = line.x * f_y - line.y * f_x
+        e_x, e_y = (torque * line.x - r_x * across) / arm, (torque * line.y - r_y * across) / arm
+        most = effects[0].weight * points[i, 2] * (1.0 + SHARE)
+        if e_x * e_x + e_y * e_y <= most * most:
+            return Pivot(i, motion, f_x + e_x, f_y + e_y, 0.0, 0.0)
+    return none()
+
+
+@compiled
+def _pivot_of(effects, length, x, y):
+    points, speed = effects[0].pressure.atoms, sqrt(x * x + y * y)
+    for i in range(len(points)):
+        r_x, r_y = points[i, 0] + length, points[i, 1]
+        reach = sqrt(r_x * r_x + r_y * r_y)
+        if reach == 0.0 or abs(x * r_x + y * r_y) > DIRECTION * speed * reach:
+            continue
+        spin = (x * r_y - y * r_x) / (reach * reach)
+        motion, f_x, f_y, torque = _about(effects, length, points[i], spin)
+        most, part = effects[0].weight * points[i, 2], -torque / reach
+        if abs(part) <= most * (1.0 + SHARE):
+            free = sqrt(max(most * most - part * part, 0.0)) / reach
+            f_x, f_y = f_x - part * r_y / reach, f_y + part * r_x / reach
+            return Pivot(i, motion, f_x, f_y, free * r_x, free * r_y)
+    return none()
