@@ -78,7 +78,7 @@ SMALL = 1e-9
 
 
 @compiled
-def _polynomial(coefficients, x):
+def polynomial(coefficients, x):
     """Value of a polynomial, its even and odd parts side by side: half as many dependent steps."""
     square, i = x * x, len(coefficients) - 1
     one, other = coefficients[i], coefficients[i - 1]
@@ -101,7 +101,7 @@ def _far(k):
     ends = 1.0 + sqrt((1.0 - k) * (1.0 + k))
     half = k * k / (2.0 * ends * ends)  # q / 2
     y = 4.0 * half * half
-    first, second = _polynomial(FIRST, y), _polynomial(SECOND, y)
+    first, second = polynomial(FIRST, y), polynomial(SECOND, y)
     bracket = (1.0 - half) + y * (first * (1.0 - half) - half * second)
     force = ends / 2 * (1.0 + y * (first - y * second))
     return force, k * bracket / ends, (2.0 + 2.0 * y * first - bracket) / ends
@@ -113,8 +113,8 @@ def _near(small, large):
     k, gap = small / large, (large - small) / large
     x = max(gap * (2.0 - gap), LEAST)
     half_log = -log(x) / 2
-    first = half_log * _polynomial(FORCE_LOG, x) + _polynomial(FORCE_REST, x)
-    second = half_log * _polynomial(TORQUE_LOG, x) + _polynomial(TORQUE_REST, x)
+    first = half_log * polynomial(FORCE_LOG, x) + polynomial(FORCE_REST, x)
+    second = half_log * polynomial(TORQUE_LOG, x) + polynomial(TORQUE_REST, x)
     force, torque = 1.0 + x * first, 1.0 + x * second
     slope = first - second - force  # K - E; 1 / x would carry the rounding of force and torque
     return 2 / pi * force, 2 / pi * torque / k, 2 / pi * slope / (k * k)
@@ -165,12 +165,12 @@ def ring_response(speed, spin):
 def _guess(arm):
     """Spin ratio to 2e-6, and next to the ring its distance from 1 to 6e-6."""
     if arm < NEAR_ARM:
-        return 2.0 * arm * _polynomial(FAR_GUESS, arm * arm)
+        return 2.0 * arm * polynomial(FAR_GUESS, arm * arm)
     short = 1.0 - arm
     part = 1.0 / (3.0 - log(short + LEAST))
     first, second, third, fourth = NEAR_GUESS
-    rest = _polynomial(third, part) + short * _polynomial(fourth, part)
-    gap = _polynomial(first, part) + short * (_polynomial(second, part) + short * rest)
+    rest = polynomial(third, part) + short * polynomial(fourth, part)
+    gap = polynomial(first, part) + short * (polynomial(second, part) + short * rest)
     return 1.0 - short * gap
 
 

@@ -1,0 +1,70 @@
+"""An even annulus: the rim of a cup."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.supports.base import Position, position
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
+from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.terms.errors import InvalidValue, require_positive
+
+
+@dataclass(frozen=True, slots=True)
+class Annulus:
+    """Support between two circles about one centre, its pressure even.
+
+    Parameters
+    ----------
+    inner, outer : float
+        Radii, ``0 < inner < outer``.
+    center : pair of float
+        In the body frame.
+
+    Raises
+    ------
+    InvalidValue
+        Where a radius is not positive, the inner is not the smaller, or the centre is not a pair of
+        finite numbers.
+
+    Notes
+    -----
+    A disc less a disc: the relative error is that of a disc times ``outer / (outer - inner)``. Use `Ring`
+    for a rim that is thinner than it is known.
+    """
+
+    inner: float
+    outer: float
+    center: Any = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        inner = require_positive("inner", self.inner, "use Disc for a support without a hole")
+        outer = require_positive("outer", self.outer, "give the outer radius")
+        if inner >= outer:
+            raise InvalidValue(
+                "inner", inner, f"a number less than outer, {outer!r}",
+                "use Ring for a rim without width",
+            )  # fmt: skip
+        object.__setattr__(self, "inner", inner)
+        object.__setattr__(self, "outer", outer)
+        object.__setattr__(self, "center", position("center", self.center))
+
+    @property
+    def center_of_pressure(self) -> Position:
+        return self.center  # type: ignore[no-any-return]
+
+    @property
+    def extent(self) -> float:
+        return self.outer
+
+    def pieces(self) -> Pieces:
+        ratio = self.inner / self.outer
+        hole = ratio * ratio / ((1.0 - ratio) * (1.0 + ratio))
+        rows = [[*self.center, self.outer, 1.0 + hole], [*self.center, self.inner, -hole]]
+        return Pieces(discs=np.array(rows))
+
+    def record(self, radius: float) -> Pressure:
+        return assembled(self.pieces(), radius)

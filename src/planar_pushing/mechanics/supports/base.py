@@ -1,0 +1,88 @@
+"""The interface of a support, and the checks of what users give."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+
+from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pressure
+from planar_pushing.terms.errors import InvalidValue
+
+#: A position in the body frame: origin at the slider's centre, x along the rod and away from the contact.
+Position = tuple[float, float]
+
+
+@runtime_checkable
+class Support(Protocol):
+    """How a slider's weight presses on the plane: a unit pressure distribution in its body frame."""
+
+    @property
+    def center_of_pressure(self) -> Position:
+        """Mean position of the pressure."""
+        ...
+
+    @property
+    def extent(self) -> float:
+        """Largest distance of the support from its centre of pressure."""
+        ...
+
+    def pieces(self) -> Pieces:
+        """The support's pieces, whose shares add to 1."""
+        ...
+
+    def record(self, radius: float) -> Pressure:
+        """The record of the compiled core, in units of the slider's radius."""
+        ...
+
+
+def array(name: str, given: object, shape: tuple[int | None, ...], allowed: str, remedy: str) -> Array:
+    """Numbers of a shape, None for any length; all finite.
+
+    Raises
+    ------
+    InvalidValue
+        Where the shape is another, or something is not a finite number.
+    """
+    try:
+        numbers = np.array(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InvalidValue(name, given, allowed, remedy) from None
+    fits = numbers.ndim == len(shape) and all(
+        length in (None, found) for length, found in zip(shape, numbers.shape, strict=True)
+    )
+    if not fits:
+        raise InvalidValue(name, given, allowed, remedy)
+    require_all(name, numbers, np.isfinite, "finite numbers", "give each number")
+    return numbers
+
+
+def require_all(
+    name: str, numbers: Array, allows: Callable[[Array], Any], allowed: str, remedy: str
+) -> None:
+    """Refuse numbers that `allows` refuses; the message shows the first and its place."""
+    wrong = np.argwhere(~allows(numbers))
+    if len(wrong):
+        place = tuple(map(int, wrong[0]))
+        shown = "".join(f"[{i}]" for i in place)
+        raise InvalidValue(name + shown, float(numbers[place]), allowed, remedy)
+
+
+def position(name: str, given: object) -> Position:
+    """A position in the plane."""
+    x, y = array(name, given, (2,), "two finite numbers", "give x and y in the body frame").tolist()
+    return x, y
+
+
+def positions(name: str, given: object, remedy: str) -> tuple[Position, ...]:
+    """Positions in the plane."""
+    found = array(name, given, (None, 2), "pairs of finite numbers", remedy)
+    return tuple((x, y) for x, y in found.tolist())
+
+
+def weights(name: str, given: object, count: int, remedy: str) -> tuple[float, ...]:
+    """Positive weights, one for each member."""
+    found = array(name, given, (count,), f"{count} positive numbers", remedy)
+    require_all(name, found, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
+    return tuple(found.tolist())

@@ -1,0 +1,70 @@
+"""Several supports that share the weight."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from planar_pushing.mechanics.supports.base import Position, Support, weights
+from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.pressure.assembly import (
+    assembled,
+    center,
+    extent,
+    joined,
+    shared,
+)
+from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.terms.errors import InvalidValue
+
+
+@dataclass(frozen=True, slots=True)
+class Composite:
+    """Support made of other supports in one body frame.
+
+    Parameters
+    ----------
+    members : sequence of (share, support)
+        What part of the weight each support carries, > 0, in any unit.
+
+    Raises
+    ------
+    InvalidValue
+        Where there is no member, a share is not positive, a member is not a support, or a ring has no
+        radius of its own.
+    """
+
+    members: Any
+
+    def __post_init__(self) -> None:
+        try:
+            found = tuple((share, support) for share, support in self.members)
+        except (TypeError, ValueError):
+            found = ()
+        if not found or not all(isinstance(support, Support) for _, support in found):
+            raise InvalidValue(
+                "members", self.members, "at least one pair of a share and a support",
+                "give for instance [(0.5, Disc(1.0)), (0.5, Points([(2.0, 0.0)], [1.0]))]",
+            )  # fmt: skip
+        if any(support == Ring() for _, support in found):
+            raise InvalidValue(
+                "members", Ring(), "a ring with a radius", "give the radius, as in Ring(1.0)"
+            )
+        shares = weights("share", [share for share, _ in found], len(found), "give one for each")
+        members = tuple((share, support) for share, (_, support) in zip(shares, found, strict=True))
+        object.__setattr__(self, "members", members)
+
+    @property
+    def center_of_pressure(self) -> Position:
+        return center(self.pieces())
+
+    @property
+    def extent(self) -> float:
+        return extent(self.pieces())
+
+    def pieces(self) -> Pieces:
+        whole = sum(share for share, _ in self.members)
+        return joined([shared(support.pieces(), share / whole) for share, support in self.members])
+
+    def record(self, radius: float) -> Pressure:
+        return assembled(self.pieces(), radius)

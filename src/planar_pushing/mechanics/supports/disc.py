@@ -1,0 +1,109 @@
+"""An even disc: the flat base of a can."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import sqrt
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.supports.base import Position, position
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
+from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.sums import added, turned
+from planar_pushing.mechanics.supports.ring import inner, polynomial
+from planar_pushing.terms.errors import require_positive
+
+#: From this distance on, in radii, the torque is a power series: the closed form cancels.
+SERIES = 4.0
+#: ``2F1(1/2, 1/2; 3; y) / 4``, the torque times the distance, in powers of y = 1 / c^2, and ``-c^3`` times
+#: the torque's derivative by c; to 1e-17 below 1 / SERIES^2.
+TORQUE = tuple(
+    (np.cumprod([1.0, *((j + 0.5) ** 2 / ((j + 3) * (j + 1)) for j in range(11))]) / 4).tolist()
+)
+SLOPE = tuple((2 * j + 1) * each for j, each in enumerate(TORQUE))
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """Support on a disc, its pressure even.
+
+    Parameters
+    ----------
+    radius : float
+        Greater than 0.
+    center : pair of float
+        In the body frame.
+
+    Raises
+    ------
+    InvalidValue
+        Where the radius is not positive, or the centre not a pair of finite numbers.
+    """
+
+    radius: float
+    center: Any = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        radius = require_positive("radius", self.radius, "use Points for a support on one point")
+        object.__setattr__(self, "radius", radius)
+        object.__setattr__(self, "center", position("center", self.center))
+
+    @property
+    def center_of_pressure(self) -> Position:
+        return self.center  # type: ignore[no-any-return]
+
+    @property
+    def extent(self) -> float:
+        return self.radius
+
+    def pieces(self) -> Pieces:
+        return Pieces(discs=np.array([[*self.center, self.radius, 1.0]]))
+
+    def record(self, radius: float) -> Pressure:
+        return assembled(self.pieces(), radius)
+
+
+@compiled
+def of_discs(total, pressure, x, y):
+    """Totals with the discs."""
+    for i in range(len(pressure.discs)):
+        q_x, q_y, radius, share = pressure.discs[i]
+        arm_x, arm_y = q_x - pressure.center_x, q_y - pressure.center_y
+        total = added(total, share, disc(x - q_x, y - q_y, radius), arm_x, arm_y)
+    return total
+
+
+@compiled
+def disc(x, y, radius):
+    """The piece of an even disc.
+
+    With f and t of the ring at the ratio of c and R: what PHYSICS.md gives in E and K, without a difference
+    in D or G. The mean of 1 / rho, 2 f inside and 2 t outside, is the sum of the two curvatures.
+    """
+    c = sqrt(x * x + y * y) / radius
+    distance, slope, torque, along, across = _inside(c) if c <= 1.0 else _outside(c)
+    return turned(x, y, radius * distance, slope, radius * torque, along / radius, across / radius)
+
+
+@compiled
+def _inside(c):
+    f, t, _ = inner(c, 1.0)
+    across = 2.0 / 3.0 * (f + (t / c if c > 0.0 else 0.5))
+    distance = 2.0 / 9.0 * ((3.0 + c * c) * f + 4.0 * c * t)
+    torque = 2.0 / 9.0 * ((3.0 - 2.0 * c * c) * f + c * t)
+    return distance, 2.0 / 3.0 * (c * f + t), torque, 2.0 * f - across, across
+
+
+@compiled
+def _outside(c):
+    f, t, _ = inner(1.0, c)
+    slope = 2.0 / 3.0 * (f + c * t)
+    distance = 2.0 / 9.0 * (4.0 * c * f + (3.0 + c * c) * t)
+    if c < SERIES:
+        torque = 2.0 / 9.0 * (c * f + (3.0 - 2.0 * c * c) * t)
+        return distance, slope, torque, 2.0 * t - slope / c, slope / c
+    y = 1.0 / (c * c)
+    return distance, slope, polynomial(TORQUE, y) / c, polynomial(SLOPE, y) / c * y, slope / c

@@ -1,0 +1,133 @@
+"""An even polygon: the flat base of a box."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.supports.base import Position, positions
+from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
+from planar_pushing.mechanics.supports.pressure.plate import plate
+from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.sums import added
+from planar_pushing.terms.errors import InvalidValue
+
+#: Least area over the square of the polygon's size; a smaller one is rounding.
+THINNEST = 1e-12
+
+
+@dataclass(frozen=True, slots=True)
+class Polygon:
+    """Support on a simple polygon, its pressure even.
+
+    Parameters
+    ----------
+    vertices : sequence of pairs
+        At least three, in the body frame, in either direction of turning; the polygon need not be convex.
+
+    Raises
+    ------
+    InvalidValue
+        Where there are fewer than three vertices, a number is not finite, two edges cross or touch, or the
+        area is zero.
+    """
+
+    vertices: Any
+
+    def __post_init__(self) -> None:
+        remedy = "give x and y of each vertex in the body frame, in order"
+        found = positions("vertices", self.vertices, remedy)
+        if len(found) < 3:
+            raise InvalidValue("vertices", self.vertices, "at least three vertices", remedy)
+        _require_simple(np.array(found))
+        object.__setattr__(self, "vertices", found)
+
+    @property
+    def center_of_pressure(self) -> Position:
+        return center(self.pieces())
+
+    @property
+    def extent(self) -> float:
+        return extent(self.pieces())
+
+    def pieces(self) -> Pieces:
+        vertices = np.array(self.vertices)
+        area = _area(vertices)
+        start = vertices if area > 0 else vertices[::-1]
+        rest = np.full(len(start), 1.0 / abs(area))
+        return Pieces(plates=(np.column_stack([start, np.roll(start, -1, axis=0), rest]),))
+
+    def record(self, radius: float) -> Pressure:
+        return assembled(self.pieces(), radius)
+
+
+def _area(vertices: Array) -> float:
+    """Area, positive where the vertices turn counter-clockwise."""
+    x, y = (vertices - vertices[0]).T
+    return float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) / 2)
+
+
+def _require_simple(vertices: Array) -> None:
+    """Refuse a polygon whose edges meet elsewhere than at their common vertices, or without area."""
+    count = len(vertices)
+    after = np.roll(vertices, -1, axis=0)
+    for i in range(count - 1):
+        others = np.arange(i + 1, count)
+        meets = _meet(vertices[i], after[i], vertices[others], after[others])
+        meets[0] = _folds(vertices[i], after[i], after[i + 1])
+        if i == 0:
+            meets[-1] = _folds(vertices[-1], vertices[0], after[0])
+        if meets.any():
+            shown = [_edge(vertices, each) for each in (i, int(others[meets][0]))]
+            raise InvalidValue(
+                "vertices", " and ".join(shown), "a simple polygon, whose edges do not cross or touch",
+                "order the vertices along the boundary, each once",
+            )  # fmt: skip
+    size = np.ptp(vertices, axis=0).max()
+    if abs(_area(vertices)) <= THINNEST * size**2:
+        raise InvalidValue(
+            "vertices", vertices.tolist(), "a polygon whose area is not zero",
+            "use Segment for a support on a line",
+        )  # fmt: skip
+
+
+def _edge(vertices: Array, i: int) -> str:
+    start, end = vertices[i].tolist(), vertices[(i + 1) % len(vertices)].tolist()
+    return f"edge {i} from {tuple(start)} to {tuple(end)}"
+
+
+def _side(start: Array, end: Array, points: Array) -> Array:
+    """On which side of a line points are: 1 on the left, -1 on the right, 0 on it."""
+    (along, across), offset = (end - start).T, points - start
+    return np.sign(along * offset[..., 1] - across * offset[..., 0])
+
+
+def _meet(start: Array, end: Array, starts: Array, stops: Array) -> Array:
+    """Which of several edges have a point in common with an edge."""
+    splits = _side(start, end, starts) * _side(start, end, stops) <= 0
+    split = _side(starts, stops, start) * _side(starts, stops, end) <= 0
+    low, high = np.minimum(start, end), np.maximum(start, end)
+    boxes = (np.minimum(starts, stops) <= high) & (np.maximum(starts, stops) >= low)
+    return np.asarray(splits & split & boxes.all(axis=-1))
+
+
+def _folds(first: Array, corner: Array, last: Array) -> bool:
+    """Whether an edge runs back along the one before it, or has no length."""
+    before, after = corner - first, last - corner
+    turn = before[0] * after[1] - before[1] * after[0]
+    return bool(turn == 0 and before @ after <= 0)
+
+
+@compiled
+def of_plates(total, pressure, x, y):
+    """Totals with the polygons and the cells of pressure maps."""
+    first = pressure.first
+    for i in range(len(pressure.plates)):
+        q_x, q_y, radius, share = pressure.plates[i]
+        edges = pressure.edges[first[i] : first[i + 1]]
+        piece = plate(edges, pressure.multipoles[i], radius, x - q_x, y - q_y)
+        total = added(total, share, piece, q_x - pressure.center_x, q_y - pressure.center_y)
+    return total

@@ -1,0 +1,46 @@
+"""Means over an even straight line, of any centre of rotation."""
+
+from __future__ import annotations
+
+from math import log1p, sqrt
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.supports.ring import polynomial
+
+#: Below this ratio of the line's length to the sum of its ends' distances, power series are used.
+SHORT = 0.1
+#: ``atanh(z) / z`` in powers of z^2, to 1e-17 below SHORT.
+ATANH = tuple(1 / (2 * k + 1) for k in range(9))
+#: Least product of distances, for a centre of rotation on the line, where second derivatives are infinite.
+LEAST = 1e-300
+
+
+@compiled
+def ends(s, h, half):
+    """Distances of the ends of a line whose middle is at (s, h) along and across it."""
+    before, after = s - half, s + half
+    return sqrt(before * before + h * h), sqrt(after * after + h * h)
+
+
+@compiled
+def mean_inverse(s, h, half, both):
+    """Mean of 1 / rho, ``L / l``, where the ends' distances add to `both`."""
+    z = 2.0 * half / both
+    if z < SHORT:
+        return 2.0 / both * polynomial(ATANH, z * z)
+    return log1p(4.0 * half / max(_excess(abs(s), h, half), LEAST)) / (2.0 * half)
+
+
+@compiled
+def _excess(s, h, half):
+    """Sum of the ends' distances less the length, ``rho1 + rho2 - l``, without cancellation; s >= 0."""
+    square, before, after = h * h, s - half, s + half
+    near, far = sqrt(before * before + square), sqrt(after * after + square)
+    beyond = near + before if before >= 0.0 else square / (near - before)
+    return beyond + square / (far + after)
+
+
+@compiled
+def mean_distance(s, h, both, inverse):
+    """Mean of rho, ``I / l``, from the ends' distances together and the mean of 1 / rho."""
+    return both / 4.0 + s * (s / both) + h * h * inverse / 2.0

@@ -1,0 +1,43 @@
+"""An area whose pressure is even between straight edges: a polygon, or cells of a pressure map.
+
+By the divergence theorem the means over the area are sums over the edges of the mean distance along each,
+times the step of the pressure across it (PHYSICS.md, section 7). From afar the sums cancel, and multipoles
+take over.
+"""
+
+from __future__ import annotations
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.supports.pressure.edges import ends, mean_distance, mean_inverse
+from planar_pushing.mechanics.supports.pressure.multipole import far
+
+#: From this distance on, in radii of the plate, multipoles are used.
+FAR = 2.0
+
+
+@compiled
+def plate(edges, terms, radius, x, y):
+    """The piece of a plate for a centre of rotation (x, y) from its centre."""
+    if x * x + y * y >= (FAR * radius) ** 2:
+        return far(terms, x, y, radius)
+    distance, g_x, g_y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for i in range(len(edges)):
+        m_x, m_y, t_x, t_y, half, jump = edges[i]
+        r_x, r_y, weight = m_x - x, m_y - y, 2.0 * half * jump
+        mean, h, along, across = _edge(r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x, half)
+        distance += weight * h * mean / 3.0
+        g_x += weight * mean * t_y
+        g_y -= weight * mean * t_x
+        xx += weight * t_y * (across * t_y + along * t_x)
+        xy += weight * t_y * (along * t_y - across * t_x)
+        yy += weight * t_x * (across * t_x - along * t_y)
+    return distance, g_x, g_y, distance + (x * g_x + y * g_y), xx, xy, yy
+
+
+@compiled
+def _edge(s, h, half):
+    """Mean distance of an edge, h, and the means of r' / rho along and across it."""
+    one, other = ends(s, h, half)
+    both = one + other
+    inverse = mean_inverse(s, h, half, both)
+    return mean_distance(s, h, both, inverse), h, 2.0 * s / both, h * inverse

@@ -1,0 +1,52 @@
+"""Sums over pieces: what a piece gives about its own centre, carried to the support's.
+
+A piece is a tuple ``D, G_x, G_y, T, D_xx, D_xy, D_yy`` per unit share, for a centre of rotation (x, y) from
+its own centre of pressure: mean distance, mean unit vector away from the centre of rotation, torque about
+the piece's own centre of pressure, and the second derivatives of D.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from planar_pushing.mechanics.compiled import compiled
+
+NOTHING = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@compiled
+def added(total, share, piece, arm_x, arm_y):
+    """Totals with a piece whose centre is at `arm` from the point that the total torque is about."""
+    distance, unit_x, unit_y, torque, xx, xy, yy = piece
+    return (
+        total[0] + share * distance,
+        total[1] + share * unit_x,
+        total[2] + share * unit_y,
+        total[3] + share * (torque + (arm_x * unit_x + arm_y * unit_y)),
+        total[4] + share * xx,
+        total[5] + share * xy,
+        total[6] + share * yy,
+    )
+
+
+@compiled
+def turned(x, y, distance, slope, torque, along, across):
+    """A piece symmetric about its centre, from D and its derivatives in the distance of (x, y).
+
+    `along` is the second derivative of D by the distance, `across` the slope over the distance.
+    """
+    far = sqrt(x * x + y * y)
+    u_x, u_y = (x / far, y / far) if far > 0.0 else (0.0, 0.0)
+    bend = along - across
+    xx, xy, yy = across + bend * u_x * u_x, bend * u_x * u_y, across + bend * u_y * u_y
+    return distance, -slope * u_x, -slope * u_y, torque, xx, xy, yy
+
+
+@compiled
+def point(x, y):
+    """The piece of a point that is not the centre of rotation."""
+    distance = sqrt(x * x + y * y)
+    inverse = 1.0 / distance
+    u_x, u_y = x * inverse, y * inverse
+    xx, xy, yy = u_y * u_y * inverse, -u_x * u_y * inverse, u_x * u_x * inverse
+    return distance, -u_x, -u_y, 0.0, xx, xy, yy

@@ -1,0 +1,102 @@
+"""A pressure that was measured: even in each cell of a grid."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.supports.base import Position, array, require_all
+from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
+from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pressure
+from planar_pushing.terms.errors import InvalidValue
+
+#: Cells along a side of the blocks that are evaluated together, each by one series from afar.
+BLOCK = 4
+
+
+@dataclass(frozen=True, slots=True)
+class PressureMap:
+    """Support on a grid of rectangular cells, the pressure even in each.
+
+    Parameters
+    ----------
+    x, y : sequence of float
+        Edges of the cells in the body frame, increasing: one more than there are columns and rows.
+    pressure : array_like, shape (len(y) - 1, len(x) - 1)
+        Pressure in each cell, >= 0 and not all zero, in any unit; ``pressure[j][i]`` is the cell from
+        ``x[i]`` to ``x[i + 1]`` and from ``y[j]`` to ``y[j + 1]``.
+
+    Raises
+    ------
+    InvalidValue
+        Where edges do not increase, a number is not finite, the map does not fit its axes, a pressure is
+        negative, or all are zero.
+    """
+
+    x: Any
+    y: Any
+    pressure: Any
+
+    def __post_init__(self) -> None:
+        x, y = (_edges(name, getattr(self, name)) for name in ("x", "y"))
+        shape = len(y) - 1, len(x) - 1
+        remedy = "give the edges of the cells in x and y, one more than columns and rows"
+        allowed = f"{shape[0]} rows of {shape[1]} numbers, to fit y and x"
+        cells = array("pressure", self.pressure, shape, allowed, remedy)
+        require_all(
+            "pressure", cells, lambda p: p >= 0, "a number >= 0", "a support cannot pull; clip noise"
+        )
+        if not cells.any():
+            raise InvalidValue("pressure", 0.0, "at least one number > 0", "leave out empty maps")
+        object.__setattr__(self, "x", tuple(x.tolist()))
+        object.__setattr__(self, "y", tuple(y.tolist()))
+        object.__setattr__(self, "pressure", tuple(map(tuple, cells.tolist())))
+
+    @property
+    def center_of_pressure(self) -> Position:
+        return center(self.pieces())
+
+    @property
+    def extent(self) -> float:
+        return extent(self.pieces())
+
+    def pieces(self) -> Pieces:
+        x, y, cells = np.array(self.x), np.array(self.y), np.array(self.pressure)
+        loads = cells / cells.max()
+        loads /= np.diff(y) @ loads @ np.diff(x)
+        corners = [
+            (i, j)
+            for j in range(0, len(y) - 1, BLOCK)
+            for i in range(0, len(x) - 1, BLOCK)
+            if loads[j : j + BLOCK, i : i + BLOCK].any()
+        ]
+        return Pieces(
+            plates=tuple(
+                _block(x[i : i + BLOCK + 1], y[j : j + BLOCK + 1], loads[j : j + BLOCK, i : i + BLOCK])
+                for i, j in corners
+            )
+        )
+
+    def record(self, radius: float) -> Pressure:
+        return assembled(self.pieces(), radius)
+
+
+def _edges(name: str, given: object) -> Array:
+    """Edges of cells along an axis."""
+    remedy = "give the edges of the cells in increasing order"
+    found = array(name, given, (None,), "a sequence of finite numbers", remedy)
+    if len(found) < 2 or not (np.diff(found) > 0).all():
+        raise InvalidValue(name, found.tolist(), "at least two increasing numbers", remedy)
+    return found
+
+
+def _block(x: Array, y: Array, cells: Array) -> Array:
+    """Lines of a grid across which the pressure steps, from (x, y) to (x, y), and the step."""
+    upward, across = -np.diff(cells, axis=1, prepend=0, append=0), np.diff(cells, axis=0, prepend=0, append=0)
+    j, i = np.nonzero(upward)
+    vertical = np.column_stack([x[i], y[j], x[i], y[j + 1], upward[j, i]])
+    j, i = np.nonzero(across)
+    level = np.column_stack([x[i], y[j], x[i + 1], y[j], across[j, i]])
+    return np.concatenate([vertical, level])

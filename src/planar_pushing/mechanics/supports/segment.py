@@ -1,0 +1,121 @@
+"""An even line of pressure: the edge of a box that stands tilted, a blade."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.supports.base import Position, position
+from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
+from planar_pushing.mechanics.supports.pressure.edges import (
+    LEAST,
+    SHORT,
+    ends,
+    mean_distance,
+    mean_inverse,
+)
+from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.sums import added
+from planar_pushing.mechanics.supports.ring import polynomial
+from planar_pushing.terms.errors import InvalidValue
+
+#: ``(z / (1 - z^2) - atanh z) / z^3`` in powers of z^2, to 1e-17 below SHORT.
+TORQUE = tuple((2 * k + 2) / (2 * k + 3) for k in range(9))
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """Support on a straight line, its pressure even.
+
+    Parameters
+    ----------
+    start, end : pair of float
+        Ends in the body frame.
+
+    Raises
+    ------
+    InvalidValue
+        Where an end is not a pair of finite numbers, or both are the same.
+    """
+
+    start: Any
+    end: Any
+
+    def __post_init__(self) -> None:
+        for name in ("start", "end"):
+            object.__setattr__(self, name, position(name, getattr(self, name)))
+        if self.start == self.end:
+            raise InvalidValue(
+                "end", self.end, "a position other than the start",
+                "use Points for a support on one point",
+            )  # fmt: skip
+
+    @property
+    def center_of_pressure(self) -> Position:
+        return center(self.pieces())
+
+    @property
+    def extent(self) -> float:
+        return extent(self.pieces())
+
+    def pieces(self) -> Pieces:
+        return Pieces(segments=np.array([[*self.start, *self.end, 1.0]]))
+
+    def record(self, radius: float) -> Pressure:
+        return assembled(self.pieces(), radius)
+
+
+@compiled
+def of_segments(total, pressure, x, y):
+    """Totals with the segments."""
+    for i in range(len(pressure.segments)):
+        q_x, q_y, t_x, t_y, half, share = pressure.segments[i]
+        r_x, r_y = q_x - x, q_y - y
+        local = segment(r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x, half)
+        arm_x, arm_y = q_x - pressure.center_x, q_y - pressure.center_y
+        total = added(total, share, _placed(local, t_x, t_y), arm_x, arm_y)
+    return total
+
+
+@compiled
+def segment(s, h, half):
+    """The piece of a segment whose middle is at (s, h) along and across it, in these two directions."""
+    one, other = ends(s, h, half)
+    both = one + other
+    inverse = mean_inverse(s, h, half, both)
+    distance, torque = mean_distance(s, h, both, inverse), _torque(s, h, half, both, inverse)
+    product = max(one * other, LEAST)
+    tt, tn = _bend(abs(s), h, half, one, other) / product, -2.0 * (s / both) * h / product
+    return distance, 2.0 * s / both, h * inverse, torque, tt, tn, inverse - tt
+
+
+@compiled
+def _torque(s, h, half, both, inverse):
+    """``h^2 (z / (1 - z^2) - atanh z) / l`` with z = l / (rho1 + rho2), about the middle."""
+    z, x = 2.0 * half / both, abs(s)
+    if z < SHORT:
+        return h * (h / both) * (z * z) * polynomial(TORQUE, z * z)
+    return (both / 2.0 - x) * (both / 2.0 + x) / both - h * h * inverse / 2.0
+
+
+@compiled
+def _bend(s, h, half, one, other):
+    """``(s2 rho1 - s1 rho2) / l`` of the ends, without cancellation; s >= 0."""
+    before, after = s - half, s + half
+    near, far = min(one, other), max(one, other)
+    if before > 0.0:
+        return 2.0 * s * h * h / (after * near + before * far)
+    return (after * near - before * far) / (2.0 * half)
+
+
+@compiled
+def _placed(local, t_x, t_y):
+    """A piece from the directions of a segment to those of the body; the normal is (t_y, -t_x)."""
+    distance, t, n, torque, tt, tn, nn = local
+    xx = tt * t_x * t_x + 2.0 * tn * t_x * t_y + nn * t_y * t_y
+    xy = (tt - nn) * t_x * t_y + tn * (t_y * t_y - t_x * t_x)
+    yy = tt * t_y * t_y - 2.0 * tn * t_x * t_y + nn * t_x * t_x
+    return distance, t * t_x + n * t_y, t * t_y - n * t_x, torque, xx, xy, yy
