@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import SUPPORT, WEIGHT
-from planar_pushing.mechanics.supports.pressure.moments import moments
+from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.record import Pressure
 
 #: A centre of rotation further away than this, in largest distances of the support, acts like one there, but
@@ -39,7 +39,7 @@ def gradient(effect, x, y, spin):
     speed = sqrt(w_x * w_x + w_y * w_y)
     turn = copysign(max(abs(spin), speed / (FARTHEST * pressure.extent)), spin)
     c_x, c_y = -w_y / turn, w_x / turn
-    _, g_x, g_y, torque, h_xx, h_xy, h_yy = moments(pressure, p_x + c_x, p_y + c_y)
+    _, g_x, g_y, torque, h_xx, h_xy, h_yy, _ = moments(pressure, p_x + c_x, p_y + c_y)
     sign, part = copysign(weight, turn), weight / abs(turn)
     f_x, f_y = -sign * g_y, sign * g_x
     xx, xy, yy = part * h_yy, -part * h_xy, part * h_xx
@@ -58,7 +58,7 @@ def gradient(effect, x, y, spin):
 @compiled
 def wrench_about(effect, c_x, c_y, spin):
     pressure = effect.pressure
-    _, g_x, g_y, torque, _, _, _ = moments(pressure, c_x, c_y)
+    _, g_x, g_y, torque, _, _, _, _ = moments(pressure, c_x, c_y)
     sign = copysign(effect.weight, spin)
     f_x, f_y = -sign * g_y, sign * g_x
     return f_x, f_y, sign * torque + pressure.center_x * f_y - pressure.center_y * f_x
