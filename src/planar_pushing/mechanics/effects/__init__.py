@@ -11,6 +11,7 @@ base.KINDS.update(
         support_friction.RingSupport: support_friction,
         any_mass.MassAt: any_mass,
         any_support.Support: any_support,
+        any_support.Supports: any_support,
     }
 )
 

@@ -32,7 +32,7 @@ def gradient(effect, x, y, spin):
 
 
 @compiled
-def wrench_about(effect, c_x, c_y, spin):
+def wrench_about(effect, i, spin, c_x, c_y):
     return gradient(effect, spin * c_y, -spin * c_x, spin)[:3]
 
 

@@ -16,9 +16,9 @@ from planar_pushing.mechanics.compiled import compiled, generic
 #: Of each kind of effect, its module.
 KINDS: dict[type, Any] = {}
 #: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration, centre
-#: of mass in the body frame, and number of the support.
-WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, SUPPORT = range(6)
-COLUMNS = 6
+#: of mass in the body frame, number of the support, and its extent in radii.
+WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, SUPPORT, SCALE = range(7)
+COLUMNS = 7
 
 
 class Effect(Protocol):
@@ -140,9 +140,9 @@ def _sum_of_gradients(effects, x, y, spin):
 
 @generic
 def wrench_about(kind: Any) -> Callable[..., Any]:
-    """Force and torque about the origin of a rotation about a centre (c_x, c_y), body frame.
+    """Force and torque about the origin of a rotation about a support point, whose own force is left out.
 
-    Parameters are effect or effects, c_x, c_y and spin.
+    Parameters are effect or effects, number of the point, spin, and place of the point in the body frame.
     """
     if isinstance(kind, tuple):
         return _single_wrench if len(kind) == 1 else _sum_of_wrenches
@@ -150,14 +150,14 @@ def wrench_about(kind: Any) -> Callable[..., Any]:
 
 
 @compiled
-def _single_wrench(effects, c_x, c_y, spin):
-    return wrench_about(effects[0], c_x, c_y, spin)
+def _single_wrench(effects, i, spin, c_x, c_y):
+    return wrench_about(effects[0], i, spin, c_x, c_y)
 
 
 @compiled
-def _sum_of_wrenches(effects, c_x, c_y, spin):
-    a, b, c = wrench_about(effects[0], c_x, c_y, spin)
-    d, e, f = wrench_about(effects[1:], c_x, c_y, spin)
+def _sum_of_wrenches(effects, i, spin, c_x, c_y):
+    a, b, c = wrench_about(effects[0], i, spin, c_x, c_y)
+    d, e, f = wrench_about(effects[1:], i, spin, c_x, c_y)
     return a + d, b + e, c + f
 
 

@@ -11,7 +11,7 @@ from math import sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.any_support import Support
+from planar_pushing.mechanics.effects.any_support import Support, point
 from planar_pushing.mechanics.effects.base import wrench_about
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.reduced.general import Motion
@@ -44,11 +44,11 @@ class Pivot(NamedTuple):
 
 
 @compiled
-def _about(effects, length, point, spin):
+def _about(effects, length, i, spin):
     """Motion of the contact about a point, and force and torque at the contact, the point's own apart."""
-    r_x, r_y = point[0] + length, point[1]
-    f_x, f_y, torque = wrench_about(effects, point[0], point[1], spin)
-    return Motion(spin * r_y, -spin * r_x, spin), f_x, f_y, torque + length * f_y
+    x, y, _ = point(effects[0], i)
+    f_x, f_y, torque = wrench_about(effects, i, spin, x, y)
+    return Motion(spin * y, -spin * (x + length), spin), f_x, f_y, torque + length * f_y
 
 
 @compiled
@@ -81,32 +81,32 @@ def _no_pivot_of(effects, length, x, y):
 
 @compiled
 def _pivot_under(effects, line):
-    points = effects[0].pressure.atoms
-    for i in range(len(points)):
-        r_x, r_y = points[i, 0] + line.length, points[i, 1]
-        arm = line.x * r_y - line.y * r_x
+    t_x, t_y = line.x, line.y
+    for i in range(len(effects[0].pressure.atoms)):
+        x, y, most = point(effects[0], i)
+        r_x, r_y = x + line.length, y
+        arm = t_x * r_y - t_y * r_x
         if abs(arm) <= DIRECTION * (abs(r_x) + abs(r_y)):
             continue
-        motion, f_x, f_y, torque = _about(effects, line.length, points[i], line.along / arm)
-        across = line.x * f_y - line.y * f_x
-        e_x, e_y = (torque * line.x - r_x * across) / arm, (torque * line.y - r_y * across) / arm
-        most = effects[0].weight * points[i, 2] * (1.0 + SHARE)
-        if e_x * e_x + e_y * e_y <= most * most:
+        motion, f_x, f_y, torque = _about(effects, line.length, i, line.along / arm)
+        across = t_x * f_y - t_y * f_x
+        e_x, e_y = (torque * t_x - r_x * across) / arm, (torque * t_y - r_y * across) / arm
+        if sqrt(e_x * e_x + e_y * e_y) <= most * (1.0 + SHARE):
             return Pivot(i, motion, f_x + e_x, f_y + e_y, 0.0, 0.0)
     return none()
 
 
 @compiled
 def _pivot_of(effects, length, x, y):
-    points, speed = effects[0].pressure.atoms, sqrt(x * x + y * y)
-    for i in range(len(points)):
-        r_x, r_y = points[i, 0] + length, points[i, 1]
+    speed = sqrt(x * x + y * y)
+    for i in range(len(effects[0].pressure.atoms)):
+        p_x, p_y, most = point(effects[0], i)
+        r_x, r_y = p_x + length, p_y
         reach = sqrt(r_x * r_x + r_y * r_y)
         if reach == 0.0 or abs(x * r_x + y * r_y) > DIRECTION * speed * reach:
             continue
-        spin = (x * r_y - y * r_x) / (reach * reach)
-        motion, f_x, f_y, torque = _about(effects, length, points[i], spin)
-        most, part = effects[0].weight * points[i, 2], -torque / reach
+        motion, f_x, f_y, torque = _about(effects, length, i, (x * r_y - y * r_x) / (reach * reach))
+        part = -torque / reach
         if abs(part) <= most * (1.0 + SHARE):
             free = sqrt(max(most * most - part * part, 0.0)) / reach
             f_x, f_y = f_x - part * r_y / reach, f_y + part * r_x / reach

@@ -1,0 +1,68 @@
+"""The pressures of several supports in one table, of which the compiled core takes one by its number."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.supports.pressure.record import Array, Pressure
+
+#: The pieces of a record, in the order of the columns of `Table.starts`.
+PIECES = ("atoms", "segments", "rings", "discs", "plates")
+
+
+class Table(NamedTuple):
+    """Pressures one behind the other, each in units of its own extent.
+
+    Attributes
+    ----------
+    centers : ndarray, shape (n, 2)
+        Centres of pressure.
+    starts : ndarray of int, shape (n + 1, 5)
+        Where the pieces of each support begin, in the order of `PIECES`.
+    atoms, segments, rings, discs, plates, first, edges, multipoles : ndarray
+        As in `Pressure`, of all supports.
+    """
+
+    centers: Array
+    starts: Any
+    atoms: Array
+    segments: Array
+    rings: Array
+    discs: Array
+    plates: Array
+    first: Any
+    edges: Array
+    multipoles: Array
+
+
+def table_of(supports: Sequence[Any]) -> Table:
+    """The table of supports, whose `record` gives each one's pressure."""
+    records = [support.record(support.extent) for support in supports]
+    counts = [[len(getattr(record, name)) for name in PIECES] for record in records]
+    edges = np.cumsum([0, *(len(record.edges) for record in records)])
+    first = [record.first[:-1] + start for record, start in zip(records, edges, strict=False)]
+    return Table(
+        np.array([[record.center_x, record.center_y] for record in records]),
+        np.cumsum([[0] * len(PIECES), *counts], axis=0),
+        *(np.concatenate([getattr(record, name) for record in records]) for name in PIECES),
+        np.concatenate([*first, edges[-1:]]),
+        np.concatenate([record.edges for record in records]),
+        np.concatenate([record.multipoles for record in records]),
+    )
+
+
+@compiled
+def pressure_of(table, i):
+    """One of the pressures."""
+    start, end = table.starts[i], table.starts[i + 1]
+    return Pressure(
+        table.centers[i, 0], table.centers[i, 1], 1.0,
+        table.atoms[start[0] : end[0]], table.segments[start[1] : end[1]],
+        table.rings[start[2] : end[2]], table.discs[start[3] : end[3]],
+        table.plates[start[4] : end[4]], table.first[start[4] : end[4] + 1],
+        table.edges, table.multipoles[start[4] : end[4]],
+    )  # fmt: skip
