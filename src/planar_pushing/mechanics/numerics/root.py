@@ -12,10 +12,11 @@ from planar_pushing.mechanics.compiled import compiled, generic
 EQUATIONS: dict[type, Callable[..., Any]] = {}
 
 EPSILON = 2.220446049250313e-16
-#: Newton steps that shrink by more than this factor converge quadratically: the next one is the cube of
-#: this one over the square of the last. Where that is below rounding, or two steps in a row are this small
-#: relative to the root, the iteration ends. Beside an infinite slope steps shrink slowly.
-QUADRATIC, SETTLED = 0.02, 1e-12
+#: Newton steps below this part of the root that shrink by more than this factor converge quadratically:
+#: the next one is the cube of this one over the square of the last. Where that is below rounding, or two
+#: steps in a row are this small relative to the root, the iteration ends. Beside an infinite slope steps
+#: shrink slowly.
+NEAR, QUADRATIC, SETTLED = 0.1, 0.02, 1e-12
 #: More than bisection needs to take a bracket of the domain to its end.
 STEPS = 200
 
@@ -72,8 +73,9 @@ def root(equation, low, high, start):
         newton = low <= new <= high and slope < inf
         newton = newton and (step <= last / 2 or step <= SETTLED * abs(new))
         if newton:
-            quadratic = step <= QUADRATIC * last and step**3 <= EPSILON * abs(new) * last**2
-            if before and (quadratic or max(step, last) <= SETTLED * abs(new)):
+            quadratic = last <= NEAR * abs(new) and step <= QUADRATIC * last
+            ends = quadratic and step**3 <= EPSILON * abs(new) * last**2
+            if before and (ends or max(step, last) <= SETTLED * abs(new)):
                 return new, True
         elif high - low <= 2.0 * EPSILON * max(abs(low), abs(high)):
             return x, _crosses(equation, low, high, above, below)
