@@ -20,7 +20,7 @@ from .mechanics.contact import (
     Outcome,
     PerfectlyRough,
 )
-from .mechanics.effects import Inertia, RingFriction
+from .mechanics.effects import Inertia, RingFriction, SupportFriction
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solve import Solution, SolutionArrays, Solutions, solve

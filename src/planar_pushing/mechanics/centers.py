@@ -24,13 +24,13 @@ from planar_pushing.mechanics.numerics.arrays import Output, evaluated
 from planar_pushing.mechanics.plane import (
     contact_motion_angle,
     moment_arm,
-    motion_center,
     rod,
     toward,
 )
 from planar_pushing.mechanics.reduced import base
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.domain import Number, required, required_ratio
+from planar_pushing.terms.errors import InvalidValue
 
 #: Column behind those of `cones`: the rod's length from the origin of the centres.
 REACH = SECOND + 1
@@ -53,9 +53,9 @@ def _centers(kinds, rows, centers):
         row = rows[i]
         own = rod(row[LENGTH], row[ANGLE])
         force = toward(own, row[FIRST])
-        ratio = base.spin_ratio(made(kinds, row), own, force)
-        x, y = motion_center(rod(row[REACH], row[ANGLE]), force.angle, ratio)
-        centers[i, 0], centers[i, 1] = row[SECOND] * x, row[SECOND] * y
+        x, y = base.center_under(made(kinds, row), own, force)
+        centers[i, 0] = row[SECOND] * (x + row[REACH] * own.x)
+        centers[i, 1] = row[SECOND] * (y + row[REACH] * own.y)
 
 
 def motion_centers(
@@ -141,6 +141,11 @@ def conservative_motion_cone(scene: Scene) -> Any:
         Where an effect does not turn the slider about a point of the ring under a tangent force, as
         facts 5-7 of Sec. 4 presume: with inertia the radius of gyration must be the ring's radius.
     """
+    if not scene.isotropic:
+        raise InvalidValue(
+            "effects", scene.effects, "effects that are isotropic about the slider's centre",
+            "use motion_cone, which is exact for every support",
+        )  # fmt: skip
     if scene.stores_energy:
         required_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
     law = scene.law

@@ -37,9 +37,10 @@ def friction_cone(scene: Scene) -> Any:
 
 def effect_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
     """Columns of `made` at unit centre speed: the effects' shares of the force in a translation."""
-    if len(scene.kinds) == 1:
-        return [1.0, 1.0, scene.inertia[1]]
-    return [1.0 - inertia_share, inertia_share, scene.inertia[1]]
+    placed = [scene.inertia[1], *scene.placement]
+    if not (scene.friction and scene.masses):
+        return [1.0, 1.0, *placed]
+    return [1.0 - inertia_share, inertia_share, *placed]
 
 
 def rod_columns(scene: Scene) -> list[Number]:
@@ -49,7 +50,7 @@ def rod_columns(scene: Scene) -> list[Number]:
 
 def require_share(scene: Scene, inertia_share: Number | None) -> Number:
     """The share of inertia where the effects leave it open."""
-    if len(scene.kinds) == 1:
+    if not (scene.friction and scene.masses):
         if inertia_share is not None:
             raise InvalidValue(
                 "inertia_share", inertia_share, "None for a scene whose effects are of one kind",

@@ -88,7 +88,7 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
         A dataset where an argument is a DataArray.
     """
     # Force of each effect in a unit translation; 1 for one that is not there.
-    forces = [scene.weight, *scene.inertia]
+    forces = [scene.weight, *scene.inertia, *scene.placement]
     angle = required("force_angle", force_angle)
     found = evaluated(_curve, scene.kinds, [*forces, *rod_columns(scene), angle], OUTPUTS)
     if any(map(is_labelled, found)):

@@ -11,10 +11,13 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact.laws import Law
+from planar_pushing.mechanics.effects.any_mass import MassAt
 from planar_pushing.mechanics.effects.base import COLUMNS, made
+from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.modes import MOST, contact_modes
 from planar_pushing.mechanics.numerics.arrays import Output, mapped
-from planar_pushing.mechanics.plane import contact_motion, motion_center, rod, toward
+from planar_pushing.mechanics.plane import contact_motion, rod, toward
+from planar_pushing.mechanics.reduced.base import MOTION, center_of
 from planar_pushing.terms.domain import required, required_ratio
 from planar_pushing.terms.errors import InvalidValue
 
@@ -24,7 +27,7 @@ LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, TOWARDS, SIZE, FORCE, RADIUS =
 )
 #: Solutions that fit along the axis `solution`, of scenes with one effect and with friction and inertia.
 SOLUTIONS = {1: 4, 2: 8}
-NO_MODE = -1
+NO_MODE, NO_PIVOT = -1, -1
 XY = ("xy", 2)
 
 
@@ -36,10 +39,12 @@ def outputs(count: int) -> tuple[Output, ...]:
         Output("solutions", (), "i1"),
         Output("mode", (many,), "i1"),
         Output("force", (many, XY)),
+        Output("force_end", (many, XY)),
         Output("twist", (many, ("twist_component", 3))),
         Output("contact_motion", (many, XY)),
         Output("spin_ratio", (many,)),
         Output("center", (many, XY)),
+        Output("pivot", (many,), "i4"),
     )
 
 
@@ -52,36 +57,40 @@ def spin_ratio(speed, spin):
 
 
 @compiled
-def _write(own, motion, row, force, twist, contact, center):
+def _write(effects, own, motion, row, force, end, twist, contact, center):
     """Write down one solution in the units of the scene; its spin ratio."""
-    v_x, v_y, spin, f_x, f_y = motion
+    v_x, v_y, spin, f_x, f_y, g_x, g_y, _ = motion
     size, radius = row[SIZE], row[RADIUS]
     u_x, u_y = contact_motion(own, v_x, v_y, spin)
     force[0], force[1] = row[FORCE] * f_x, row[FORCE] * f_y
+    end[0], end[1] = row[FORCE] * g_x, row[FORCE] * g_y
     twist[0], twist[1], twist[2] = size * v_x, size * v_y, size * spin / radius
     contact[0], contact[1] = size * u_x, size * u_y
-    ratio = spin_ratio(hypot(v_x, v_y), spin)
-    x, y = motion_center(own, np.arctan2(f_y, f_x), ratio)
+    x, y = center_of(effects, own, motion)
     center[0], center[1] = radius * x, radius * y
-    return ratio
+    return spin_ratio(hypot(v_x, v_y), spin)
 
 
 @compiled
-def _modes(kinds, rows, counts, modes, forces, twists, contacts, ratios, centers):
-    every, motions = np.empty(MOST, np.int8), np.empty((MOST, 5))
+def _modes(
+    kinds, rows, counts, modes, forces, ends, twists, contacts, ratios, centers, pivots
+):
+    every, motions = np.empty(MOST, np.int8), np.empty((MOST, MOTION))
     for i in range(len(rows)):
         row = rows[i]
-        own = rod(row[LENGTH], row[ANGLE])
+        effects, own = made(kinds, row), rod(row[LENGTH], row[ANGLE])
         law = Law(row[RIGHT], row[LEFT], row[SLIPS] != 0.0, row[CLOSED] != 0.0, row[ROUGH] != 0.0)
         pusher, moves = toward(own, row[TOWARDS]), row[SIZE] > 0.0
-        count = contact_modes(made(kinds, row), own, law, pusher, moves, every, motions)
-        counts[i], modes[i] = count, NO_MODE
-        forces[i], twists[i], contacts[i], ratios[i], centers[i] = nan, nan, nan, nan, nan
+        count = contact_modes(effects, own, law, pusher, moves, every, motions)
+        counts[i], modes[i], pivots[i] = count, NO_MODE, NO_PIVOT
+        forces[i], ends[i], twists[i], contacts[i] = nan, nan, nan, nan
+        ratios[i], centers[i] = nan, nan
         for j in range(min(count, modes.shape[1])):
-            modes[i, j] = every[j]
+            modes[i, j], pivots[i, j] = every[j], int(motions[j, 7])
             ratios[i, j] = _write(
-                own, motions[j], row, forces[i, j], twists[i, j], contacts[i, j], centers[i, j]
-            )
+                effects, own, motions[j], row,
+                forces[i, j], ends[i, j], twists[i, j], contacts[i, j], centers[i, j],
+            )  # fmt: skip
 
 
 def _forces(
@@ -96,7 +105,7 @@ def _forces(
         required_ratio("force_ratio", pull / np.asarray(weight))
         unit = np.maximum(weight, pull)
         return unit, weight / unit, pull / unit
-    return (weight if kinds[0]._fields == ("weight",) else pull), 1.0, 1.0
+    return (pull if isinstance(kinds[0], (Mass, MassAt)) else weight), 1.0, 1.0
 
 
 def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
@@ -107,20 +116,21 @@ def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     kinds : tuple
         Of effects, as `Scene.kinds`.
     *given : array_like
-        Weight, mass and square of the radius of gyration in radii; length and angle of the rod, radius; the
-        five entries of `Law`; angle and magnitude of the pusher's motion.
+        Weight, mass and square of the radius of gyration in radii; the entries of `Scene.placement`; length
+        and angle of the rod, radius; the five entries of `Law`; angle and magnitude of the pusher's motion.
 
     Returns
     -------
     list of ndarray
         As `outputs`; places without a solution hold NaN.
     """
-    weight, mass, gyration, length, angle, radius, *law, towards, size = given
+    weight, mass, gyration, *placed = given[:COLUMNS]
+    length, angle, radius, *law, towards, size = given[COLUMNS:]
     required("pusher_angle", towards)
     required("pusher_magnitude", size)
     unit, slow, fast = _forces(kinds, weight, mass, size)
     ratio = required_ratio("length_ratio", np.divide(length, radius))
-    columns = [slow, fast, gyration, ratio, angle, *law, towards, size, unit, radius]
+    columns = [slow, fast, gyration, *placed, ratio, angle, *law, towards, size, unit, radius]
     found = mapped(_modes, kinds, columns, outputs(len(kinds)))
     most = SOLUTIONS[len(kinds)]
     if found[0].size and found[0].max() > most:

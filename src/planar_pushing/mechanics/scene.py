@@ -2,31 +2,38 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.contact.laws import as_numbers, is_law
-from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction, SupportFriction
+from planar_pushing.mechanics.effects.any_mass import MassAt
+from planar_pushing.mechanics.effects.any_support import Supports
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.support_friction import RingSupport
+from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.pressure.table import Table, table_of
 from planar_pushing.terms.domain import Number, require_fields, required_ratio
 from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Slider:
-    """A ring with a massless rod, pushed at the rod's free end (Fig. 1).
+    """A body with a massless rod, pushed at the rod's free end (Fig. 1).
 
     Parameters
     ----------
     rod_length : float or array
-        l >= 0, from the contact to the ring centre, at most a million radii.
+        l >= 0, from the contact to the slider's centre, at most a million radii.
     rod_angle : float or array
         psi between the fence and the rod, radians, in (0, pi).
-    radius : float or array
-        R > 0; all lengths are in any one unit.
+    radius : float or array, optional
+        R > 0; all lengths are in any one unit. Without one a scene takes the largest distance of its
+        support from the centre of pressure, 1 for a ring.
 
     Raises
     ------
@@ -36,11 +43,13 @@ class Slider:
 
     rod_length: Number
     rod_angle: Number
-    radius: Number = 1.0
+    radius: Number = None
 
     def __post_init__(self) -> None:
-        require_fields(self, "rod_length", "rod_angle", "radius")
-        _ = self.length_ratio
+        require_fields(self, "rod_length", "rod_angle")
+        if self.radius is not None:
+            require_fields(self, "radius")
+            _ = self.length_ratio
 
     @property
     def length_ratio(self) -> Number:
@@ -55,10 +64,12 @@ class Scene:
     Parameters
     ----------
     slider : Slider
+        Its radius is filled in where it has none.
     contact : ContactLaw, or array of laws
         `Coulomb`, `InfiniteFriction` or `PerfectlyRough`.
     effects : tuple of effects
-        At least one of `RingFriction` and `Inertia`; an absent effect is never evaluated.
+        At least one of `SupportFriction`, its short form `RingFriction`, and `Inertia`; an absent effect is
+        never evaluated.
 
     Raises
     ------
@@ -83,18 +94,26 @@ class Scene:
                 "construct one of these laws",
             )  # fmt: skip
         effects = tuple(self.effects) if isinstance(self.effects, (tuple, list)) else ()
-        if not effects or not all(isinstance(each, (RingFriction, Inertia)) for each in effects):
+        if not effects or not all(isinstance(each, EFFECTS) for each in effects):
             raise InvalidValue(
-                "effects", self.effects, "a tuple of at least one of RingFriction and Inertia",
+                "effects", self.effects,
+                "a tuple of at least one of SupportFriction, RingFriction and Inertia",
                 "list what resists the motion, for instance (RingFriction(),)",
             )  # fmt: skip
         object.__setattr__(self, "effects", effects)
+        if self.slider.radius is None:
+            object.__setattr__(self, "slider", replace(self.slider, radius=_extents(self.friction)))
+        if len(self.friction) > 1 and not self.isotropic:
+            raise InvalidValue(
+                "effects", self.effects, "one SupportFriction that is no ring of the slider's radius",
+                "join the supports by Composite",
+            )  # fmt: skip
         _ = self.inertia
 
     @property
-    def friction(self) -> list[RingFriction]:
+    def friction(self) -> list[Any]:
         """The effects that dissipate energy."""
-        return [each for each in self.effects if isinstance(each, RingFriction)]
+        return [each for each in self.effects if each.degree == 1]
 
     @property
     def masses(self) -> list[Inertia]:
@@ -107,10 +126,22 @@ class Scene:
         return bool(self.masses)
 
     @property
+    def isotropic(self) -> bool:
+        """Whether the support is the slider's own ring, and the centre of mass its centre."""
+        radius = self.slider.radius
+        rings = all(_is_ring(each.support, radius) for each in self.friction)
+        return rings and not any(np.any(np.asarray(x) != 0) for m in self.masses for x in m.center)
+
+    @property
     def kinds(self) -> tuple[Any, ...]:
         """The effects in the compiled core, without their numbers: friction first."""
-        found: tuple[Any, ...] = (RingSupport(1.0),) if self.friction else ()
-        return (*found, Mass(1.0, 1.0)) if self.stores_energy else found
+        found: tuple[Any, ...] = ()
+        if self.isotropic:
+            found = (RingSupport(1.0),) if self.friction else ()
+            return (*found, Mass(1.0, 1.0)) if self.stores_energy else found
+        if self.friction:
+            found = (Supports(_table(self.friction[0].support)),)
+        return (*found, MassAt(1.0, 1.0, 0.0, 0.0)) if self.stores_energy else found
 
     @property
     def weight(self) -> Number:
@@ -123,17 +154,78 @@ class Scene:
         heavy = self.masses
         if not heavy:
             return 1.0, 1.0
-        mass = sum(each.mass for each in heavy)
+        mass, radius = sum(each.mass for each in heavy), self.slider.radius
         ratios = [
-            required_ratio("gyration_ratio", each.gyration_radius / self.slider.radius) ** 2
-            for each in heavy
+            required_ratio("gyration_ratio", each.gyration_radius / radius) ** 2 for each in heavy
         ]
         if len(heavy) == 1:
             return mass, ratios[0]
-        moment = sum(each.mass * ratio for each, ratio in zip(heavy, ratios, strict=True))
+        center = self.mass_center
+        moment = 0.0
+        for each, ratio in zip(heavy, ratios, strict=True):
+            apart = [own / radius - mean for own, mean in zip(each.center, center, strict=True)]
+            moment = moment + each.mass * (ratio + apart[0] ** 2 + apart[1] ** 2)
         return mass, moment / mass
+
+    @property
+    def mass_center(self) -> tuple[Number, Number]:
+        """Centre of mass in the body frame, in radii."""
+        if not self.masses:
+            return 0.0, 0.0
+        whole = self.slider.radius * sum(each.mass for each in self.masses)
+        x, y = (sum(each.mass * each.center[i] for each in self.masses) / whole for i in (0, 1))
+        return x, y
+
+    @property
+    def placement(self) -> list[Number]:
+        """Centre of mass in radii, number of the support, and its extent in radii."""
+        if self.isotropic or not self.friction:
+            return [*self.mass_center, 0.0, 1.0]
+        support = self.friction[0].support
+        number = np.arange(float(np.size(support))).reshape(np.shape(support))
+        return [*self.mass_center, _alike(support, number), _extents(self.friction) / self.slider.radius]
 
     @property
     def law(self) -> Any:
         """The contact law in numbers."""
         return as_numbers(self.contact)
+
+
+#: What a scene may list.
+EFFECTS = (SupportFriction, RingFriction, Inertia)
+
+
+def _is_ring(support: Any, radius: Number) -> bool:
+    """Whether supports are rings of the slider's radius."""
+    rings = np.ravel(np.array(support, dtype=object))
+    return all(
+        isinstance(ring, Ring) and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
+        for ring in rings
+    )
+
+
+def _alike(support: Any, numbers: Any) -> Any:
+    """Numbers of supports: one of one, labelled as they are."""
+    if hasattr(support, "dims"):
+        return support.copy(data=numbers)
+    return numbers if np.ndim(numbers) else float(numbers)
+
+
+def _extents(friction: Sequence[Any]) -> Number:
+    """Largest distances of the supports from their centres of pressure; 1 without one."""
+    if not friction:
+        return 1.0
+    support = friction[0].support
+    supports = np.array(support, dtype=object)
+    extents = np.array([each.extent for each in supports.ravel()]).reshape(supports.shape)
+    return _alike(support, extents)
+
+
+def _table(support: Any) -> Table:
+    """The pressures of a support, or of an array of supports."""
+    return _cached_table(tuple(np.ravel(np.array(support, dtype=object))))
+
+
+@lru_cache(maxsize=16)
+def _cached_table(supports: tuple[Any, ...]) -> Table:
+    return table_of(supports)

@@ -28,6 +28,8 @@ class Solution:
     mode : ContactMode
     force : ndarray, shape (2,)
         Force of the pusher on the slider.
+    force_end : ndarray, shape (2,)
+        The same; but a pivot leaves forces between two open, and this is the other one.
     contact_motion : ndarray, shape (2,)
         Velocity or initial acceleration of the slider at the contact.
     twist : ndarray, shape (3,)
@@ -36,14 +38,18 @@ class Solution:
         k = R omega / v; 0 at rest.
     center : ndarray, shape (2,)
         Motion centre relative to the contact; infinite for a translation and at rest.
+    pivot : int
+        Number of the support point about which the slider pivots, -1 without one.
     """
 
     mode: ContactMode
     force: Array
+    force_end: Array
     contact_motion: Array
     twist: Array
     spin_ratio: float
     center: Array
+    pivot: int
 
     @property
     def adhesive(self) -> bool:
@@ -85,19 +91,21 @@ class SolutionArrays:
         How many there are.
     mode : ndarray of int, shape S + (solutions,)
         Values of `ContactMode`, in their order; -1 behind the last solution, where the rest is NaN.
-    force, contact_motion, center : ndarray, shape S + (solutions, 2)
+    force, force_end, contact_motion, center : ndarray, shape S + (solutions, 2)
     twist : ndarray, shape S + (solutions, 3)
-    spin_ratio : ndarray, shape S + (solutions,)
+    spin_ratio, pivot : ndarray, shape S + (solutions,)
         As in `Solution`.
     """
 
     solutions: npt.NDArray[np.int8]
     mode: npt.NDArray[np.int8]
     force: Array
+    force_end: Array
     twist: Array
     contact_motion: Array
     spin_ratio: Array
     center: Array
+    pivot: npt.NDArray[np.int32]
 
     @property
     def consistent(self) -> npt.NDArray[np.bool_]:
@@ -113,8 +121,9 @@ class SolutionArrays:
 def arguments(scene: Scene, pusher_angle: Number, pusher_magnitude: Number) -> list[Number]:
     """The numbers of a scene and of a push, as `solve_arrays` takes them."""
     slider = scene.slider
+    effects = [scene.weight, *scene.inertia, *scene.placement]
     rod = [slider.rod_length, slider.rod_angle, slider.radius]
-    return [scene.weight, *scene.inertia, *rod, *scene.law, pusher_angle, pusher_magnitude]
+    return [*effects, *rod, *scene.law, pusher_angle, pusher_magnitude]
 
 
 def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) -> Any:
@@ -152,12 +161,13 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
 
 def _solutions(solutions: Any, mode: Any, **values: Array) -> Solutions:
     """The solutions of one problem."""
-    ratios = values.pop("spin_ratio").tolist()
+    ratios, pivots = values.pop("spin_ratio").tolist(), values.pop("pivot").tolist()
     return Solutions(
         tuple(
             Solution(
                 mode=ContactMode(mode[i]),
                 spin_ratio=ratios[i],
+                pivot=pivots[i],
                 **{name: value[i] for name, value in values.items()},
             )
             for i in range(int(solutions))

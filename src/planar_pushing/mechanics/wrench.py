@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import hypot, inf
+from math import inf
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect
-from planar_pushing.mechanics.effects.base import COLUMNS, made, response
+from planar_pushing.mechanics.effects.base import COLUMNS, made, wrench_of
 from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
@@ -25,23 +25,19 @@ def _wrenches(kinds, rows, wrenches):
     """The subgradient nearest zero at rest."""
     for i in range(len(rows)):
         v_x, v_y, spin = rows[i, V_X], rows[i, V_Y], rows[i, SPIN]
-        speed = hypot(v_x, v_y)
         wrenches[i] = 0.0
-        if speed > 0.0 or spin != 0.0:
-            force, torque, _, _, _ = response(made(kinds, rows[i]), speed, spin)
-            wrenches[i, 2] = torque
-            if speed > 0.0:
-                wrenches[i, 0], wrenches[i, 1] = force * (v_x / speed), force * (v_y / speed)
+        if v_x != 0.0 or v_y != 0.0 or spin != 0.0:
+            wrenches[i] = wrench_of(made(kinds, rows[i]), v_x, v_y, spin)
 
 
 def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
-    """Wrench at the ring centre that sustains twists, the gradient of the effect's potential.
+    """Wrench at the slider's centre that sustains twists, the gradient of the effect's potential.
 
     Parameters
     ----------
-    effect : RingFriction or Inertia
+    effect : SupportFriction, RingFriction or Inertia
     twist : array_like, shape S + (3,)
-        (v_x, v_y, omega) at the ring centre.
+        (v_x, v_y, omega) at the slider's centre, in the body frame.
     slider : Slider, optional
         Gives the ring its radius, 1 without.
 
@@ -52,16 +48,18 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     """
     own = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
     scene = Scene(slider=own, contact=PerfectlyRough(), effects=(effect,))
+    radius = scene.slider.radius
     twists = np.asarray(twist, dtype=float)
     columns = [
         scene.weight,
         *scene.inertia,
+        *scene.placement,
         twists[..., 0],
         twists[..., 1],
-        own.radius * twists[..., 2],
+        radius * twists[..., 2],
     ]
     found = mapped(_wrenches, scene.kinds, columns, WRENCH)[0]
-    found[..., 2] *= own.radius
+    found[..., 2] *= radius
     return np.asarray(found)
 
 

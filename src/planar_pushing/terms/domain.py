@@ -47,6 +47,9 @@ RANGES = {
         "keep the slider above the fence",
     ),
     "radius": _positive("give the ring's radius in the unit of the rod length"),
+    "mass_center": Range(
+        np.isfinite, "a finite number", "give x and y of the centre of mass in the body frame",
+    ),
     "friction_coefficient": Range(
         lambda x: (x >= 0) & (x <= ROUGHEST), f"a number in [0, {ROUGHEST:g}]",
         "use the law of infinite friction where no coefficient is large enough",

@@ -134,6 +134,8 @@ MECHANICS: Quantities = {
     "right": ("radian", "right edge of the cone"),
     "consistent": ("1", "whether there is a solution in this place"),
     "force_size": ("force", "size of the force on the limit curve"),
+    "force_end": ("force", "other end of the forces that a pivot leaves open; else the force"),
+    "pivot": ("1", "number of the support point about which the slider pivots, -1 without one"),
     "solutions": ("1", "number of consistent solutions"),
     "twist": ("motion", "twist of the slider at the ring centre; the rotation in motion/length"),
 }

@@ -3,7 +3,7 @@
 from planar_pushing.mechanics.effects import any_mass, any_support, base, inertia, support_friction
 from planar_pushing.mechanics.effects.base import Effect
 from planar_pushing.mechanics.effects.inertia import Inertia
-from planar_pushing.mechanics.effects.support_friction import RingFriction
+from planar_pushing.mechanics.effects.support_friction import RingFriction, SupportFriction
 
 base.KINDS.update(
     {
@@ -15,4 +15,4 @@ base.KINDS.update(
     }
 )
 
-__all__ = ["Effect", "Inertia", "RingFriction"]
+__all__ = ["Effect", "Inertia", "RingFriction", "SupportFriction"]

@@ -9,6 +9,7 @@ tuple of those that it has.
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import sqrt
 from typing import Any, Protocol
 
 from planar_pushing.mechanics.compiled import compiled, generic
@@ -67,6 +68,28 @@ def _sum(effects, speed, spin):
     a, b, c, d, e = response(effects[0], speed, spin)
     f, g, h, i, j = response(effects[1:], speed, spin)
     return a + f, b + g, c + h, d + i, e + j
+
+
+@generic
+def wrench_of(kinds: Any) -> Callable[..., Any]:
+    """Force and torque at a motion (v_x, v_y, s) of the origin that is not rest: effects, v_x, v_y, s.
+
+    The frame is that of the motion; effects that are not isotropic see the body frame.
+    """
+    return _along_motion if hasattr(KINDS[kinds[0]], "response") else _of_gradient
+
+
+@compiled
+def _along_motion(effects, x, y, spin):
+    speed = sqrt(x * x + y * y)
+    force, torque, _, _, _ = response(effects, speed, spin)
+    part = force / speed if speed > 0.0 else 0.0
+    return part * x, part * y, torque
+
+
+@compiled
+def _of_gradient(effects, x, y, spin):
+    return gradient(effects, x, y, spin)[:3]
 
 
 @generic

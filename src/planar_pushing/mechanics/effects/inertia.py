@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import GYRATION, MASS
-from planar_pushing.terms.domain import Number, require_fields
+from planar_pushing.terms.domain import Number, require_fields, required
+from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,19 +20,29 @@ class Inertia:
     mass : float or array
         m > 0.
     gyration_radius : float or array
-        rho > 0 about the ring centre, in the unit of the slider's lengths.
+        rho > 0 about the centre of mass, in the unit of the slider's lengths.
+    center : (x, y), of floats or arrays
+        Centre of mass in the body frame: origin at the slider's centre, x along the rod and away from the
+        contact.
 
     Raises
     ------
     InvalidValue
-        Where a parameter is not a positive finite number.
+        Where a parameter is not a positive finite number, or the centre not two finite ones.
     """
 
     mass: Number = 1.0
     gyration_radius: Number = 1.0
+    center: tuple[Number, Number] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
         require_fields(self, "mass", "gyration_radius")
+        if not isinstance(self.center, (tuple, list)) or len(self.center) != 2:
+            raise InvalidValue(
+                "center", self.center, "two finite numbers", "give x and y in the body frame"
+            )
+        center = tuple(required("mass_center", each) for each in self.center)
+        object.__setattr__(self, "center", center)
 
     @property
     def degree(self) -> int:

@@ -3,12 +3,53 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import WEIGHT
 from planar_pushing.mechanics.supports import ring
+from planar_pushing.mechanics.supports.base import Support
+from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.domain import Number, require_fields
+from planar_pushing.terms.errors import InvalidValue
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SupportFriction:
+    """Coulomb friction between the slider and its support.
+
+    Parameters
+    ----------
+    support : Support, or array of supports
+        Where the slider presses on the plane: `Ring`, `Points`, `Segment`, `Disc`, `Annulus`, `Polygon`,
+        `PressureMap` or `Composite`.
+    weight : float or array
+        W > 0: the slider's weight times the coefficient of support friction.
+
+    Raises
+    ------
+    InvalidValue
+        Where the weight is not a positive finite number, or something else than a support is given.
+    """
+
+    support: Any = Ring()
+    weight: Number = 1.0
+
+    def __post_init__(self) -> None:
+        require_fields(self, "weight")
+        supports = np.ravel(np.array(self.support, dtype=object))
+        if not len(supports) or not all(isinstance(each, Support) for each in supports):
+            raise InvalidValue(
+                "support", self.support,
+                "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",
+                "construct one of these supports",
+            )  # fmt: skip
+
+    @property
+    def degree(self) -> int:
+        return 1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,6 +71,11 @@ class RingFriction:
 
     def __post_init__(self) -> None:
         require_fields(self, "weight")
+
+    @property
+    def support(self) -> Ring:
+        """The ring, of the slider's radius."""
+        return Ring()
 
     @property
     def degree(self) -> int:

@@ -79,3 +79,18 @@ def motion_angle(kinds: Any) -> Callable[..., Any]:
 def motion_angles(kinds: Any) -> Callable[..., Any]:
     """Least and greatest `motion_angle` over all magnitudes of the motion."""
     return _family(kinds, isotropic, pressed).motion_angles
+
+
+@generic
+def center_of(kinds: Any) -> Callable[..., Any]:
+    """Motion centre relative to the contact, in radii, of a motion that is written down: effects, rod, motion.
+
+    Of a translation the coordinates are infinite, or the slider's centre's where it moves along them.
+    """
+    return _family(kinds, isotropic, pressed).center_of
+
+
+@generic
+def center_under(kinds: Any) -> Callable[..., Any]:
+    """Motion centre relative to the slider's centre under a force in a direction, as `motion_angle`."""
+    return _family(kinds, isotropic, pressed).center_under

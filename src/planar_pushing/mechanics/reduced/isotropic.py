@@ -14,7 +14,7 @@ of friction and inertia in this order.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import copysign, sqrt
+from math import atan2, copysign, hypot, inf, sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.angles import RESOLUTION
@@ -22,7 +22,7 @@ from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import response, spin_ratio_alone
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
-from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm
+from planar_pushing.mechanics.plane import Rod, contact_motion_angle, moment_arm, motion_center
 
 #: Speed that stands for one below the smallest double, so that its force has a direction.
 SLOWEST = 1e-300
@@ -165,3 +165,17 @@ def limit_motion(effects, own, force):
     speed = _curve_speed(effects, ratio)
     magnitude = response(effects, speed, speed * ratio)[0]
     return magnitude, ratio, contact_motion_angle(own, force, ratio)
+
+
+@compiled
+def center_of(effects, own, motion):
+    """As `base.center_of`."""
+    speed, spin = hypot(motion[0], motion[1]), motion[2]
+    ratio = spin / speed if speed > 0.0 else copysign(inf, spin) if spin != 0.0 else 0.0
+    return motion_center(own, atan2(motion[4], motion[3]), ratio)
+
+
+@compiled
+def center_under(effects, own, force):
+    """As `base.center_under`."""
+    return motion_center(Rod(0.0, own.angle, own.x, own.y), force.angle, spin_ratio(effects, own, force))

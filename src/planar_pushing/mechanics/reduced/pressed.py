@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan2, exp, hypot
+from math import atan2, copysign, exp, hypot, inf
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.angles import RESOLUTION
@@ -254,3 +254,26 @@ def slips(effects, own, edge, normal, found):
             count += 1
         low, last = z, lack
     return count
+
+
+@compiled
+def _center(moved_x, moved_y, spin):
+    """Motion centre from the origin of a motion."""
+    if spin != 0.0:
+        return -moved_y / spin, moved_x / spin
+    x = -copysign(inf, moved_y) if moved_y != 0.0 else 0.0
+    return x, copysign(inf, moved_x) if moved_x != 0.0 or x == 0.0 else 0.0
+
+
+@compiled
+def center_of(effects, own, motion):
+    """As `base.center_of`."""
+    x, y = _center(motion[0], motion[1], motion[2])
+    return x + own.length * own.x, y + own.length * own.y
+
+
+@compiled
+def center_under(effects, own, force):
+    """As `base.center_under`."""
+    moved = _typical(effects, own, force)
+    return _center(moved.v_x, moved.v_y, moved.spin)
