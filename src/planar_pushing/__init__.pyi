@@ -24,6 +24,14 @@ from .mechanics.effects import Inertia, RingFriction, SupportFriction
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solve import Solution, SolutionArrays, Solutions, solve
+from .mechanics.supports.annulus import Annulus
+from .mechanics.supports.composite import Composite
+from .mechanics.supports.disc import Disc
+from .mechanics.supports.even_ring import Ring
+from .mechanics.supports.points import Points
+from .mechanics.supports.polygon import Polygon
+from .mechanics.supports.pressure_map import PressureMap
+from .mechanics.supports.segment import Segment
 from .mechanics.wrench import potential, wrench
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
@@ -38,8 +46,11 @@ from .terms.errors import (
 
 __all__ = [
     "AngleInterval",
+    "Annulus",
+    "Composite",
     "ContactMode",
     "Coulomb",
+    "Disc",
     "Inertia",
     "InfiniteFriction",
     "InvalidFile",
@@ -48,13 +59,19 @@ __all__ = [
     "Outcome",
     "PerfectlyRough",
     "PlanarPushingError",
+    "Points",
+    "Polygon",
+    "PressureMap",
     "Pusher",
+    "Ring",
     "RingFriction",
     "Scene",
+    "Segment",
     "Slider",
     "Solution",
     "SolutionArrays",
     "Solutions",
+    "SupportFriction",
     "can_pull",
     "conservative_motion_cone",
     "friction_cone",

@@ -72,9 +72,7 @@ def _write(effects, own, motion, row, force, end, twist, contact, center):
 
 
 @compiled
-def _modes(
-    kinds, rows, counts, modes, forces, ends, twists, contacts, ratios, centers, pivots
-):
+def _modes(kinds, rows, counts, modes, forces, ends, twists, contacts, ratios, centers, pivots):
     every, motions = np.empty(MOST, np.int8), np.empty((MOST, MOTION))
     for i in range(len(rows)):
         row = rows[i]

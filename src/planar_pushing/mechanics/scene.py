@@ -183,7 +183,11 @@ class Scene:
             return [*self.mass_center, 0.0, 1.0]
         support = self.friction[0].support
         number = np.arange(float(np.size(support))).reshape(np.shape(support))
-        return [*self.mass_center, _alike(support, number), _extents(self.friction) / self.slider.radius]
+        return [
+            *self.mass_center,
+            _alike(support, number),
+            _extents(self.friction) / self.slider.radius,
+        ]
 
     @property
     def law(self) -> Any:
@@ -199,7 +203,8 @@ def _is_ring(support: Any, radius: Number) -> bool:
     """Whether supports are rings of the slider's radius."""
     rings = np.ravel(np.array(support, dtype=object))
     return all(
-        isinstance(ring, Ring) and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
+        isinstance(ring, Ring)
+        and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
         for ring in rings
     )
 

@@ -3,8 +3,8 @@
 All is seen in the body frame: x along the rod and away from the contact, y to its left, lengths in radii. A
 motion is that of the contact, (x, y), with the rotation `spin`. Psi is what is left of the potential at the
 rotation of no torque. The motion under a line of force of direction t that has ``t . u`` given is the one
-of least Psi: its force has no part across t. Both unknowns are roots of increasing functions, which jump
-where the centre of rotation is a support point; those are tried first (`pivots`).
+of least potential: its force has no part across t and no torque about the contact. The potential is convex,
+with kinks where the centre of rotation is a support point; those are tried first (`pivots`).
 """
 
 from __future__ import annotations
@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import fastest, gradient, rough
-from planar_pushing.mechanics.numerics.root import EQUATIONS, root
+from planar_pushing.mechanics.numerics.root import EPSILON, EQUATIONS, root
 
-#: Doublings of a bracket, more than the domain needs.
-DOUBLINGS = 80
+#: Newton steps at most, and trials of one; what a step has to leave of the slope at most; and the relative size
+#: of a step after which the error is rounding.
+STEPS, CUTS, ENOUGH, SETTLED = 100, 12, 0.5, 1e-12
 
 
 class Felt(NamedTuple):
@@ -51,7 +52,7 @@ class TorqueOfSpin(NamedTuple):
 
 
 class Line(NamedTuple):
-    """Force across a line over the contact's motion across it, its part along the line being given."""
+    """A line of force at the contact, and the part of the contact's motion along it."""
 
     effects: tuple[Any, ...]
     length: float
@@ -74,6 +75,9 @@ def felt(effects, length, motion):
 def _torque_of_spin(of, spin):
     now = felt(of.effects, of.length, Motion(of.x, of.y, spin))
     return now.torque, now.ss
+
+
+EQUATIONS[TorqueOfSpin] = _torque_of_spin
 
 
 @compiled
@@ -99,50 +103,60 @@ def spin_of(effects, length, x, y):
 
 
 @compiled
-def moved(line, across):
-    """The motion with a part across the line, at the rotation of no torque."""
-    x, y = line.along * line.x - across * line.y, line.along * line.y + across * line.x
-    return Motion(x, y, spin_of(line.effects, line.length, x, y))
-
-
-@compiled
-def _force_across(line, across):
-    now, t_x, t_y = felt(line.effects, line.length, moved(line, across)), line.x, line.y
-    bend = now.xx * t_y * t_y - 2.0 * now.xy * t_x * t_y + now.yy * t_x * t_x
-    turn = now.ys * t_x - now.xs * t_y
-    slope = bend - turn * turn / now.ss if now.ss > 0.0 else bend
-    return now.f_y * t_x - now.f_x * t_y, slope
-
-
-EQUATIONS.update({TorqueOfSpin: _torque_of_spin, Line: _force_across})
-
-
-@compiled
-def _rough_across(line):
-    """Motion across a line, as if the first effect were a mass."""
+def rough_motion(line):
+    """The motion under a line of force, as if the first effect were a mass."""
     c_x, c_y, gyration = rough(line.effects[0])
     r_x, r_y = -line.length - c_x, -c_y
     arm = r_x * line.y - r_y * line.x
-    spin = arm / gyration
-    return line.along * spin * (r_x * line.x + r_y * line.y) / (1.0 + spin * arm)
+    spin = line.along * arm / (gyration + arm * arm)
+    across = spin * (r_x * line.x + r_y * line.y)
+    return _composed(line, across, spin)
 
 
 @compiled
-def _bracket(line, start):
-    """Motions across a line under which the force across it is of either sign."""
-    width = line.along / 8.0 + abs(start) / 8.0
-    rises = _force_across(line, start)[0] > 0.0
-    near, far = start, start - width if rises else start + width
-    for _ in range(DOUBLINGS):
-        if (_force_across(line, far)[0] > 0.0) != rises:
+def _composed(line, across, spin):
+    """The motion with a part across the line and a rotation."""
+    x, y = line.along * line.x - across * line.y, line.along * line.y + across * line.x
+    return Motion(x, y, spin)
+
+
+@compiled
+def _slopes(line, motion):
+    """Slopes of the potential across the line and over the rotation, and its second derivatives."""
+    now, t_x, t_y = felt(line.effects, line.length, motion), line.x, line.y
+    bend = now.xx * t_y * t_y - 2.0 * now.xy * t_x * t_y + now.yy * t_x * t_x
+    turn = now.ys * t_x - now.xs * t_y
+    return now.f_y * t_x - now.f_x * t_y, now.torque, bend, turn, now.ss
+
+
+@compiled
+def motion_under(line, start):
+    """The motion under a line of force: Newton's method in its part across the line and its rotation.
+
+    Along a step the slope of the convex potential increases; a step that it does not fall enough in is
+    cut to where the secant has the slope zero.
+    """
+    across, spin = start.y * line.x - start.x * line.y, start.spin
+    one, other, bend, turn, stiff = _slopes(line, start)
+    for _ in range(STEPS):
+        # Rounding may leave a flat potential without curvature.
+        whole = max(bend * stiff - turn * turn, EPSILON * bend * stiff)
+        if not whole > 0.0:
             break
-        width *= 2.0
-        near, far = far, far - width if rises else far + width
-    return min(near, far), max(near, far)
-
-
-@compiled
-def motion_under(line):
-    """The motion under a line of force."""
-    low, high = _bracket(line, _rough_across(line))
-    return moved(line, root(line, low, high, low + (high - low) / 2.0)[0])
+        step, swing = (turn * other - stiff * one) / whole, (turn * one - bend * other) / whole
+        slope = one * step + other * swing
+        settled = abs(step) <= SETTLED * (line.along + abs(across)) and abs(swing) <= SETTLED * abs(
+            spin
+        )
+        part = 1.0
+        for _ in range(CUTS):
+            motion = _composed(line, across + part * step, spin + part * swing)
+            one, other, bend, turn, stiff = _slopes(line, motion)
+            last = one * step + other * swing
+            if settled or abs(last) <= ENOUGH * abs(slope):
+                break
+            part *= slope / (slope - last) if last > 0.0 else 2.0
+        across, spin = across + part * step, spin + part * swing
+        if settled:
+            break
+    return _composed(line, across, spin)

@@ -178,4 +178,6 @@ def center_of(effects, own, motion):
 @compiled
 def center_under(effects, own, force):
     """As `base.center_under`."""
-    return motion_center(Rod(0.0, own.angle, own.x, own.y), force.angle, spin_ratio(effects, own, force))
+    return motion_center(
+        Rod(0.0, own.angle, own.x, own.y), force.angle, spin_ratio(effects, own, force)
+    )

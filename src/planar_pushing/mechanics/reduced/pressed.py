@@ -9,9 +9,17 @@ from typing import Any, NamedTuple
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.numerics.root import EQUATIONS, root
+from planar_pushing.mechanics.numerics.bracket import bracketed
+from planar_pushing.mechanics.numerics.root import EQUATIONS, excess
 from planar_pushing.mechanics.plane import Direction, Rod
-from planar_pushing.mechanics.reduced.general import Line, Motion, felt, motion_under, spin_of
+from planar_pushing.mechanics.reduced.general import (
+    Line,
+    Motion,
+    felt,
+    motion_under,
+    rough_motion,
+    spin_of,
+)
 from planar_pushing.mechanics.reduced.pivots import NOWHERE, pivot_of, pivot_under
 from planar_pushing.mechanics.reduced.sticking import Sustained
 
@@ -41,11 +49,10 @@ class Energy(NamedTuple):
 
 
 class Rise(NamedTuple):
-    """What the contact's normal motion lacks to be `normal`, with a sense in which it increases."""
+    """The contact's normal motion less a given one."""
 
     amount: Amount
     normal: float
-    sense: float
 
 
 @compiled
@@ -79,7 +86,7 @@ def pushed(effects, own, edge, along):
     pivot = pivot_under(effects, line)
     if pivot.index != NOWHERE:
         return _sustained(own, pivot.motion, pivot.f_x, pivot.f_y, 0.0, 0.0, pivot.index)
-    motion = motion_under(line)
+    motion = motion_under(line, rough_motion(line))
     now = felt(effects, own.length, motion)
     size = now.f_x * line.x + now.f_y * line.y
     return _sustained(own, motion, size * line.x, size * line.y, 0.0, 0.0, NOWHERE)
@@ -129,7 +136,7 @@ def _energy(of, z):
 
 @compiled
 def _lack(of, z):
-    return of.sense * (_rise(of.amount.own, _motion(of.amount, z)) - of.normal), 0.0
+    return _rise(of.amount.own, _motion(of.amount, z)) - of.normal, 0.0
 
 
 EQUATIONS.update({Speed: _speed, Energy: _energy, Rise: _lack})
@@ -149,7 +156,7 @@ def _of_unit_part(effects, own, force):
 @compiled
 def _of_unit_speed(effects, own, force):
     amount = Amount(effects, own, force)
-    return _motion(amount, root(Speed(amount), -RANGE, RANGE, 0.0)[0])
+    return _motion(amount, _sought(Speed(amount)))
 
 
 @compiled
@@ -191,7 +198,21 @@ def _on_curve(kinds: Any) -> Callable[..., Any]:
 @compiled
 def _of_unit_energy(effects, own, force):
     amount = Amount(effects, own, force)
-    return _motion(amount, root(Energy(amount), -RANGE, RANGE, 0.0)[0])
+    return _motion(amount, _sought(Energy(amount)))
+
+
+@compiled
+def _sought(equation):
+    """Root of an equation that increases with the part of the motion along its line."""
+    width, at = 1.0, excess(equation, 0.0)[0]
+    while True:
+        other = -width if at > 0.0 else width
+        beyond = excess(equation, other)[0]
+        if (beyond > 0.0) != (at > 0.0) or width >= RANGE:
+            return bracketed(
+                equation, min(0.0, other), max(0.0, other), min(at, beyond), max(at, beyond)
+            )
+        width *= 2.0
 
 
 @compiled
@@ -247,9 +268,7 @@ def slips(effects, own, edge, normal, found):
         z = RANGE * i * abs(i) / (NODES * NODES)
         lack = _rise(own, _motion(amount, z)) - normal
         if i > -NODES and count < len(found) and (last < 0.0) != (lack < 0.0):
-            sense = 1.0 if last < 0.0 else -1.0
-            middle = low + (z - low) / 2.0
-            moved = _motion(amount, root(Rise(amount, normal, sense), low, z, middle)[0])
+            moved = _motion(amount, bracketed(Rise(amount, normal), low, z, last, lack))
             _write(moved, 1.0, 1.0, found[count])
             count += 1
         low, last = z, lack

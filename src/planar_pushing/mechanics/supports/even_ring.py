@@ -35,7 +35,9 @@ class Ring:
 
     def __post_init__(self) -> None:
         if self.radius is not None:
-            radius = require_positive("radius", self.radius, "use Points for a support on one point")
+            radius = require_positive(
+                "radius", self.radius, "use Points for a support on one point"
+            )
             object.__setattr__(self, "radius", radius)
 
     @property
