@@ -37,7 +37,9 @@ class Support(Protocol):
         ...
 
 
-def array(name: str, given: object, shape: tuple[int | None, ...], allowed: str, remedy: str) -> Array:
+def array(
+    name: str, given: object, shape: tuple[int | None, ...], allowed: str, remedy: str
+) -> Array:
     """Numbers of a shape, None for any length; all finite.
 
     Raises

@@ -46,7 +46,11 @@ class PressureMap:
         allowed = f"{shape[0]} rows of {shape[1]} numbers, to fit y and x"
         cells = array("pressure", self.pressure, shape, allowed, remedy)
         require_all(
-            "pressure", cells, lambda p: p >= 0, "a number >= 0", "a support cannot pull; clip noise"
+            "pressure",
+            cells,
+            lambda p: p >= 0,
+            "a number >= 0",
+            "a support cannot pull; clip noise",
         )
         if not cells.any():
             raise InvalidValue("pressure", 0.0, "at least one number > 0", "leave out empty maps")
@@ -74,7 +78,9 @@ class PressureMap:
         ]
         return Pieces(
             plates=tuple(
-                _block(x[i : i + BLOCK + 1], y[j : j + BLOCK + 1], loads[j : j + BLOCK, i : i + BLOCK])
+                _block(
+                    x[i : i + BLOCK + 1], y[j : j + BLOCK + 1], loads[j : j + BLOCK, i : i + BLOCK]
+                )
                 for i, j in corners
             )
         )
@@ -94,7 +100,10 @@ def _edges(name: str, given: object) -> Array:
 
 def _block(x: Array, y: Array, cells: Array) -> Array:
     """Lines of a grid across which the pressure steps, from (x, y) to (x, y), and the step."""
-    upward, across = -np.diff(cells, axis=1, prepend=0, append=0), np.diff(cells, axis=0, prepend=0, append=0)
+    upward, across = (
+        -np.diff(cells, axis=1, prepend=0, append=0),
+        np.diff(cells, axis=0, prepend=0, append=0),
+    )
     j, i = np.nonzero(upward)
     vertical = np.column_stack([x[i], y[j], x[i], y[j + 1], upward[j, i]])
     j, i = np.nonzero(across)
