@@ -67,12 +67,12 @@ class Disc:
 
 
 @compiled
-def of_discs(total, pressure, x, y):
-    """Totals with the discs."""
-    for i in range(len(pressure.discs)):
-        q_x, q_y, radius, share = pressure.discs[i]
-        arm_x, arm_y = q_x - pressure.center_x, q_y - pressure.center_y
-        total = added(total, share, disc(x - q_x, y - q_y, radius), arm_x, arm_y)
+def of_discs(total, discs, x, y, p_x, p_y):
+    """Totals, their torque about p, with the discs."""
+    for i in range(len(discs)):
+        q_x, q_y, radius = discs[i, 0], discs[i, 1], discs[i, 2]
+        share = discs[i, 3]
+        total = added(total, share, disc(x - q_x, y - q_y, radius), q_x - p_x, q_y - p_y)
     return total
 
 

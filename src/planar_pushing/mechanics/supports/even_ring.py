@@ -57,12 +57,12 @@ class Ring:
 
 
 @compiled
-def of_rings(total, pressure, x, y):
-    """Totals with the rings."""
-    for i in range(len(pressure.rings)):
-        q_x, q_y, radius, share = pressure.rings[i]
-        arm_x, arm_y = q_x - pressure.center_x, q_y - pressure.center_y
-        total = added(total, share, ring(x - q_x, y - q_y, radius), arm_x, arm_y)
+def of_rings(total, rings, x, y, p_x, p_y):
+    """Totals, their torque about p, with the rings."""
+    for i in range(len(rings)):
+        q_x, q_y, radius = rings[i, 0], rings[i, 1], rings[i, 2]
+        share = rings[i, 3]
+        total = added(total, share, ring(x - q_x, y - q_y, radius), q_x - p_x, q_y - p_y)
     return total
 
 

@@ -64,15 +64,14 @@ class Points:
 
 
 @compiled
-def of_atoms(pressure, x, y):
-    """Sum over the atoms, and which of them is at (x, y), or -1; that one gives no force."""
+def of_atoms(atoms, x, y, p_x, p_y, extent):
+    """Sum over the atoms, its torque about p, and which is at (x, y), or -1; that one gives no force."""
     total, hit = NOTHING, -1
-    for i in range(len(pressure.atoms)):
-        q_x, q_y, share = pressure.atoms[i]
+    for i in range(len(atoms)):
+        q_x, q_y, share = atoms[i, 0], atoms[i, 1], atoms[i, 2]
         r_x, r_y = x - q_x, y - q_y
-        if abs(r_x) + abs(r_y) <= ROUNDING * (pressure.extent + abs(q_x) + abs(q_y)):
+        if abs(r_x) + abs(r_y) <= ROUNDING * (extent + abs(q_x) + abs(q_y)):
             hit = i
         else:
-            arm_x, arm_y = q_x - pressure.center_x, q_y - pressure.center_y
-            total = added(total, share, point(r_x, r_y), arm_x, arm_y)
+            total = added(total, share, point(r_x, r_y), q_x - p_x, q_y - p_y)
     return total, hit

@@ -10,7 +10,8 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.supports.base import Position, positions
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
-from planar_pushing.mechanics.supports.pressure.plate import plate
+from planar_pushing.mechanics.supports.pressure.multipole import far
+from planar_pushing.mechanics.supports.pressure.plate import FAR, near
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pressure
 from planar_pushing.mechanics.supports.pressure.sums import added
 from planar_pushing.terms.errors import InvalidValue
@@ -122,12 +123,15 @@ def _folds(first: Array, corner: Array, last: Array) -> bool:
 
 
 @compiled
-def of_plates(total, pressure, x, y):
-    """Totals with the polygons and the cells of pressure maps."""
-    first = pressure.first
-    for i in range(len(pressure.plates)):
-        q_x, q_y, radius, share = pressure.plates[i]
-        edges = pressure.edges[first[i] : first[i + 1]]
-        piece = plate(edges, pressure.multipoles[i], radius, x - q_x, y - q_y)
-        total = added(total, share, piece, q_x - pressure.center_x, q_y - pressure.center_y)
+def of_plates(total, plates, first, edges, multipoles, x, y, p_x, p_y):
+    """Totals, their torque about p, with the polygons and the cells of pressure maps."""
+    for i in range(len(plates)):
+        q_x, q_y, radius = plates[i, 0], plates[i, 1], plates[i, 2]
+        share = plates[i, 3]
+        r_x, r_y = x - q_x, y - q_y
+        if r_x * r_x + r_y * r_y < (FAR * radius) ** 2:
+            piece = near(edges, first[i], first[i + 1], r_x, r_y)
+        else:
+            piece = far(multipoles, i, r_x, r_y, radius)
+        total = added(total, share, piece, q_x - p_x, q_y - p_y)
     return total

@@ -69,14 +69,14 @@ class Segment:
 
 
 @compiled
-def of_segments(total, pressure, x, y):
-    """Totals with the segments."""
-    for i in range(len(pressure.segments)):
-        q_x, q_y, t_x, t_y, half, share = pressure.segments[i]
+def of_segments(total, segments, x, y, p_x, p_y):
+    """Totals, their torque about p, with the segments."""
+    for i in range(len(segments)):
+        q_x, q_y, t_x = segments[i, 0], segments[i, 1], segments[i, 2]
+        t_y, half, share = segments[i, 3], segments[i, 4], segments[i, 5]
         r_x, r_y = q_x - x, q_y - y
         local = segment(r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x, half)
-        arm_x, arm_y = q_x - pressure.center_x, q_y - pressure.center_y
-        total = added(total, share, _placed(local, t_x, t_y), arm_x, arm_y)
+        total = added(total, share, _placed(local, t_x, t_y), q_x - p_x, q_y - p_y)
     return total
 
 

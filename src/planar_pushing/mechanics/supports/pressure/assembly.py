@@ -58,7 +58,7 @@ def assembled(pieces: Pieces, radius: float) -> Pressure:
         np.array([row for row, _, _ in plates]).reshape(-1, 4),
         np.cumsum([0, *counts], dtype=np.int64),
         np.concatenate([np.empty((0, 6)), *(edges for _, edges, _ in plates)]),
-        np.array([terms for _, _, terms in plates]).reshape(-1, 2, TERMS),
+        np.array([terms for _, _, terms in plates]).reshape(-1, TERMS, 2),
     )  # fmt: skip
 
 

@@ -3,9 +3,9 @@ r"""Distance to a plate from afar, in powers of the plate's size over the distan
 With positions z in the complex plane from the plate's centre of pressure, in units of its radius, and zeta
 the radius over the centre of rotation c likewise,
 
-    |r - c| = |c| |1 - z zeta| = |c| sum of a_j a_k (z zeta)^j conj(z zeta)^k,   sqrt(1 - z) = sum of a_j z^j.
+    |r - c| = |c| |1 - z zeta| = |c| sum of a_j a_k (z zeta)^j conj(z zeta)^k
 
-The mean over the plate needs its moments ``M_jk``, the means of z^j conj(z)^k. D, the torque and all
+with the coefficients of ``sqrt(1 - z) = sum of a_j z^j``. The mean over the plate needs its moments ``M_jk``, the means of z^j conj(z)^k. D, the torque and all
 derivatives are sums of the same terms with factors of n = j + k and m = j - k, so nothing cancels: the
 torque starts at n = 2. Terms are stored for m = 0, 1, ... and in each for k = 0, 1, ...
 """
@@ -19,20 +19,21 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled
 
 #: Highest power n, enough for 1e-16 from `FAR` of `plate` on.
-ORDER = 46
+ORDER = 52
 TERMS = sum((ORDER - m) // 2 + 1 for m in range(ORDER + 1))
 #: Terms of power n are below e^-DIGITS where ``n log(|c| / radius)`` is above it.
-DIGITS = 33.0
+DIGITS = 28.0
 #: Coefficients of sqrt(1 - z).
 ROOT = tuple(np.cumprod([1.0] + [(2 * j - 3) / (2 * j) for j in range(1, ORDER + 1)]).tolist())
 
 
 @compiled
 def multipoles(edges, radius):
-    """Terms of a plate, real and imaginary; shape (2, TERMS)."""
+    """Terms of a plate, real and imaginary; shape (TERMS, 2)."""
     sums = np.zeros((ORDER + 1, ORDER // 2 + 1), dtype=np.complex128)
     for i in range(len(edges)):
-        x, y, t_x, t_y, half, jump = edges[i]
+        x, y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]
+        t_y, half, jump = edges[i, 3], edges[i, 4], edges[i, 5]
         middle, along = complex(x, y) / radius, complex(t_x, t_y) * half / radius
         area = radius * radius * (x * t_y - y * t_x) * (2.0 * half / radius) / radius * jump
         _add_edge(sums, middle - along, middle + along, area)
@@ -64,24 +65,24 @@ def _add_edge(sums, start, end, area):
 @compiled
 def _terms(sums):
     """Coefficients of the series from the moments; those of power 1 are zero about the centre."""
-    found, place = np.empty((2, TERMS)), 0
+    found, place = np.empty((TERMS, 2)), 0
     whole = sums[0, 0].real
     sums[1, 0] = 0.0
     for m in range(ORDER + 1):
         for k in range((ORDER - m) // 2 + 1):
             factor = ROOT[m + k] * ROOT[k] / whole * (2.0 if m > 0 else 1.0)
-            found[0, place] = factor * sums[m, k].real
-            found[1, place] = factor * sums[m, k].imag
+            found[place, 0] = factor * sums[m, k].real
+            found[place, 1] = factor * sums[m, k].imag
             place += 1
     return found
 
 
 @compiled
-def far(terms, x, y, radius):
-    """The piece of a plate for a centre of rotation far from it."""
+def far(multipoles, i, x, y, radius):
+    """The piece of plate i for a centre of rotation far from it."""
     distance = sqrt(x * x + y * y)
     ratio, u_x, u_y = radius / distance, x / distance, y / distance
-    one, n1, bend, m_i, mn_i, turn = _sums(terms, ratio, u_x, -u_y)
+    one, n1, bend, m_i, mn_i, turn = _sums(multipoles, i, ratio, u_x, -u_y)
     # grad D = (c / |c|) (sum of (1 - n) + i m), and twice the same for the second derivatives.
     g_x, g_y = one - n1, m_i
     half_sum = (bend - 2.0 * n1 + one - turn) / (2.0 * distance)
@@ -100,13 +101,13 @@ def far(terms, x, y, radius):
 
 
 @compiled
-def _sums(terms, ratio, cosine, sine):
+def _sums(multipoles, i, ratio, cosine, sine):
     """Sums of the terms' real parts times 1, n, n^2; imaginary times m, m n; and real times m^2."""
     order = min(ORDER, int(DIGITS / -log(ratio)) + 2)
     y, re, im, start = ratio * ratio, 1.0, 0.0, 0
     one, first, second, slide, shear, turn = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for m in range(order + 1):
-        a, b, n_a, n_b, nn_a, nn_b = _row(terms, start, m, (order - m) // 2 + 1, y)
+        a, b, n_a, n_b, nn_a, nn_b = _row(multipoles, i, start, m, (order - m) // 2 + 1, y)
         real, imaginary = re * a - im * b, re * b + im * a
         one += real
         first += re * n_a - im * n_b
@@ -120,12 +121,12 @@ def _sums(terms, ratio, cosine, sine):
 
 
 @compiled
-def _row(terms, start, m, count, y):
+def _row(multipoles, i, start, m, count, y):
     """Sums over k at one m, times 1, n and n^2, real and imaginary."""
     a, b, n_a, n_b, nn_a, nn_b, power = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0
     for k in range(count):
         n = m + 2.0 * k
-        real, imaginary = terms[0, start + k] * power, terms[1, start + k] * power
+        real, imaginary = multipoles[i, start + k, 0] * power, multipoles[i, start + k, 1] * power
         a += real
         b += imaginary
         n_a += n * real

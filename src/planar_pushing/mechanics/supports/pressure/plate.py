@@ -9,20 +9,18 @@ from __future__ import annotations
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.supports.pressure.edges import ends, mean_distance, mean_inverse
-from planar_pushing.mechanics.supports.pressure.multipole import far
 
-#: From this distance on, in radii of the plate, multipoles are used.
-FAR = 2.0
+#: From this distance on, in radii of the plate, `multipole.far` is used.
+FAR = 1.7
 
 
 @compiled
-def plate(edges, terms, radius, x, y):
-    """The piece of a plate for a centre of rotation (x, y) from its centre."""
-    if x * x + y * y >= (FAR * radius) ** 2:
-        return far(terms, x, y, radius)
+def near(edges, begin, stop, x, y):
+    """The piece of a plate, edges `begin` to `stop`, for a centre of rotation (x, y) from its centre."""
     distance, g_x, g_y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for i in range(len(edges)):
-        m_x, m_y, t_x, t_y, half, jump = edges[i]
+    for i in range(begin, stop):
+        m_x, m_y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]
+        t_y, half, jump = edges[i, 3], edges[i, 4], edges[i, 5]
         r_x, r_y, weight = m_x - x, m_y - y, 2.0 * half * jump
         mean, h, along, across = _edge(r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x, half)
         distance += weight * h * mean / 3.0

@@ -35,7 +35,7 @@ class Pressure(NamedTuple):
     edges : array, shape (m, 6)
         Edges of the plates: x and y of the middle from the plate's centre, unit tangent, half the
         length, and the pressure on the left of the tangent less that on the right, per unit share.
-    multipoles : array, shape (n, 2, TERMS)
+    multipoles : array, shape (n, TERMS, 2)
         Moments of the plates as `far` of `multipole` reads them.
     """
 
