@@ -58,7 +58,7 @@ def _kept_inside(effects, own, law, moved, right, left):
 
 @compiled
 def _part_inside(own, law, moved):
-    """Ends of the part of a pivot's interval of forces, -1 to 1, that the law transmits; it may be empty."""
+    """Ends of the part of a pivot's interval, -1 to 1, that the law transmits; it may be empty."""
     low, high = -1.0, 1.0
     if not law.rough:
         for edge, side in ((law.right, -1.0), (law.left, 1.0)):

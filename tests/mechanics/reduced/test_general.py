@@ -99,7 +99,8 @@ def test_published_motion_cone_of_a_disc(mu, edge):
 
 def test_a_tripod_pivots_for_offsets_between_the_published_ends():
     ends = np.array([2 - np.sqrt(3), 2 + np.sqrt(3)])
-    within, beyond = ends + [1e-9, -1e-9], ends + [-1e-9, 1e-9]
+    shift = np.array([1e-9, -1e-9])
+    within, beyond = ends + shift, ends - shift
     for offset in [*within, 0.5, 1.0, 2.0]:
         center = pp.motion_centers(scene(TRIPOD, offset), 0.0, origin="ring-center")
         assert np.abs(center - [0.0, 1.0]).max() <= 2e-15

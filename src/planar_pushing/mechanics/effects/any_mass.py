@@ -9,7 +9,7 @@ from planar_pushing.mechanics.effects.base import GYRATION, MASS, MASS_X, MASS_Y
 
 
 class MassAt(NamedTuple):
-    """Mass, square of the radius of gyration about the centre of mass, and that centre in the body frame."""
+    """Mass, square of the radius of gyration about the centre of mass, and that centre, body frame."""
 
     mass: float
     gyration: float

@@ -16,8 +16,8 @@ from planar_pushing.mechanics.compiled import compiled, generic
 
 #: Of each kind of effect, its module.
 KINDS: dict[type, Any] = {}
-#: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration, centre
-#: of mass in the body frame, number of the support, and its extent in radii.
+#: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration,
+#: centre of mass in the body frame, number of the support, and its extent in radii.
 WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, SUPPORT, SCALE = range(7)
 COLUMNS = 7
 
@@ -156,9 +156,9 @@ def _single_gradient(effects, x, y, spin):
 
 @compiled
 def _sum_of_gradients(effects, x, y, spin):
-    a, b, c, d, e, f, g, h, i = gradient(effects[0], x, y, spin)
-    j, k, l, m, n, o, p, q, r = gradient(effects[1:], x, y, spin)
-    return a + j, b + k, c + l, d + m, e + n, f + o, g + p, h + q, i + r
+    a, b, c, xx, xy, yy, xs, ys, ss = gradient(effects[0], x, y, spin)
+    d, e, f, uu, uv, vv, us, vs, tt = gradient(effects[1:], x, y, spin)
+    return a + d, b + e, c + f, xx + uu, xy + uv, yy + vv, xs + us, ys + vs, ss + tt
 
 
 @generic

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,7 +34,7 @@ class SupportFriction:
         Where the weight is not a positive finite number, or something else than a support is given.
     """
 
-    support: Any = Ring()
+    support: Any = field(default_factory=Ring)
     weight: Number = 1.0
 
     def __post_init__(self) -> None:

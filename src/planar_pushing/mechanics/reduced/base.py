@@ -17,8 +17,8 @@ from planar_pushing.mechanics.effects.any_mass import MassAt
 from planar_pushing.mechanics.effects.any_support import Support
 from planar_pushing.mechanics.reduced import isotropic, pressed, sticking, turning
 
-#: Entries of a motion that is written down: v_x, v_y, R omega; force, and the other end of its interval where
-#: it is not settled; number of the support point about which the slider pivots, -1 without one.
+#: Entries of a motion that is written down: v_x, v_y, R omega; force, and the other end of its interval
+#: where it is not settled; number of the support point about which the slider pivots, -1 without one.
 MOTION = 8
 
 
@@ -83,7 +83,7 @@ def motion_angles(kinds: Any) -> Callable[..., Any]:
 
 @generic
 def center_of(kinds: Any) -> Callable[..., Any]:
-    """Motion centre relative to the contact, in radii, of a motion that is written down: effects, rod, motion.
+    """Motion centre relative to the contact of a motion that is written down: effects, rod, motion.
 
     Of a translation the coordinates are infinite, or the slider's centre's where it moves along them.
     """

@@ -3,8 +3,8 @@
 All is seen in the body frame: x along the rod and away from the contact, y to its left, lengths in radii. A
 motion is that of the contact, (x, y), with the rotation `spin`. Psi is what is left of the potential at the
 rotation of no torque. The motion under a line of force of direction t that has ``t . u`` given is the one
-of least potential: its force has no part across t and no torque about the contact. The potential is convex,
-with kinks where the centre of rotation is a support point; those are tried first (`pivots`).
+of least potential: its force has no part across t and no torque about the contact. The potential is
+convex, with kinks where the centre of rotation is a support point; those are tried first (`pivots`).
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import fastest, gradient, rough
 from planar_pushing.mechanics.numerics.root import EPSILON, EQUATIONS, root
 
-#: Newton steps at most, and trials of one; what a step has to leave of the slope at most; and the relative size
-#: of a step after which the error is rounding.
+#: Newton steps at most, and trials of one; what a step has to leave of the slope at most; and the relative
+#: size of a step after which the error is rounding.
 STEPS, CUTS, ENOUGH, SETTLED = 100, 12, 0.5, 1e-12
 
 

@@ -23,8 +23,8 @@ from planar_pushing.mechanics.reduced.general import (
 from planar_pushing.mechanics.reduced.pivots import NOWHERE, pivot_of, pivot_under
 from planar_pushing.mechanics.reduced.sticking import Sustained
 
-#: Range of the logarithm of a motion's part along its line of force, from the one at which friction and inertia
-#: take forces of one size, and the number of nodes in it, denser in the middle.
+#: Range of the logarithm of a motion's part along its line of force, in units in which friction and inertia
+#: are of one size, and the number of nodes on each side of the middle, where they are denser.
 RANGE, NODES = 32.0, 24
 
 
@@ -261,7 +261,7 @@ def _not(effects, scale):
 
 @compiled
 def slips(effects, own, edge, normal, found):
-    """As `base.slips`, for friction and inertia: roots between nodes at which the normal motion is looked at."""
+    """As `base.slips`, for friction and inertia: roots between nodes of the normal motion."""
     amount, count = Amount(effects, own, edge), 0
     low, last = 0.0, 0.0
     for i in range(-NODES, NODES + 1):

@@ -6,8 +6,8 @@ from math import sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.numerics.root import EQUATIONS
 from planar_pushing.mechanics.numerics.bracket import RESOLUTION, bracketed
+from planar_pushing.mechanics.numerics.root import EQUATIONS
 from planar_pushing.simulation.events.explicit import interpolate
 from planar_pushing.simulation.events.run import NOW, SIGNS, TRIAL
 from planar_pushing.simulation.systems.base import SLACK, Mode, guards

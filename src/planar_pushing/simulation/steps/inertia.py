@@ -15,10 +15,10 @@ from typing import Any, NamedTuple
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import response
 from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.numerics.bracket import bracketed
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 from planar_pushing.mechanics.plane import contact_motion, moment_arm, toward
 from planar_pushing.mechanics.reduced.isotropic import spin_ratio
-from planar_pushing.mechanics.numerics.bracket import bracketed
 from planar_pushing.simulation.steps.trials import PARTS, SLACK, Step
 
 #: A target below this part of the speeds is a contact that stands still.
