@@ -22,21 +22,24 @@ from planar_pushing.mechanics.reduced import isotropic, pressed, sticking, turni
 MOTION = 8
 
 
-def _family(kinds: Any, one: Any, other: Any) -> Any:
-    """Of two modules that of isotropic effects, or that of any."""
-    return other if kinds[0] is Support or MassAt in kinds else one
+def _of(kinds: Any, name: str, family: Any = isotropic) -> Callable[..., Any]:
+    """A function of a family of isotropic effects, or where one is not isotropic of `pressed`."""
+    found: Callable[..., Any] = getattr(
+        pressed if kinds[0] is Support or MassAt in kinds else family, name
+    )
+    return found
 
 
 @generic
 def stick(kinds: Any) -> Callable[..., Any]:
     """`Sustained` motion of a contact that moves by one unit towards a direction: the gradient of Psi."""
-    return _family(kinds, sticking, pressed).stick
+    return _of(kinds, "stick", sticking)
 
 
 @generic
 def held_on_edge(kinds: Any) -> Callable[..., Any]:
     """The `Sustained` motion next to another one, whose force has the direction of an edge."""
-    return _family(kinds, sticking, pressed).held_on_edge
+    return _of(kinds, "held_on_edge", sticking)
 
 
 @generic
@@ -49,9 +52,7 @@ def slips(kinds: Any) -> Callable[..., Any]:
     found : ndarray, shape (SLIPS, MOTION)
         Takes the motions, slow ones first.
     """
-    if len(kinds) == 1:
-        return _family(kinds, isotropic, pressed).steady_slips
-    return _family(kinds, turning, pressed).slips
+    return _of(kinds, "steady_slips") if len(kinds) == 1 else _of(kinds, "slips", turning)
 
 
 @generic
@@ -60,25 +61,25 @@ def limit_motion(kinds: Any) -> Callable[..., Any]:
 
     Without friction the curve is that of the kinetic energy of a unit translation.
     """
-    return _family(kinds, isotropic, pressed).limit_motion
+    return _of(kinds, "limit_motion")
 
 
 @generic
 def spin_ratio(kinds: Any) -> Callable[..., Any]:
     """Spin ratio under a force in a direction, the centre at unit speed."""
-    return _family(kinds, isotropic, pressed).spin_ratio
+    return _of(kinds, "spin_ratio")
 
 
 @generic
 def motion_angle(kinds: Any) -> Callable[..., Any]:
     """Angle of the contact's motion under a force in a direction, the centre at unit speed."""
-    return _family(kinds, isotropic, pressed).motion_angle
+    return _of(kinds, "motion_angle")
 
 
 @generic
 def motion_angles(kinds: Any) -> Callable[..., Any]:
     """Least and greatest `motion_angle` over all magnitudes of the motion."""
-    return _family(kinds, isotropic, pressed).motion_angles
+    return _of(kinds, "motion_angles")
 
 
 @generic
@@ -87,10 +88,10 @@ def center_of(kinds: Any) -> Callable[..., Any]:
 
     Of a translation the coordinates are infinite, or the slider's centre's where it moves along them.
     """
-    return _family(kinds, isotropic, pressed).center_of
+    return _of(kinds, "center_of")
 
 
 @generic
 def center_under(kinds: Any) -> Callable[..., Any]:
     """Motion centre relative to the slider's centre under a force in a direction, as `motion_angle`."""
-    return _family(kinds, isotropic, pressed).center_under
+    return _of(kinds, "center_under")

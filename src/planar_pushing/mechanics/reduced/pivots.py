@@ -26,8 +26,8 @@ class Pivot(NamedTuple):
 
     Attributes
     ----------
-    index : int
-        Of the point, -1 where there is none.
+    atom : int
+        Number of the point, -1 where there is none.
     motion : Motion
     f_x, f_y : float
         Force at the contact; where it is not settled the middle of the interval.
@@ -35,7 +35,7 @@ class Pivot(NamedTuple):
         Half of the interval: the force is known up to this, times -1 to 1.
     """
 
-    index: int
+    atom: int
     motion: Motion
     f_x: float
     f_y: float

@@ -71,9 +71,9 @@ def stick(effects, own, towards):
     """As `base.stick`."""
     x, y, length = towards.along, -towards.aside, own.length
     pivot = pivot_of(effects, length, x, y)
-    if pivot.index != NOWHERE:
+    if pivot.atom != NOWHERE:
         _, motion, f_x, f_y, free_x, free_y = pivot
-        return _sustained(own, motion, f_x, f_y, free_x, free_y, pivot.index)
+        return _sustained(own, motion, f_x, f_y, free_x, free_y, pivot.atom)
     motion = Motion(x, y, spin_of(effects, length, x, y))
     now = felt(effects, length, motion)
     return _sustained(own, motion, now.f_x, now.f_y, 0.0, 0.0, NOWHERE)
@@ -84,8 +84,8 @@ def pushed(effects, own, edge, along):
     """The motion under a line of force that has a given part along it."""
     line = Line(effects, own.length, edge.along, -edge.aside, along)
     pivot = pivot_under(effects, line)
-    if pivot.index != NOWHERE:
-        return _sustained(own, pivot.motion, pivot.f_x, pivot.f_y, 0.0, 0.0, pivot.index)
+    if pivot.atom != NOWHERE:
+        return _sustained(own, pivot.motion, pivot.f_x, pivot.f_y, 0.0, 0.0, pivot.atom)
     motion = motion_under(line, rough_motion(line))
     now = felt(effects, own.length, motion)
     size = now.f_x * line.x + now.f_y * line.y

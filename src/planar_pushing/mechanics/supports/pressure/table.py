@@ -45,13 +45,14 @@ def table_of(supports: Sequence[Any]) -> Table:
     counts = [[len(getattr(record, name)) for name in PIECES] for record in records]
     edges = np.cumsum([0, *(len(record.edges) for record in records)])
     first = [record.first[:-1] + start for record, start in zip(records, edges, strict=False)]
+    stacked = [np.concatenate([getattr(record, name) for record in records]) for name in PIECES]
     return Table(
         np.array([[record.center_x, record.center_y] for record in records]),
         np.cumsum([[0] * len(PIECES), *counts], axis=0),
-        *(np.concatenate([getattr(record, name) for record in records]) for name in PIECES),
-        np.concatenate([*first, edges[-1:]]),
-        np.concatenate([record.edges for record in records]),
-        np.concatenate([record.multipoles for record in records]),
+        **dict(zip(PIECES, stacked, strict=True)),
+        first=np.concatenate([*first, edges[-1:]]),
+        edges=np.concatenate([record.edges for record in records]),
+        multipoles=np.concatenate([record.multipoles for record in records]),
     )
 
 
