@@ -103,7 +103,7 @@ def _edge(vertices: Array, i: int) -> str:
 def _side(start: Array, end: Array, points: Array) -> Array:
     """On which side of a line points are: 1 on the left, -1 on the right, 0 on it."""
     (along, across), offset = (end - start).T, points - start
-    return np.sign(along * offset[..., 1] - across * offset[..., 0])
+    return np.asarray(np.sign(along * offset[..., 1] - across * offset[..., 0]))
 
 
 def _meet(start: Array, end: Array, starts: Array, stops: Array) -> Array:
