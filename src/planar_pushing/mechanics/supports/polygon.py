@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import inlined
 from planar_pushing.mechanics.supports.base import Position, positions
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
 from planar_pushing.mechanics.supports.pressure.multipole import far
@@ -122,7 +122,7 @@ def _folds(first: Array, corner: Array, last: Array) -> bool:
     return bool(turn == 0 and before @ after <= 0)
 
 
-@compiled
+@inlined
 def of_plates(total, plates, first, edges, multipoles, x, y, p_x, p_y):
     """Totals, their torque about p, with the polygons and the cells of pressure maps."""
     for i in range(len(plates)):

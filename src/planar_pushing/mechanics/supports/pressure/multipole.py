@@ -48,12 +48,11 @@ def _add_edge(sums, start, end, area):
 
     The means of z^j conj(z)^k over the edge follow from those of lower powers by integration by parts.
     """
-    means = np.empty_like(sums)
-    square = end.real * end.real + end.imag * end.imag
+    means, power, square = np.empty_like(sums), _powers(end), _powers(end * end.conjugate())
     for n in range(ORDER + 1):
         for k in range(n // 2 + 1):
             m = n - 2 * k
-            mean = square**k * end**m
+            mean = square[k] * power[m]
             if m > 0:
                 mean += (m + k) * start * means[m - 1, k]
             elif k > 0:
@@ -62,6 +61,14 @@ def _add_edge(sums, start, end, area):
                 mean += k * start.conjugate() * means[m + 1, k - 1]
             means[m, k] = mean / (1.0 + n)
             sums[m, k] += area / (n + 2.0) * means[m, k]
+
+
+@compiled
+def _powers(z):
+    found = np.ones(ORDER + 1, dtype=np.complex128)
+    for n in range(ORDER):
+        found[n + 1] = found[n] * z
+    return found
 
 
 @compiled
