@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
@@ -66,7 +66,7 @@ class Disc:
         return assembled(self.pieces(), radius)
 
 
-@compiled
+@inlined
 def of_discs(total, discs, x, y, p_x, p_y):
     """Totals, their torque about p, with the discs."""
     for i in range(len(discs)):

@@ -7,7 +7,7 @@ from math import sqrt
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
@@ -56,7 +56,7 @@ class Ring:
         return assembled(self.pieces(), 1.0 if self.radius is None else radius)
 
 
-@compiled
+@inlined
 def of_rings(total, rings, x, y, p_x, p_y):
     """Totals, their torque about p, with the rings."""
     for i in range(len(rings)):

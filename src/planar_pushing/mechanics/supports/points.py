@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import inlined
 from planar_pushing.mechanics.supports.base import Position, positions, weights
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
 from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
@@ -63,7 +63,7 @@ class Points:
         return assembled(self.pieces(), radius)
 
 
-@compiled
+@inlined
 def of_atoms(atoms, x, y, p_x, p_y, extent):
     """Sum over the atoms, its torque about p, and which is at (x, y), or -1; that one gives no force."""
     total, hit = NOTHING, -1

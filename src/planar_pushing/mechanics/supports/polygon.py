@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import inlined
 from planar_pushing.mechanics.supports.base import Position, positions
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
 from planar_pushing.mechanics.supports.pressure.multipole import far
@@ -103,7 +103,7 @@ def _edge(vertices: Array, i: int) -> str:
 def _side(start: Array, end: Array, points: Array) -> Array:
     """On which side of a line points are: 1 on the left, -1 on the right, 0 on it."""
     (along, across), offset = (end - start).T, points - start
-    return np.sign(along * offset[..., 1] - across * offset[..., 0])
+    return np.asarray(np.sign(along * offset[..., 1] - across * offset[..., 0]))
 
 
 def _meet(start: Array, end: Array, starts: Array, stops: Array) -> Array:
@@ -122,7 +122,7 @@ def _folds(first: Array, corner: Array, last: Array) -> bool:
     return bool(turn == 0 and before @ after <= 0)
 
 
-@compiled
+@inlined
 def of_plates(total, plates, first, edges, multipoles, x, y, p_x, p_y):
     """Totals, their torque about p, with the polygons and the cells of pressure maps."""
     for i in range(len(plates)):

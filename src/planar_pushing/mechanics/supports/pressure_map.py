@@ -100,10 +100,8 @@ def _edges(name: str, given: object) -> Array:
 
 def _block(x: Array, y: Array, cells: Array) -> Array:
     """Lines of a grid across which the pressure steps, from (x, y) to (x, y), and the step."""
-    upward, across = (
-        -np.diff(cells, axis=1, prepend=0, append=0),
-        np.diff(cells, axis=0, prepend=0, append=0),
-    )
+    upward = -np.diff(cells, axis=1, prepend=0, append=0)
+    across = np.diff(cells, axis=0, prepend=0, append=0)
     j, i = np.nonzero(upward)
     vertical = np.column_stack([x[i], y[j], x[i], y[j + 1], upward[j, i]])
     j, i = np.nonzero(across)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
 from planar_pushing.mechanics.supports.pressure.edges import (
@@ -68,7 +68,7 @@ class Segment:
         return assembled(self.pieces(), radius)
 
 
-@compiled
+@inlined
 def of_segments(total, segments, x, y, p_x, p_y):
     """Totals, their torque about p, with the segments."""
     for i in range(len(segments)):
@@ -85,7 +85,7 @@ def segment(s, h, half):
     """The piece of a segment whose middle is at (s, h) along and across it, in these two directions."""
     one, other = ends(s, h, half)
     both = one + other
-    inverse = mean_inverse(s, h, half, both)
+    inverse = mean_inverse(s, h, half, one, other)
     distance, torque = mean_distance(s, h, both, inverse), _torque(s, h, half, both, inverse)
     product = max(one * other, LEAST)
     tt, tn = _bend(abs(s), h, half, one, other) / product, -2.0 * (s / both) * h / product

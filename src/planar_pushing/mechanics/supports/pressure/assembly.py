@@ -12,15 +12,22 @@ from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pre
 
 def shared(pieces: Pieces, share: float) -> Pieces:
     """Pieces that together carry a share."""
-    arrays = [each * np.r_[np.ones(each.shape[1] - 1), share] for each in pieces[:-1]]
-    plates = tuple(each * np.r_[np.ones(4), share] for each in pieces.plates)
-    return Pieces(*arrays, plates=plates)
+    atoms, segments, rings, discs = (_scaled(each, share) for each in pieces[:4])
+    plates = tuple(_scaled(each, share) for each in pieces.plates)
+    return Pieces(atoms, segments, rings, discs, plates)
+
+
+def _scaled(rows: Array, share: float) -> Array:
+    """Rows with their last column times a share."""
+    return np.column_stack([rows[:, :-1], rows[:, -1] * share])
 
 
 def joined(parts: Sequence[Pieces]) -> Pieces:
     """All pieces of several supports."""
-    arrays = [np.concatenate(kind) for kind in zip(*(part[:-1] for part in parts), strict=True)]
-    return Pieces(*arrays, plates=sum((part.plates for part in parts), ()))
+    columns = zip(*(part[:4] for part in parts), strict=True)
+    atoms, segments, rings, discs = map(np.concatenate, columns)
+    plates = tuple(plate for part in parts for plate in part.plates)
+    return Pieces(atoms, segments, rings, discs, plates)
 
 
 def center(pieces: Pieces) -> tuple[float, float]:
@@ -96,4 +103,4 @@ def _centroid(edges: Array) -> Array:
     start, end = edges[:, :2] - corner, edges[:, 2:4] - corner
     loads = (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 2 * edges[:, 4]
     share = loads.sum()
-    return np.r_[corner + loads @ (start + end) / (3 * share), share]
+    return np.append(corner + loads @ (start + end) / (3 * share), share)

@@ -23,19 +23,20 @@ def ends(s, h, half):
 
 
 @compiled
-def mean_inverse(s, h, half, both):
-    """Mean of 1 / rho, ``L / l``, where the ends' distances add to `both`."""
+def mean_inverse(s, h, half, one, other):
+    """Mean of 1 / rho, ``L / l``, from the ends' distances."""
+    both = one + other
     z = 2.0 * half / both
     if z < SHORT:
         return 2.0 / both * polynomial(ATANH, z * z)
-    return log1p(4.0 * half / max(_excess(abs(s), h, half), LEAST)) / (2.0 * half)
+    excess = _excess(abs(s), h, half, min(one, other), max(one, other))
+    return log1p(4.0 * half / max(excess, LEAST)) / (2.0 * half)
 
 
 @compiled
-def _excess(s, h, half):
+def _excess(s, h, half, near, far):
     """Sum of the ends' distances less the length, ``rho1 + rho2 - l``, without cancellation; s >= 0."""
     square, before, after = h * h, s - half, s + half
-    near, far = sqrt(before * before + square), sqrt(after * after + square)
     beyond = near + before if before >= 0.0 else square / (near - before)
     return beyond + square / (far + after)
 

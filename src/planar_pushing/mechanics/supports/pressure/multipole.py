@@ -5,9 +5,10 @@ the radius over the centre of rotation c likewise,
 
     |r - c| = |c| |1 - z zeta| = |c| sum of a_j a_k (z zeta)^j conj(z zeta)^k
 
-with the coefficients of ``sqrt(1 - z) = sum of a_j z^j``. The mean over the plate needs its moments ``M_jk``, the means of z^j conj(z)^k. D, the torque and all
-derivatives are sums of the same terms with factors of n = j + k and m = j - k, so nothing cancels: the
-torque starts at n = 2. Terms are stored for m = 0, 1, ... and in each for k = 0, 1, ...
+with the coefficients of ``sqrt(1 - z) = sum of a_j z^j``. The mean over the plate needs its moments
+``M_jk``, the means of z^j conj(z)^k. D, the torque and all derivatives are sums of the same terms with
+factors of n = j + k and m = j - k, so nothing cancels: the torque starts at n = 2. Terms are stored for
+m = 0, 1, ... and in each for k = 0, 1, ...
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ from planar_pushing.mechanics.compiled import compiled
 #: Highest power n, enough for 1e-16 from `FAR` of `plate` on.
 ORDER = 52
 TERMS = sum((ORDER - m) // 2 + 1 for m in range(ORDER + 1))
-#: Terms of power n are below e^-DIGITS where ``n log(|c| / radius)`` is above it.
+#: Terms of power n count while ``n log(|c| / radius)`` is below this; those of polygons with many kinds of
+#: corners are measured to be below 1e-16 from there on.
 DIGITS = 28.0
 #: Coefficients of sqrt(1 - z).
 ROOT = tuple(np.cumprod([1.0] + [(2 * j - 3) / (2 * j) for j in range(1, ORDER + 1)]).tolist())
@@ -35,7 +37,7 @@ def multipoles(edges, radius):
         x, y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]
         t_y, half, jump = edges[i, 3], edges[i, 4], edges[i, 5]
         middle, along = complex(x, y) / radius, complex(t_x, t_y) * half / radius
-        area = radius * radius * (x * t_y - y * t_x) * (2.0 * half / radius) / radius * jump
+        area = (x * t_y - y * t_x) * (2.0 * half) * jump
         _add_edge(sums, middle - along, middle + along, area)
     return _terms(sums)
 
@@ -46,12 +48,11 @@ def _add_edge(sums, start, end, area):
 
     The means of z^j conj(z)^k over the edge follow from those of lower powers by integration by parts.
     """
-    means = np.empty_like(sums)
-    square = end.real * end.real + end.imag * end.imag
+    means, power, square = np.empty_like(sums), _powers(end), _powers(end * end.conjugate())
     for n in range(ORDER + 1):
         for k in range(n // 2 + 1):
             m = n - 2 * k
-            mean = square**k * end**m
+            mean = square[k] * power[m]
             if m > 0:
                 mean += (m + k) * start * means[m - 1, k]
             elif k > 0:
@@ -60,6 +61,14 @@ def _add_edge(sums, start, end, area):
                 mean += k * start.conjugate() * means[m + 1, k - 1]
             means[m, k] = mean / (1.0 + n)
             sums[m, k] += area / (n + 2.0) * means[m, k]
+
+
+@compiled
+def _powers(z):
+    found = np.ones(ORDER + 1, dtype=np.complex128)
+    for n in range(ORDER):
+        found[n + 1] = found[n] * z
+    return found
 
 
 @compiled
@@ -85,19 +94,12 @@ def far(multipoles, i, x, y, radius):
     one, n1, bend, m_i, mn_i, turn = _sums(multipoles, i, ratio, u_x, -u_y)
     # grad D = (c / |c|) (sum of (1 - n) + i m), and twice the same for the second derivatives.
     g_x, g_y = one - n1, m_i
-    half_sum = (bend - 2.0 * n1 + one - turn) / (2.0 * distance)
+    mean = (bend - 2.0 * n1 + one - turn) / (2.0 * distance)
     p, q = (bend + turn - one) / (2.0 * distance), -mn_i / distance
     c2, s2 = u_x * u_x - u_y * u_y, 2.0 * u_x * u_y
-    difference, xy = c2 * p - s2 * q, s2 * p + c2 * q
-    return (
-        distance * one,
-        g_y * u_y - g_x * u_x,
-        -g_x * u_y - g_y * u_x,
-        distance * n1,
-        half_sum + difference,
-        xy,
-        half_sum - difference,
-    )
+    half, xy = c2 * p - s2 * q, s2 * p + c2 * q
+    unit_x, unit_y = g_y * u_y - g_x * u_x, -g_x * u_y - g_y * u_x
+    return distance * one, unit_x, unit_y, distance * n1, mean + half, xy, mean - half
 
 
 @compiled

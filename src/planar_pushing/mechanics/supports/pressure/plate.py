@@ -37,5 +37,5 @@ def _edge(s, h, half):
     """Mean distance of an edge, h, and the means of r' / rho along and across it."""
     one, other = ends(s, h, half)
     both = one + other
-    inverse = mean_inverse(s, h, half, both)
+    inverse = mean_inverse(s, h, half, one, other)
     return mean_distance(s, h, both, inverse), h, 2.0 * s / both, h * inverse

@@ -1,0 +1,79 @@
+"""The ellipsoid in place of a support: its constant, its matrix and its errors."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from mpmath import mp
+
+from mechanics.supports.cases import SQUARE, SUPPORTS, TRIPOD, rectangle
+from planar_pushing.mechanics.supports.disc import Disc
+from planar_pushing.mechanics.supports.ellipsoid import fit_ellipsoid
+from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.points import Points
+from planar_pushing.mechanics.supports.polygon import Polygon
+from planar_pushing.mechanics.supports.ring import ring_wrench
+from planar_pushing.mechanics.supports.segment import Segment
+from planar_pushing.terms.errors import InvalidValue
+
+#: Integration constants: PHYSICS.md, section 7, and by hand.
+CONSTANTS = [
+    (SQUARE, 0.541075, 1e-6),
+    (rectangle(2.0, 1.0), 0.530604, 1e-6),
+    (rectangle(4.0, 1.0), 0.514554, 1e-6),
+    (Disc(3.0, (1.0, 2.0)), 2 / 3, 1e-15),
+    (Ring(2.0), 1.0, 1e-15),
+    (Segment((0.0, 1.0), (2.0, 5.0)), 0.5, 1e-15),
+    (TRIPOD, 1.0, 1e-15),
+    (Points([(-1.0, 0.0), (0.0, 0.0), (1.0, 0.0)], [1.0, 2.0, 1.0]), 0.5, 1e-15),
+]
+
+
+@pytest.mark.parametrize(("support", "constant", "error"), CONSTANTS)
+def test_integration_constant(support, constant, error):
+    found = fit_ellipsoid(support)
+    assert found.integration_constant == pytest.approx(constant, abs=error)
+    assert found.extent == support.extent
+    assert found.center == support.center_of_pressure
+    arm = found.integration_constant * found.extent
+    assert found.matrix == pytest.approx(np.diag([1.0, 1.0, arm**-2]))
+
+
+def test_errors_of_a_ring_are_those_of_its_closed_form():
+    """Means over the sphere as integrals over the latitude, on which alone they depend for a ring."""
+
+    def error(spin):
+        speed = np.sqrt(1 - spin * spin)
+        force, torque, _ = ring_wrench(speed, spin)
+        return abs(np.arctan2(torque, force) - np.arctan2(spin, speed))
+
+    found = fit_ellipsoid(Ring(2.0))
+    mean = float(mp.quad(lambda z: error(float(z)), [0, 0.70710678, 1]))
+    worst = max(map(error, np.linspace(0, 1, 20_001)))
+    assert found.mean_force_error == pytest.approx(mean, rel=1e-4)
+    assert found.worst_force_error == pytest.approx(worst, rel=1e-6)
+    # The matrix of a ring of radius 1 is the unit matrix: both errors are the same angle.
+    assert found.mean_motion_error == pytest.approx(found.mean_force_error, rel=1e-12)
+    assert found.worst_motion_error == pytest.approx(found.worst_force_error, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", SUPPORTS)
+def test_errors_are_those_of_any_frame_and_unit(name):
+    support, _ = SUPPORTS[name]
+    found = fit_ellipsoid(support)
+    assert 0 < found.mean_force_error < found.worst_force_error < np.pi / 2
+    assert 0 < found.mean_motion_error < found.worst_motion_error < np.pi / 2
+    if isinstance(support, Polygon):
+        turn = np.array([[0.6, -0.8], [0.8, 0.6]])
+        other = fit_ellipsoid(Polygon(100 * np.array(support.vertices) @ turn.T + 7.0))
+        assert other.integration_constant == pytest.approx(found.integration_constant, rel=1e-12)
+        assert other.matrix[2, 2] * 1e4 == pytest.approx(found.matrix[2, 2], rel=1e-11)
+        for each in ("mean_force_error", "mean_motion_error"):
+            assert getattr(other, each) == pytest.approx(getattr(found, each), rel=1e-4)
+        for each in ("worst_force_error", "worst_motion_error"):
+            assert getattr(other, each) == pytest.approx(getattr(found, each), rel=1e-2)
+
+
+def test_a_point_has_no_ellipsoid():
+    with pytest.raises(InvalidValue, match=r"support: Points.*larger than a point.*no rotation"):
+        fit_ellipsoid(Points([(1.0, 2.0)], [3.0]))

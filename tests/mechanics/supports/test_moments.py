@@ -1,0 +1,157 @@
+"""Moments of supports: published values, 1e-14 everywhere, derivatives, and the atom that is hit."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+
+from mechanics.supports.cases import SQUARE, SUPPORTS, TRIPOD, hard_centers
+from mechanics.supports.exact import about, exact_moments
+from planar_pushing.mechanics.supports.disc import Disc
+from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.supports.points import Points
+
+#: Centre of rotation, D, G_x, G_y and the torque, from PHYSICS.md, section 7.
+PUBLISHED = [
+    (
+        SQUARE,
+        (0.3, 0.2),
+        0.822023641611253,
+        -0.260676603222042,
+        -0.172647824905904,
+        0.70929109566346,
+    ),
+    (
+        SQUARE,
+        (1.0, 1.0),
+        1.530391432928425,
+        -0.647793574696319,
+        -0.647793574696319,
+        0.234804283535787,
+    ),
+    (SQUARE, (5.0, 0.0), 5.03357516526378, -0.993189332404797, 0.0, 0.067628503239797),
+    (Disc(1.0), (0.5, 0.0), 0.789670232587264, -0.483843755630126, 0.0, 0.547748354772201),
+    (Disc(1.0), (1.0, 0.0), 32 / 9 / np.pi, -8 / 3 / np.pi, 0.0, 8 / 9 / np.pi),
+    (Disc(1.0), (100.0, 0.0), 100.0012500052084, -0.999987499843745, 0.0, 0.0025000208339193),
+    (
+        TRIPOD,
+        (0.3, 0.2),
+        1.033929193673725,
+        -0.135743710409409,
+        -0.144909039717126,
+        0.964224272607477,
+    ),
+]
+
+
+def at(support, c, radius=1.0):
+    return moments(support.record(radius), float(c[0]), float(c[1]))
+
+
+@pytest.mark.parametrize(("support", "c", "distance", "unit_x", "unit_y", "torque"), PUBLISHED)
+def test_published_values(support, c, distance, unit_x, unit_y, torque):
+    found = at(support, c)
+    assert found.distance == pytest.approx(distance, rel=1e-15)
+    assert found[1:4] == pytest.approx((unit_x, unit_y, torque), abs=1.5e-15)
+    assert found.atom == -1
+
+
+def test_the_torque_of_a_square_from_afar_has_all_its_digits():
+    assert at(SQUARE, (1e6, 0.0)).torque == pytest.approx(3.333333333334556e-7, rel=1e-14)
+
+
+@pytest.mark.parametrize("name", SUPPORTS)
+def test_moments_to_1e_14_wherever_the_slider_turns(name):
+    support, aspect = SUPPORTS[name]
+    record, size = support.record(1.0), support.extent
+    allowed = 1e-14 * max(1.0, aspect / 20)
+    for c in hard_centers(support, 12 if len(record.edges) > 20 else 36):
+        found = moments(record, *map(float, c))
+        if found.atom < 0:
+            exact = exact_moments(support, c)
+            errors = np.array([abs(float(a - b)) for a, b in zip(found[:4], exact, strict=True)])
+            assert (errors <= allowed * np.array([np.hypot(*c) + size, 1, 1, size])).all(), c
+
+
+@pytest.mark.parametrize("name", SUPPORTS)
+def test_derivatives_are_those_of_the_mean_distance(name):
+    """G and the second derivatives, against differences in 50 digits; away from where they jump."""
+    support, _ = SUPPORTS[name]
+    middle, size = np.array(support.center_of_pressure), support.extent
+    step = mpf(10) ** -18 * size
+    for offset in ((0.137, 0.211), (1.03, -0.45), (2.6, 1.3), (31.0, 57.0)):
+        c = middle + size * np.array(offset)
+        found = at(support, c)
+        with mp.workdps(50):
+            x, y = map(mpf, c)
+            ahead = [about(support, x + step, y), about(support, x, y + step)]
+            behind = [about(support, x - step, y), about(support, x, y - step)]
+            slopes = [
+                [float((a - b) / (2 * step)) for a, b in zip(*pair, strict=True)]
+                for pair in zip(ahead, behind, strict=True)
+            ]
+        assert found[1:3] == pytest.approx([-slopes[0][0], -slopes[1][0]], abs=5e-14)
+        (_, xx, xy), (_, yx, yy) = slopes
+        assert found[4:7] == pytest.approx([-xx, -xy, -yy], abs=2e-11 / size)
+        assert xy == pytest.approx(yx, abs=1e-12)
+
+
+@pytest.mark.parametrize("i", range(3))
+def test_an_atom_that_is_hit_is_named_and_gives_no_force(i):
+    support, _ = SUPPORTS["points"]
+    record = support.record(1.0)
+    place = np.array(support.positions[i])
+    others = Points(
+        [p for j, p in enumerate(support.positions) if j != i],
+        [w for j, w in enumerate(support.weights) if j != i],
+    )
+    share = 1 - support.weights[i] / sum(support.weights)
+    rest = at(others, place)
+    for gap in (0.0, 2e-16):
+        found = moments(record, place[0] + gap, place[1])
+        assert found.atom == i
+        assert np.array(found[:3]) == pytest.approx(share * np.array(rest[:3]), rel=1e-14)
+        assert np.isfinite(found).all()
+    assert moments(record, place[0] + 1e-13, place[1]).atom == -1
+
+
+def test_atoms_at_one_place_are_one():
+    double = Points([(1.0, 0.0), (0.0, 0.0), (1.0, 0.0)], [1.0, 2.0, 3.0])
+    assert double.record(1.0).atoms.tolist() == [[1.0, 0.0, 4 / 6], [0.0, 0.0, 2 / 6]]
+    assert at(double, (1.0, 0.0)).atom == 0
+
+
+def test_the_record_is_in_units_of_the_radius_and_its_arrays_are_contiguous():
+    support, _ = SUPPORTS["composite"]
+    one, other = support.record(1.0), support.record(2.5)
+    assert all(each.flags.c_contiguous and each.flags.writeable for each in one[3:])
+    assert {each.dtype.name for each in one[3:]} == {"float64", "int64"}
+    found, scaled = moments(one, 0.5, -0.7), moments(other, 0.2, -0.28)
+    assert np.array(scaled[:4]) * [2.5, 1, 1, 2.5] == pytest.approx(found[:4], abs=3e-15)
+    assert np.array(scaled[4:7]) == pytest.approx(2.5 * np.array(found[4:7]), rel=1e-12)
+
+
+UNCOMPILED = """
+from mechanics.supports.cases import SUPPORTS
+from planar_pushing.mechanics.supports.moments import moments
+for support, _ in SUPPORTS.values():
+    record = support.record(1.0)
+    print(*(float(each) for c in ((0.3, 0.2), (4.0, 3.0)) for each in moments(record, *c)[:7]))
+"""
+
+
+def test_the_source_gives_the_same_numbers_without_the_compiler():
+    found = subprocess.run(
+        [sys.executable, "-c", UNCOMPILED],
+        env={**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True, text=True, check=True,
+    ).stdout  # fmt: skip
+    for line, (support, _) in zip(found.splitlines(), SUPPORTS.values(), strict=True):
+        record = support.record(1.0)
+        compiled = [each for c in ((0.3, 0.2), (4.0, 3.0)) for each in moments(record, *c)[:7]]
+        assert list(map(float, line.split())) == pytest.approx(compiled, rel=1e-13, abs=1e-14)

@@ -1,0 +1,151 @@
+"""Public values of supports: centre and extent, what they keep of what is given, and what they refuse."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from mechanics.supports.cases import SUPPORTS, TRIPOD, rectangle
+from planar_pushing.mechanics.supports.annulus import Annulus
+from planar_pushing.mechanics.supports.base import Support
+from planar_pushing.mechanics.supports.composite import Composite
+from planar_pushing.mechanics.supports.disc import Disc
+from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.supports.points import Points
+from planar_pushing.mechanics.supports.polygon import Polygon
+from planar_pushing.mechanics.supports.pressure_map import PressureMap
+from planar_pushing.mechanics.supports.segment import Segment
+from planar_pushing.terms.errors import InvalidValue
+
+#: Of each support its centre of pressure and its extent.
+SHAPES = [
+    (Ring(), (0, 0), 1),
+    (Ring(2), (0, 0), 2),
+    (Disc(2, (1, -1)), (1, -1), 2),
+    (Annulus(1, 3, (0, 1)), (0, 1), 3),
+    (Points([(0, 0), (4, 0)], [3, 1]), (1, 0), 3),
+    (Segment((0, 0), (6, 8)), (3, 4), 5),
+    (rectangle(3, 4), (0, 0), 5),
+    (Polygon([(0, 0), (0, 3), (3, 0)]), (1, 1), math.sqrt(5)),
+    (
+        Polygon([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]),
+        (5 / 6, 5 / 6),
+        math.hypot(5, 7) / 6,
+    ),
+    (PressureMap([0, 1, 3], [0, 2], [[0, 5]]), (2, 1), math.sqrt(2)),
+    (PressureMap([0, 1, 3], [0, 2, 4], [[3, 0], [0, 0.5]]), (0.875, 1.5), math.hypot(2.125, 2.5)),
+    (Composite([(3, Disc(1)), (1, Points([(4, 0)], [7]))]), (1, 0), 3),
+    (Composite([(1, Ring(1)), (1, Composite([(2, Disc(1, (2, 0)))]))]), (1, 0), 2),
+]
+
+
+@pytest.mark.parametrize(("support", "center", "extent"), SHAPES)
+def test_center_of_pressure_and_extent(support, center, extent):
+    assert isinstance(support, Support)
+    assert support.center_of_pressure == pytest.approx(center, abs=1e-15)
+    assert support.extent == pytest.approx(extent, rel=1e-15)
+    record = support.record(2.0 if support != Ring() else 1.0)
+    size = 2.0 if support != Ring() else 1.0
+    assert (record.center_x * size, record.center_y * size) == pytest.approx(center, abs=1e-15)
+    assert record.extent * size == pytest.approx(extent, rel=1e-15)
+
+
+@pytest.mark.parametrize("name", SUPPORTS)
+def test_supports_are_plain_values(name):
+    support, _ = SUPPORTS[name]
+    again = eval(repr(support), globals())  # the module names every support
+    assert again == support
+    assert hash(again) == hash(support)
+
+
+@pytest.mark.parametrize("name", SUPPORTS)
+def test_shares_add_to_1(name):
+    record = SUPPORTS[name][0].record(1.0)
+    rows = (record.atoms, record.segments, record.rings, record.discs, record.plates)
+    assert sum(each[:, -1].sum() for each in rows) == pytest.approx(1.0, rel=1e-14)
+
+
+def test_a_ring_has_the_radius_of_the_slider_or_its_own():
+    assert Ring().record(7.0).rings.tolist() == [[0.0, 0.0, 1.0, 1.0]]
+    assert Ring(3.5).record(7.0).rings.tolist() == [[0.0, 0.0, 0.5, 1.0]]
+
+
+def test_the_direction_of_a_polygon_and_the_unit_of_weights_do_not_matter():
+    there, back = SUPPORTS["L"][0], Polygon(SUPPORTS["L"][0].vertices[::-1])
+    assert moments(back.record(1.0), 0.3, 0.2) == pytest.approx(
+        moments(there.record(1.0), 0.3, 0.2)
+    )
+    heavy = Points(TRIPOD.positions, [5.0, 5.0, 5.0]).record(1.0)
+    assert np.array_equal(heavy.atoms, TRIPOD.record(1.0).atoms)
+    loud = PressureMap([0, 1, 3], [0, 2], [[1e-300, 2e-300]]).record(1.0)
+    quiet = PressureMap([0, 1, 3], [0, 2], [[1e300, 2e300]]).record(1.0)
+    assert np.allclose(loud.edges, quiet.edges, rtol=1e-14)
+
+
+NAN, INF = math.nan, math.inf
+BOW_TIE = [(0, 0), (2, 2), (2, 0), (0, 3)]
+#: Of what is refused, words of the message: the name, what was given, what is allowed, what to do.
+REFUSED = [
+    (lambda: Ring(0.0), ["radius: 0.0 given", "> 0", "use Points"]),
+    (lambda: Ring(INF), ["radius: inf given"]),
+    (lambda: Disc(-1.0), ["radius: -1.0 given", "> 0", "use Points"]),
+    (lambda: Disc(NAN), ["radius: nan given"]),
+    (lambda: Disc(1.0, (0.0, NAN)), ["center[1]: nan given", "finite"]),
+    (lambda: Disc(1.0, 3.0), ["center: 3.0 given", "two finite numbers", "give x and y"]),
+    (lambda: Annulus(0.0, 1.0), ["inner: 0.0 given", "use Disc"]),
+    (lambda: Annulus(1.0, 1.0), ["inner: 1.0 given", "less than outer, 1.0", "use Ring"]),
+    (lambda: Annulus(2.0, 1.0), ["inner: 2.0 given", "less than outer, 1.0"]),
+    (lambda: Annulus(1.0, INF), ["outer: inf given", "outer radius"]),
+    (lambda: Points([], []), ["positions: [] given", "give x and y of each point"]),
+    (lambda: Points([(1.0, NAN)], [1.0]), ["positions[0][1]: nan given", "finite"]),
+    (lambda: Points([(1.0, 2.0, 3.0)], [1.0]), ["positions: ", "pairs of finite numbers"]),
+    (lambda: Points([(1.0, 2.0)], []), ["weights: [] given", "1 positive numbers", "one weight"]),
+    (lambda: Points([(0, 0), (1, 0)], [1, -1]), ["weights[1]: -1.0 given", "> 0", "leave out"]),
+    (lambda: Points([(0, 0), (1, 0)], [1, 0]), ["weights[1]: 0.0 given", "> 0"]),
+    (lambda: Points([(0, 0)], ["heavy"]), ["weights: ['heavy'] given"]),
+    (lambda: Segment((0, 0), (0.0, 0.0)), ["end: (0.0, 0.0) given", "other than the start", "Points"]),
+    (lambda: Segment((0, INF), (1, 0)), ["start[1]: inf given"]),
+    (lambda: Polygon([(0, 0), (1, 0)]), ["vertices: ", "at least three vertices", "in order"]),
+    (lambda: Polygon([(0, 0), (1, 0), (1, NAN)]), ["vertices[2][1]: nan given", "finite"]),
+    (lambda: Polygon("square"), ["vertices: 'square' given", "pairs of finite numbers"]),
+    (lambda: Polygon(BOW_TIE), ["edge 0 from (0.0, 0.0) to (2.0, 2.0)",
+                                "and edge 2 from (2.0, 0.0) to (0.0, 3.0)", "do not cross",
+                                "order the vertices"]),
+    (lambda: Polygon([(0, 0), (4, 0), (4, 2), (2, 0), (0, 2)]), ["edge 0", "edge 2", "touch"]),
+    (lambda: Polygon([(0, 0), (2, 0), (1, 0), (1, 1)]), ["edge 0", "edge 1", "touch"]),
+    (lambda: Polygon([(0, 0), (1, 0), (1, 0), (0, 1)]), ["edge 0", "edge 1"]),
+    (lambda: Polygon([(0, 0), (1, 0), (0, 1), (0, 0)]), ["edge 0", "edge 2", "each once"]),
+    (lambda: Polygon([(0, 0), (1, 1), (3, 3)]), ["vertices: ", "simple"]),
+    (lambda: Polygon([(0, 0), (1, 1), (2, 2 + 1e-14)]), ["vertices: ", "area is not zero", "Segment"]),
+    (lambda: PressureMap([0, 1], [0, 1], [[1, 2]]), ["pressure: ", "1 rows of 1 numbers", "the edges"]),
+    (lambda: PressureMap([0, 1, 1], [0, 1], [[1, 2]]), ["x: [0.0, 1.0, 1.0] given", "increasing"]),
+    (lambda: PressureMap([0], [0, 1], [[]]), ["x: [0.0] given", "at least two increasing"]),
+    (lambda: PressureMap([0, 1], [0, NAN], [[1]]), ["y[1]: nan given", "finite"]),
+    (lambda: PressureMap([0, 1, 2], [0, 1], [[1, -2]]), ["pressure[0][1]: -2.0 given", ">= 0", "pull"]),
+    (lambda: PressureMap([0, 1, 2], [0, 1], [[1, INF]]), ["pressure[0][1]: inf given", "finite"]),
+    (lambda: PressureMap([0, 1, 2], [0, 1], [[0, 0]]), ["pressure: 0.0 given", "at least one"]),
+    (lambda: Composite([]), ["members: [] given", "at least one pair", "give for instance"]),
+    (lambda: Composite([(1, "disc")]), ["members: ", "pair of a share and a support"]),
+    (lambda: Composite([Disc(1.0)]), ["members: ", "pair of a share and a support"]),
+    (lambda: Composite([(1, Ring())]), ["members: Ring(radius=None) given", "Ring(1.0)"]),
+    (lambda: Composite([(1, Disc(1)), (0, Disc(2))]), ["share[1]: 0.0 given", "> 0"]),
+    (lambda: Composite([(1, Disc(1)), (NAN, Disc(2))]), ["share[1]: nan given"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("make", "words"), REFUSED)
+def test_bad_input_is_refused_with_what_was_given_and_what_to_do(make, words):
+    with pytest.raises(InvalidValue) as caught:
+        make()
+    message = str(caught.value)
+    assert all(word in message for word in [*words, "allowed: "]), message
+
+
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
+def test_polygons_of_any_size_are_simple_or_not_alike(size):
+    Polygon(size * np.array(SUPPORTS["star"][0].vertices))
+    with pytest.raises(InvalidValue):
+        Polygon(size * np.array(BOW_TIE))
