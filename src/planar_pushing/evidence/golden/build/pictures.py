@@ -164,7 +164,10 @@ def _figure_13(study: Study) -> Golden:
     ]
     stick = list(modes.Mode).index(modes.Mode.STICK)
     rough = [
-        [cell(kind, "perfectly_rough", length, magnitude, phi)["force_angle"][stick] for phi in angles]
+        [
+            cell(kind, "perfectly_rough", length, magnitude, phi)["force_angle"][stick]
+            for phi in angles
+        ]
         for kind in grid["effects"]
     ]
     mus = grid["friction_coefficient"]
