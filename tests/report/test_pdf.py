@@ -147,7 +147,8 @@ def test_claims_tables_and_deviations_are_in_the_text(text):
         assert part in text
     for part in ("not reproducible", "refuted", "The sign is the other one.", "1.375", "0.25"):
         assert part in text
-    for part in ("178.75", "65432", "9.8.7", "62 degrees", "equal shares", "Closed forms."):
+    assert re.search("65 ?432", text)
+    for part in ("178.75", "9.8.7", "62 degrees", "equal shares", "Closed forms."):
         assert part in text
 
 
