@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 
 from planar_pushing.commands import main
+from planar_pushing.report import costs
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 
 README = Path("README.md").read_text(encoding="utf-8")
@@ -55,3 +56,15 @@ def test_python_scene(folder, monkeypatch, capsys):
     code = re.search(r"```python\n(import numpy.*?)```", README, re.DOTALL)
     exec(compile(code[1], "README.md", "exec"), {})
     assert capsys.readouterr().out.startswith("SLIP_RIGHT [-0.278")
+
+
+def test_errors_of_the_models_are_those_of_the_report():
+    """Both give the numbers of the certified comparison, with the same digits."""
+    cone = read_dataset("tests/evidence/costs/golden_accuracy.nc", "cone")
+    ellipsoid, quartic = (costs.cone_error(cone, name) for name in ("ellipsoid", "convex quartic"))
+    rim = {name: float(cone.rim_error.sel(model=name)) for name in ("ellipsoid", "quartic")}
+    for said in (
+        f"{quartic:.2f} degrees and an ellipsoid by up to {ellipsoid:.1f}",
+        f"{rim['quartic']:.2f} and {rim['ellipsoid']:.2f} degrees",
+    ):
+        assert said in README.replace("\n", " ")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from planar_pushing.report import supplement
-from planar_pushing.report.cost_tables import COST_TABLES, spin_ratio_text
+from planar_pushing.report.cost_tables import COST_TABLES, case_text, spin_ratio_text
 from planar_pushing.report.costs import absent_evaluations, listed_evaluations
 from planar_pushing.report.parts.costs import ACCURACY, EFFECTS, HARD_CASES
 from planar_pushing.report.results import MEASURED, Results
@@ -108,7 +108,14 @@ def test_evaluations_by_what_is_listed(results):
 
 @pytest.mark.parametrize(
     ("value", "text"),
-    [(1e-8, "1e-08"), (0.1, "0.1"), (1 + 1e-9, "1.000000001"), (1.0, "1"), (1e8, "1e+08")],
+    [
+        (1e-8, "1e-08"),
+        (0.1, "0.1"),
+        (1 + 1e-9, "1 + 1e-09"),
+        (1 - 1e-3, "1 - 1e-03"),
+        (1.0, "1"),
+        (1e8, "1e+08"),
+    ],
 )
 def test_spin_ratios_as_text(value, text):
     assert spin_ratio_text(value) == text
@@ -148,3 +155,10 @@ def test_a_missing_measurement_is_named(tmp_path):
     for name in MEASURED:
         with pytest.raises(InvalidFile, match=rf"{name}\.nc: no such dataset"):
             Results(Path(tmp_path), tmp_path).dataset(name)
+
+
+def test_names_of_cases_as_prose_has_them():
+    assert case_text("inertia, l = 1e+06, phi = 0.7853981633974484") == (
+        "inertia, l = 1\u2009000\u2009000, phi = 0.7854"
+    )
+    assert case_text("slip at n . u = -0.0400296") == "slip at n \u00b7 u = -0.04003"

@@ -17,7 +17,7 @@ from planar_pushing.evidence.golden.verdict import verdict
 from planar_pushing.evidence.writing import json_text, write_text
 from planar_pushing.figures.render import select
 from planar_pushing.report.numbers import NUMBERS
-from planar_pushing.report.quantities import rounded
+from planar_pushing.report.quantities import rounded, significant
 from planar_pushing.report.results import Results
 from planar_pushing.report.tables import (
     cones_text,
@@ -190,8 +190,8 @@ def test_verdict_by_dataset(results):
         "compared": "scenes",
         "variables": "2",
         "values": "240",
-        "worst difference": "1e-16",
-        "allowed there": "1e-14",
+        "worst difference": "1.0e-16",
+        "allowed there": "1.0e-14",
     }
 
 
@@ -243,3 +243,19 @@ def test_missing_tables_and_claims_are_named(results, tmp_path):
     write_text(json_text(verdict([])), tmp_path / "tables/golden_verdict.json")
     with pytest.raises(InvalidFile, match="compares nothing"):
         verdict_text(empty)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0.0"),
+        (9.6, "9.6"),
+        (0.31, "0.31"),
+        (0.0999, "0.10"),
+        (0.004, "4.0e-03"),
+        (-12345.0, "-12345"),
+        (1e5, "1.0e+05"),
+    ],
+)
+def test_a_power_of_ten_only_where_it_is_needed(value, text):
+    assert significant(value) == text

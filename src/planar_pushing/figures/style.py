@@ -21,6 +21,7 @@ FORCE = VERMILION
 MOTION = BLUE
 PUSHER = GREEN
 SLIP = "#B57A00"  # the palette's orange, darker: it also colours text
+IMPACT = "#B40F0F"  # red, dark enough for text
 CENTER = "#A0417B"  # a darker purple of the palette's hue: it also colours text
 SLIDER = DARK
 FENCE = DARK

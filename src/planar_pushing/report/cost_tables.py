@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text
 from planar_pushing.report.costs import FEW_ULP, ill, method, part, well
+from planar_pushing.report.quantities import significant
 from planar_pushing.report.results import EFFECTS, FRICTION, INERTIA, Results
 
+#: A spin ratio this near to one is written as its distance from it.
+CLOSE = 0.01
 #: The hard places by their number.
 PLACES = {
     1: "centre on the ring",
@@ -31,8 +36,13 @@ COMPUTED = {
 
 
 def spin_ratio_text(value: float) -> str:
-    """Shortest text of a spin ratio, a power of ten where it is far from one."""
-    return f"{value:.0e}" if abs(np.log10(value)) > 4 else f"{value:.10g}"
+    """Shortest text of a spin ratio: a power of ten, or how far it is from one where that is little."""
+    if abs(np.log10(value)) > 4:
+        return f"{value:.0e}"
+    apart = value - 1
+    if 0 < abs(apart) < CLOSE:
+        return f"1 {'+' if apart > 0 else '-'} {abs(apart):.0e}"
+    return f"{value:.10g}"
 
 
 def _methods(data: xr.Dataset) -> list[str]:
@@ -47,7 +57,7 @@ def _setting(value: float) -> str:
 
 
 def _error(value: float) -> str:
-    return f"{value:.1e}" if np.isfinite(value) else "no number"
+    return significant(value) if np.isfinite(value) else "no number"
 
 
 def _ulp(value: float) -> str:
@@ -112,6 +122,17 @@ def places_text(results: Results) -> str:
     return csv_text(rows)
 
 
+def case_text(name: str) -> str:
+    """Name of a case as prose has it: four significant digits, thousands apart."""
+    found = re.sub(r"\d+(?:\.\d+)?(?:e[+-]\d+)?", lambda each: _short(float(each[0])), name)
+    return found.replace(" . ", " \u00b7 ")
+
+
+def _short(value: float) -> str:
+    whole = value == int(value)
+    return f"{value:,.0f}".replace(",", "\u2009") if whole else f"{value:.4g}"
+
+
 def ill_text(results: Results) -> str:
     """Table of the ill-conditioned cases, and the digits that rounding the inputs leaves of each."""
     cases = ill(results.dataset("hard_cases"))
@@ -125,10 +146,10 @@ def ill_text(results: Results) -> str:
     return csv_text(
         [
             {
-                "case": name,
-                "condition": f"{condition:.1e}",
+                "case": case_text(name),
+                "condition": significant(condition),
                 "digits": f"{max(0.0, -np.log10(bound)):.0f}",
-                "error, ulp": f"{error:.1e}",
+                "error, ulp": significant(error),
             }
             for name, condition, bound, error in found
         ]

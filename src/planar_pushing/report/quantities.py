@@ -62,6 +62,14 @@ def rounded(value: float, digits: int) -> str:
     return text.lstrip("-") if float(text) == 0 else text
 
 
+def significant(value: float, digits: int = 2) -> str:
+    """Value with so many significant digits, a power of ten where it is below 0.01 or above 99,999."""
+    scaled = f"{value:.{digits - 1}e}"
+    power = int(scaled.partition("e")[2])
+    plain = value == 0 or -2 <= power <= 4
+    return f"{value:.{max(0, digits - 1 - power)}f}" if plain else scaled
+
+
 def picked(
     dataset: str,
     variable: str,
@@ -102,11 +110,11 @@ def computed(
 def magnitude(
     dataset: str, compute: Callable[..., float], *given: Any, unit: str = "1", digits: int = 1
 ) -> Quantity:
-    """Like `computed`, with a power of ten and so many digits after the point of its factor."""
+    """Like `computed`, with so many digits after the first, as a power of ten where it is one."""
     number = computed(dataset, compute, *given, unit=unit)
 
     def read(results: Results) -> str:
-        return f"{number.read(results):.{digits}e}"
+        return significant(compute(results.dataset(dataset), *given), digits + 1)
 
     return replace(number, read=read)
 

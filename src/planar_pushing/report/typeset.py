@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from importlib.metadata import distribution
 from pathlib import Path
 
 import typst
@@ -10,9 +11,12 @@ import typst
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.terms.errors import InvalidFile
 
+#: The figures' fonts, which ship with matplotlib; so text and pictures have one family.
+FONTS = str(distribution("matplotlib").locate_file("matplotlib/mpl-data/fonts/ttf"))
+
 
 def compiled(source: PathLike, root: PathLike) -> bytes:
-    """Set a source as a PDF, with the fonts that Typst ships.
+    """Set a source as a PDF, with the fonts of the figures and those that Typst ships.
 
     Parameters
     ----------
@@ -28,7 +32,9 @@ def compiled(source: PathLike, root: PathLike) -> bytes:
     """
     if not Path(source).is_file():
         raise InvalidFile(f"{source}: no such file; give the path of a Typst source")
-    compiler = typst.Compiler(input=str(source), root=str(root), ignore_system_fonts=True)
+    compiler = typst.Compiler(
+        input=str(source), root=str(root), ignore_system_fonts=True, font_paths=[FONTS]
+    )
     try:
         pdf, warnings = compiler.compile_with_warnings(format="pdf", timestamp=0)
     except typst.TypstError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import Any
 
-from planar_pushing.report.quantities import Quantity
+from planar_pushing.report.quantities import Quantity, significant
 from planar_pushing.report.results import Results
 from planar_pushing.terms.errors import InvalidFile
 
@@ -79,8 +79,8 @@ def _row(name: str, checks: list[Check]) -> dict[str, str]:
         "compared": name.replace("_", " "),
         "variables": str(len(checks)),
         "values": str(sum(check["count"] for check in checks)),
-        "worst difference": f"{used['error']:.2g}",
-        "allowed there": f"{used['allowed']:.2g}",
+        "worst difference": significant(used["error"]),
+        "allowed there": significant(used["allowed"]),
     }
 
 

@@ -65,3 +65,12 @@ def test_the_slider_has_ring_rod_and_contact(ax):
     assert ax.patches[0].radius == 0.8
     assert ax.patches[0].center == (1, 1)
     assert line_ends(ax, 0).tolist() == [[0, 0], [1, 1]]
+
+
+def test_tints_are_opaque():
+    assert (drawing.tint("#336699", 1.0), drawing.tint("#336699", 0.0)) == ("#336699", "#ffffff")
+
+
+def test_a_cone_covers_what_is_below_it(ax):
+    wedge = drawing.cone(ax, (0, 0), -20, 140, 0.5, style.MOTION)
+    assert wedge.get_facecolor()[3] == 1

@@ -54,6 +54,7 @@ def _line(check: Mapping[str, Any]) -> str:
     error, ulp, allowed = (
         math.inf if check[each] is None else check[each] for each in ("error", "ulp", "allowed")
     )
-    worst = f"; worst {error:.2g} ({ulp:.3g} ulp), allowed {allowed:.2g}"
+    units = f" ({ulp:.3g} ulp)" if math.isfinite(ulp) else ""  # zero has no last place
+    worst = f"; worst {error:.2g}{units}, allowed {allowed:.2g}"
     place = f" at {check['where']}" if check["where"] and error else ""
     return f"{mark} {name}: {amount}{worst}{place}"

@@ -24,7 +24,8 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     left, right = figure.subplots(1, 2, width_ratios=(3.4, 1))
     figure.subplots_adjust(left=0.085, right=0.985, bottom=0.125, top=0.83, wspace=0.35)
     work_precision(left, data.method.values, data.cone_seconds, data.cone_error.values, LIMITS)
-    left.set(xlim=(1e-8, 3e-1), yticks=10.0 ** np.arange(-14, 3, 4))
+    left.margins(x=0.35)  # room for the names of settings
+    left.set(yticks=10.0 ** np.arange(-14, 3, 4))
     left.set(xlabel="time for both edges of a cone, seconds", ylabel="largest error, degrees")
     name_ends(left, data, "cone", NAMED)
     _rim(right, data)
@@ -36,10 +37,10 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
 
 #: How the settings of a method are written, and aligned beside their markers.
 NAMED = {
-    "linear table": ("{:g} entries", "right"),
-    "cubic table": ("{:g} entries", "left"),
-    "find_root": ("tolerance {:g}", "left"),
-    "brentq on quad": ("tolerance {:g}", "left"),
+    "linear table": ("{} entries", "right"),
+    "cubic table": ("{} entries", "left"),
+    "find_root": ("tolerance {}", "left"),
+    "brentq on quad": ("tolerance {}", "left"),
 }
 
 
@@ -48,8 +49,8 @@ def _rim(ax: Axes, data: xr.Dataset) -> None:
     values = data.rim_error.values
     ax.bar([0, 1], values, width=0.6, color=[LOOKS[name]["color"] for name in names], alpha=0.75)
     for place, value in enumerate(values):
-        note(ax, place, value * 1.12, f"{value:.2f}", ha="center", va="bottom")
-    ax.set(yscale="log", ylim=(0.05, 20), xlim=(-0.6, 1.6), xticks=[0, 1])
+        note(ax, place, value + 0.02 * max(values), f"{value:.2f}", ha="center", va="bottom")
+    ax.set(ylim=(0, 1.1 * max(values)), xlim=(-0.6, 1.6), xticks=[0, 1])
     ax.set_xticklabels(["ellipsoid", "convex\nquartic"])
     ax.set_ylabel("mean direction error, degrees")
     ax.set_title("rim of 100 points")

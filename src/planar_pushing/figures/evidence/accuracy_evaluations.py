@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.evidence.accuracy_wrench import LIMITS, TITLES
-from planar_pushing.figures.evidence.work_precision import curves, handles, methods
+from planar_pushing.figures.evidence.work_precision import curves, handles, methods, name_limits
 from planar_pushing.figures.style import GREY, NOTE_SIZE
 from planar_pushing.mechanics.plane import Array
 
@@ -39,7 +39,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         _decorate(ax)
         for row in np.flatnonzero(~np.isfinite(one.error.values)):
             place = float(places[row]), LIMITS[1]
-            ax.annotate("no number", place, (5, -9), textcoords="offset points", fontsize=NOTE_SIZE)
+            ax.annotate("no number", place, (6, -3), textcoords="offset points", fontsize=NOTE_SIZE)
     axes[0].set_ylabel("relative error")
     figure.supxlabel("evaluations of the integrand", fontsize=9, y=0.01)
     figure.legend(handles=handles(methods(data)), loc="upper center", ncols=5, fontsize=8)
@@ -48,7 +48,8 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
 def _decorate(ax: Axes) -> None:
     ax.axvspan(STRIP[0] / 2, STRIP[1] * 1.6, color="#F0F0F0", zorder=0, lw=0)
     ax.axhline(np.finfo(float).eps, color=GREY, linewidth=0.6, linestyle=":")
-    ax.set(xlim=(STRIP[0] / 2, END), yticks=10.0 ** np.arange(-16, 3, 4))
+    ax.set(xlim=(STRIP[0] / 2, END))
+    name_limits(ax, LIMITS)
     ax.set_xticks([np.sqrt(STRIP[0] * STRIP[1]), 1e1, 1e3, 1e5])
     ax.set_xticklabels(["none", "$10^1$", "$10^3$", "$10^5$"])
     ax.xaxis.get_gridlines()[0].set_visible(False)

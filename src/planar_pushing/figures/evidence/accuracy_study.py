@@ -38,7 +38,9 @@ def _time(ax: Axes, x: np.ndarray, times: xr.DataArray, points: np.ndarray) -> N
     low, middle = best(times) / points * 1e9, times.median("repeat").values / points * 1e9
     ax.vlines(x, low, middle, color=VERMILION, linewidth=0.6)
     ax.plot(x, low, "o-", color=VERMILION)
-    ax.set(yscale="log", ylabel="time per point, ns", ylim=(100, 1e5))
+    ax.set(yscale="log", ylabel="time per point, ns")
+    decades = np.log10([low.min(), middle.max()])
+    ax.set_ylim(10.0 ** np.floor(decades[0]), 10.0 ** np.ceil(decades[1]))
 
 
 def _memory(ax: Axes, data: xr.Dataset, size: np.ndarray, block: np.ndarray) -> None:
@@ -53,8 +55,10 @@ def _memory(ax: Axes, data: xr.Dataset, size: np.ndarray, block: np.ndarray) -> 
     )
     ax.set(yscale="log", title="memory is bounded by the block", ylabel="largest memory, megabytes")
     ax.set_xlabel("points of the grid, or of a block")
+    ax.margins(y=0.1)
+    low, high = ax.get_ylim()
+    ax.set_ylim(low, 100 * high)  # room for the legend
     ax.legend(loc="upper left")
-    ax.set_ylim(1e-2, 1e4)
 
 
 def _errors(ax: Axes, data: xr.Dataset, size: np.ndarray) -> None:

@@ -6,11 +6,16 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.evidence.work_precision import handles, methods, work_precision
+from planar_pushing.figures.evidence.work_precision import (
+    handles,
+    methods,
+    name_limits,
+    work_precision,
+)
 from planar_pushing.figures.style import GREY, NOTE_SIZE
 
-LIMITS = (1e-17, 1e2)
-TIMES = (6e-9, 2e-2)
+#: Where errors of zero, and results that are no number, are marked.
+LIMITS = (1e-19, 1e4)
 TITLES = (
     r"$k = 10^{-8}$, almost a translation",
     r"$k = 0.1$",
@@ -34,10 +39,12 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         work_precision(ax, names, one.wrench_seconds, one.error.values, LIMITS)
         ax.axhline(np.finfo(float).eps, color=GREY, linewidth=0.6, linestyle=":")
         ax.set_title(title)
-        ax.set(xlim=TIMES, xticks=10.0 ** np.arange(-8, -1, 2), yticks=10.0 ** np.arange(-16, 3, 4))
+        ax.margins(x=0.08)
+        ax.set_xticks(10.0 ** np.arange(-7, -2, 2))
+        name_limits(ax, LIMITS)
         for row in np.flatnonzero(~np.isfinite(one.error.values)):
             place = float(one.wrench_seconds[row].min()), LIMITS[1]
-            ax.annotate("no number", place, (6, -9), textcoords="offset points", fontsize=NOTE_SIZE)
+            ax.annotate("no number", place, (6, -3), textcoords="offset points", fontsize=NOTE_SIZE)
     for ax in axes[-1]:
         ax.set_xlabel("time for one wrench, seconds")
     for ax in axes[:, 0]:

@@ -33,6 +33,9 @@ LOOKS: dict[str, dict[str, Any]] = {
     "convex quartic": {"marker": "d", "color": DARK, "markersize": 6, "markerfacecolor": "white"},
 }
 
+#: Factor by which the axis of errors reaches beyond its limits, so that marks there stay inside.
+MARGIN = 6.0
+
 
 def best(times: xr.DataArray) -> Array:
     """Least of the repeated times."""
@@ -61,8 +64,15 @@ def work_precision(
 
 
 def within(errors: Array, limits: tuple[float, float]) -> Array:
-    """Errors, those beyond the limits of the axis moved to its ends."""
-    return np.asarray(np.clip(np.nan_to_num(errors, posinf=limits[1]), *limits))
+    """Errors, zero at the lower limit and what is no number at the upper one."""
+    return np.asarray(np.clip(np.nan_to_num(errors, nan=limits[1], posinf=limits[1]), *limits))
+
+
+def name_limits(ax: Axes, limits: tuple[float, float]) -> None:
+    """Name the places of zero and of what is no number on the axis of relative errors."""
+    ticks = 10.0 ** np.arange(-16, 1, 4)
+    names = [f"$10^{{{power}}}$" for power in range(-16, 1, 4)]
+    ax.set_yticks([limits[0], *ticks, limits[1]], ["0", *names, "none"])
 
 
 def curves(ax: Axes, names: Array, x: Array, errors: Array, limits: tuple[float, float]) -> None:
@@ -72,7 +82,7 @@ def curves(ax: Axes, names: Array, x: Array, errors: Array, limits: tuple[float,
         rows = np.flatnonzero(names == name)
         look = {"markersize": 4.0, "linewidth": 0.9, "clip_on": False, **LOOKS[str(name)]}
         ax.plot(x[rows], shown[rows], **look)
-    ax.set(xscale="log", yscale="log", ylim=limits)
+    ax.set(xscale="log", yscale="log", ylim=(limits[0] / MARGIN, limits[1] * MARGIN))
     ax.minorticks_off()
     ax.grid(True)
     ax.set_axisbelow(True)
@@ -82,6 +92,20 @@ def handles(names: list[str]) -> list[Line2D]:
     """Entries of a legend."""
     options = {"markersize": 4.5, "linewidth": 0.9}
     return [Line2D([], [], label=name, **{**options, **LOOKS[name]}) for name in names]
+
+
+def count_text(value: float) -> str:
+    """Whole number with its thousands apart."""
+    return f"{value:,.0f}".replace(",", "\N{THIN SPACE}")
+
+
+def setting_text(value: float) -> str:
+    """Setting of a method: a count, or a tolerance as a power of ten."""
+    if value >= 1:
+        return count_text(value)
+    mantissa, power = f"{value:.0e}".split("e")
+    factor = "" if mantissa == "1" else rf"{mantissa} \times "
+    return rf"${factor}10^{{{int(power)}}}$"
 
 
 def name_ends(
@@ -96,7 +120,7 @@ def name_ends(
             times = data[f"{quantity}_seconds"][row]
             place, away = (times.min(), -8) if side == "right" else (times.median(), 8)
             ax.annotate(
-                words.format(float(data.setting[row])),
+                words.format(setting_text(float(data.setting[row]))),
                 (float(place), float(data[f"{quantity}_error"][row])), (away, 0),
                 textcoords="offset points", ha=side, va="center", color=GREY, fontsize=NOTE_SIZE - 1,
             )  # fmt: skip

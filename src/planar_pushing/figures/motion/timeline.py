@@ -24,6 +24,8 @@ MODES: dict[int, tuple[str, str]] = {
     ContactMode.SLIP_RIGHT: ("#E69F00", "slip right"),
     ContactMode.SLIP_LEFT: ("#CC79A7", "slip left"),
 }
+#: Speeds that differ by less are equal.
+ROUNDING = 1e-6
 
 
 class Run(NamedTuple):
@@ -70,6 +72,21 @@ def motion_center(log: xr.Dataset, radius: float) -> xr.DataArray:
     place = log["position"] + np.where(spin[:, None] == 0, np.nan, offset)
     place.attrs = {"units": "length", "long_name": "motion centre, from the contact at time 0"}
     return place
+
+
+def impacts(log: xr.Dataset) -> list[int]:
+    """Rows at which the slider's momentum jumps: changes that the forces around would not cause."""
+    effects = {each["type"]: each for each in json.loads(log.attrs["scene"])["effects"]}
+    if "inertia" not in effects:
+        return []
+    mass = float(effects["inertia"]["mass"])
+    weight = float(effects.get("ring_friction", {"weight": 0.0})["weight"])
+    momentum = mass * np.hypot(*np.diff(log["twist"].values[:, :2], axis=0).T)
+    force = np.hypot(*log["force"].values.T)
+    largest = weight + np.maximum(force[1:], force[:-1])
+    # Twice, for forces that change between two rows; the rest is rounding.
+    allowed = 2 * largest * np.diff(log["time"].values) + ROUNDING * mass
+    return [int(row) + 1 for row in np.flatnonzero(momentum > allowed)]
 
 
 def contact(data: xr.Dataset) -> Array:

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 
 from planar_pushing.figures.motion.timeline import MODES, contact, rows, runs
-from planar_pushing.figures.parts import arrows, drawing
-from planar_pushing.figures.style import CENTER, DARK, FENCE, FORCE, MOTION, NOTE_SIZE, SLIDER, SLIP
+from planar_pushing.figures.parts import arrows, drawing, labels
+from planar_pushing.figures.style import (
+    CENTER,
+    FENCE,
+    FORCE,
+    IMPACT,
+    NOTE_SIZE,
+    SLIDER,
+)
 from planar_pushing.mechanics.plane import Array
 
 Box = tuple[float, float, float, float]
@@ -22,14 +28,10 @@ Rect = tuple[float, float, float, float]
 
 #: How much of its colour the first of the snapshots keeps.
 PALEST = 0.22
+#: A longer step of the motion centre between two rows is a jump, in units of the slider's span.
+JUMP = 0.5
 #: Length of the drawn force and width of the fence on either side, in units of the slider's span.
 FORCE_LENGTH, FENCE_HALF = 0.42, 0.45
-
-
-def faded(color: str, strength: float) -> str:
-    """Colour mixed with white."""
-    red, green, blue = (1 - strength * (1 - part) for part in to_rgb(color))
-    return to_hex((red, green, blue))
 
 
 def span(data: xr.Dataset) -> float:
@@ -64,14 +66,16 @@ def last_center(data: xr.Dataset) -> list[Array]:
 def scene(ax: Axes, data: xr.Dataset, row: int, strength: float = 1.0) -> None:
     """Fence, slider and force at one row."""
     ring, touch = data["path_position"].values[row], contact(data)[row]
-    half, paint = FENCE_HALF * span(data), faded(FENCE, strength)
+    half, paint = FENCE_HALF * span(data), drawing.tint(FENCE, strength)
     fence(ax, data["path_fence"].values[row], half, paint, hatch=strength == 1)
-    color = faded(SLIDER, strength)
+    color = drawing.tint(SLIDER, strength)
     drawing.slider(ax, ring, float(data["radius"]), contact=touch, width=1.5, color=color)
     force = data["path_force"].values[row]
     if np.any(force):
         along = FORCE_LENGTH * span(data) * force / np.hypot(*force)
-        arrows.force_arrow(ax, touch, along, color=faded(FORCE, strength), head=9.0, width=1.0)
+        arrows.force_arrow(
+            ax, touch, along, color=drawing.tint(FORCE, strength), head=9.0, width=1.0
+        )
 
 
 def fence(ax: Axes, middle: Array, half: float, color: str, *, hatch: bool) -> None:
@@ -89,17 +93,44 @@ def fence(ax: Axes, middle: Array, half: float, color: str, *, hatch: bool) -> N
 def paths(ax: Axes, data: xr.Dataset, last: int | None = None) -> None:
     """Path of the contact, coloured by mode, and that of the motion centre, up to a row."""
     touch, end = contact(data), len(data["time"]) if last is None else last + 1
-    center = data["path_center"].values[:end]
-    ax.plot(*center.T, color=CENTER, linewidth=0.9, dashes=(3, 1.5), zorder=2.5)
+    _path_of_center(ax, data["path_center"].values[:end], span(data))
     for run in runs(data):
         part = touch[run.start : min(run.stop + 1, end)]
         ax.plot(*part.T, color=MODES[run.mode][0], linewidth=2.2, zorder=4.5)
 
 
-def snapshots(figure: Figure, data: xr.Dataset, rect: Rect, limits: Box, count: int) -> Axes:
-    """Axes with slider and fence at some instants, paler the earlier, and the paths."""
+def _path_of_center(ax: Axes, center: Array, size: float) -> None:
+    """Path of the motion centre inside the picture; an arrowhead where it leaves or enters it.
+
+    A jump, as at a change of mode, is no part of the path.
+    """
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    half = np.array([right - left, high - low]) / 2
+    middle = np.array([right + left, high + low]) / 2
+    inside = np.asarray(np.all(np.abs(center - middle) < 0.97 * half, axis=-1))
+    near = np.hypot(*np.diff(center, axis=0).T) < JUMP * size
+    shown = np.where(inside[:, None], center, np.nan)
+    for part in np.split(shown, np.flatnonzero(~near) + 1):
+        ax.plot(*part.T, color=CENTER, linewidth=0.9, dashes=(3, 1.5), zorder=2.5)
+    for step in (1, -1):
+        for here in np.flatnonzero(inside & ~np.roll(inside, -step)):
+            there = here + step
+            if 0 <= there < len(center) and near[min(here, there)]:
+                _head(ax, center[here], center[there] - center[here])
+
+
+def _head(ax: Axes, tip: Array, along: Array) -> None:
+    """Open arrowhead at the end of a path."""
+    stub = 1e-3 * along / np.hypot(*along)
+    arrows.arrow(ax, tip - stub, stub, style=arrows.OPEN_HEAD, color=CENTER, width=0.9, head=7)
+
+
+def snapshots(
+    figure: Figure, data: xr.Dataset, rect: Rect, limits: Box, count: int, more: Sequence[int] = ()
+) -> Axes:
+    """Axes with slider and fence at some instants and rows, paler the earlier, and the paths."""
     ax = drawing.schematic(figure, limits, rect=rect, pad=3.0)
-    chosen = rows(data, count)
+    chosen = sorted({*rows(data, count), *more})
     for strength, row in zip(np.linspace(PALEST, 1.0, len(chosen)), chosen, strict=True):
         scene(ax, data, row, float(strength))
     paths(ax, data)
@@ -108,30 +139,10 @@ def snapshots(figure: Figure, data: xr.Dataset, rect: Rect, limits: Box, count: 
     return ax
 
 
-def series(ax: Axes, data: xr.Dataset, name: str, text: str, **style: Any) -> None:
-    """One variable over time, its axis in the variable's colour."""
-    color = {"path_rod_angle": MOTION, "path_slip": SLIP}.get(name, DARK)
-    ax.plot(data["time"], data[name], color=color, **style)
-    ax.set_ylabel(text, color=color)
-    ax.set_xlim(float(data["time"][0]), float(data["time"][-1]))
-    ax.tick_params(axis="x", labelbottom=False)
-
-
-def ribbon(ax: Axes, data: xr.Dataset, bottom: float = 0.0) -> None:
-    """Contact mode over time as a coloured strip of unit height; hatched where there was a choice."""
-    time = data["time"].values
-    whole = time[-1] - time[0]
-    for run in runs(data):
-        start, stop = time[run.start], time[run.stop]
-        color, name = MODES[run.mode]
-        strip = Rectangle((start, bottom), stop - start, 0.9, facecolor=color, edgecolor="white")
-        strip.set(linewidth=0.4, hatch="////" if run.several else "")
-        ax.add_patch(strip)
-        if stop - start > 0.2 * whole:
-            middle = ((start + stop) / 2, bottom + 0.42)
-            back = {"boxstyle": "square,pad=0.1", "facecolor": color, "linewidth": 0}
-            note: dict[str, Any] = {"ha": "center", "va": "center", "color": "white", "bbox": back}
-            ax.annotate(name, middle, size=NOTE_SIZE, **note)
-    ax.set(xlim=(time[0], time[-1]), ylim=(0, max(ax.get_ylim()[1], bottom + 0.9)), yticks=[])
-    ax.spines["left"].set_visible(False)
-    ax.set_xlabel("time")
+def mark_impact(ax: Axes, data: xr.Dataset, row: int) -> None:
+    """Burst at the contact where the fence strikes it."""
+    place = contact(data)[row]
+    ax.plot(*place, marker=(8, 1, 0), color=IMPACT, markersize=13, mec="white", mew=0.6, zorder=9)
+    back = {"boxstyle": "square,pad=0.15", "facecolor": "white", "linewidth": 0}
+    note: dict[str, Any] = {"color": IMPACT, "size": NOTE_SIZE, "bbox": back}
+    labels.label(ax, place, "impact", offset=(26.0, -5.0), **note)

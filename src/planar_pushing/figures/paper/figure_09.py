@@ -61,8 +61,8 @@ def _slider_and_cones(ax: Axes, panel: xr.Dataset) -> None:
     drawing.slider(ax, panel["ring_center"].values, float(panel["radius"]))
     force = [float(panel[f"friction_cone_{side}"]) for side in ("right", "left")]
     motion = [float(panel[f"motion_cone_{side}"]) for side in ("right", "left")]
-    drawing.cone(ax, (0, 0), force[0], force[1], 0.8, FORCE)
     drawing.cone(ax, (0, 0), motion[0], motion[1], 1.1, MOTION)
+    drawing.cone(ax, (0, 0), force[0], force[1], 0.8, FORCE)
     for right_or_left, angle in zip("rl", force, strict=True):
         arrows.force_arrow(ax, (0, 0), 1.4 * arrows.unit(angle), rf"$\mathbf{{f}}_{right_or_left}$")
     for right_or_left, angle in zip("rl", motion, strict=True):

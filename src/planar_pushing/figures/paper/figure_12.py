@@ -79,8 +79,8 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 #: Radius of the cones, and length of the sectors that go on to infinity, units of length.
 REACH, FAR = 2.6, 30.0
-#: Opacity of the paper's bound and of the exact set.
-BOUND, EXACT = 0.16, 0.6
+#: Colours of the paper's bound and of the exact set.
+BOUND, EXACT = drawing.tint(CENTER, 0.16), drawing.tint(CENTER, 0.6)
 #: What the two panels show, units of length; the second is half the width of a square.
 VIEW, DETAIL = (-3.6, 7.8, -2.35, 5.4), 1.55
 
@@ -107,7 +107,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     _frame(detail, Rectangle((0, 0), 1, 1, transform=detail.transAxes))
     _centers(detail, data)
     drawing.slider(detail, center, ring, width=1.4)
-    handles = [Patch(facecolor=CENTER, alpha=each, linewidth=0) for each in (BOUND, EXACT)]
+    handles = [Patch(facecolor=each, linewidth=0) for each in (BOUND, EXACT)]
     names = ["the paper's bound", "exact set"]
     where: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.02), "ncols": 2}
     detail.legend(handles, names, title="possible acceleration centres", **where)
@@ -130,14 +130,14 @@ def _centers(ax: Axes, data: xr.Dataset) -> None:
     for start, stop in zip(outside.sector_start.values, outside.sector_stop.values, strict=True):
         sectors.append((start, stop, FAR, FAR - ring))
     for start, stop, size, width in sectors:
-        patch = Wedge(center, size, start, stop, width=width, facecolor=CENTER, alpha=BOUND)
+        patch = Wedge(center, size, start, stop, width=width, facecolor=BOUND)
         patch.set(linewidth=0, zorder=0.4)
         ax.add_patch(patch)
     # In order of the centre's direction, from one translation to the other.
     order = np.argsort(np.where(data.force_angle > data.rod_angle, 0, 1), kind="stable")
     edges = np.stack([data.exact_center_x, data.exact_center_y], axis=-1)[order]
     outline = np.concatenate([edges[:, 0], edges[::-1, 1]])
-    ax.add_patch(Polygon(outline, facecolor=CENTER, alpha=EXACT, linewidth=0, zorder=0.6))
+    ax.add_patch(Polygon(outline, facecolor=EXACT, linewidth=0, zorder=0.6))
 
 
 def _accelerations(ax: Axes, data: xr.Dataset) -> None:
@@ -146,12 +146,12 @@ def _accelerations(ax: Axes, data: xr.Dataset) -> None:
         (float(data[f"{kind}_cone_right"]), float(data[f"{kind}_cone_left"]))
         for kind in ("conservative", "exact")
     )
-    drawing.cone(ax, (0, 0), *bound, REACH, MOTION, alpha=0.12)
-    drawing.cone(ax, (0, 0), *exact, 0.86 * REACH, MOTION, alpha=0.25)
-    drawing.cone(ax, (0, 0), bound[1], 180.0, 0.86 * REACH, SLIP, alpha=0.25, zorder=0.3)
+    drawing.cone(ax, (0, 0), *bound, REACH, MOTION, strength=0.12)
+    drawing.cone(ax, (0, 0), *exact, 0.86 * REACH, MOTION, strength=0.3)
+    drawing.cone(ax, (0, 0), bound[1], 180.0, 0.86 * REACH, SLIP, strength=0.25, zorder=0.3)
     for outer, inner in zip(bound, exact, strict=True):
         text = f"bound {degrees(outer)}\nexact {degrees(inner)}"
-        shift = (-13.0 if outer > 90 else 6.0, 9.0 if outer > 90 else -10.0)
+        shift = (-18.0 if outer > 90 else 6.0, 10.0 if outer > 90 else -10.0)
         labels.label(
             ax, REACH * arrows.unit(outer), text, offset=shift, color=MOTION, size=NOTE_SIZE
         )

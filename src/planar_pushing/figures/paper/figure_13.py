@@ -10,7 +10,7 @@ import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch, Rectangle
+from matplotlib.patches import Rectangle
 
 from planar_pushing.figures.parts.curves import (
     chosen,
@@ -20,23 +20,19 @@ from planar_pushing.figures.parts.curves import (
     rod_lengths,
     titled,
 )
+from planar_pushing.figures.parts.mode_sets import (
+    LEFT,
+    RIGHT,
+    SEPARATE,
+    STICK,
+    fill,
+    mode_sets,
+    patch,
+)
 from planar_pushing.figures.settings import Settings, Sources
-from planar_pushing.figures.style import DARK, LIGHT, NOTE_SIZE
-from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.figures.style import DARK, NOTE_SIZE
+from planar_pushing.mechanics.plane import Array
 
-#: Each set of consistent modes: its name, colour and hatch; hatched where the solutions are several.
-SEPARATE, STICK, RIGHT, LEFT = (1 << mode for mode in ContactMode)
-STYLES: dict[int, tuple[str, str, str]] = {
-    SEPARATE: ("separate", "#E4E4E4", ""),
-    STICK: ("stick", "#FFFFFF", ""),
-    LEFT: ("slip left", "#8CCBEE", ""),
-    RIGHT: ("slip right", "#F2C14E", ""),
-    SEPARATE | STICK | LEFT: ("separate, stick or slip left", "#CC79A7", "////"),
-    SEPARATE | STICK: ("separate or stick", "#E3C9D6", "...."),
-    SEPARATE | LEFT: ("separate or slip left", "#A5C6DB", "xxxx"),
-    0: ("no solution", "#333333", ""),
-}
-OTHER = ("other", LIGHT, "xxxx")
 #: The legend's groups: title, columns, place in the figure, and the sets in it.
 LEGENDS = (
     ("unique", 2, 0.21, (SEPARATE, STICK, LEFT, RIGHT)),
@@ -65,25 +61,17 @@ DOTS: dict[str, Any] = {
     "markeredgewidth": 0.7,
     "clip_on": False,
 }
+#: Line where sticking ends.
+BORDER: dict[str, Any] = {"color": DARK, "linewidth": 0.7, "zorder": 2}
 UPRIGHT: dict[str, Any] = {"rotation": 90, "ha": "center", "va": "top", "size": NOTE_SIZE}
 
 
-def mode_sets(consistent: xr.DataArray) -> xr.DataArray:
-    """Code of the set of consistent modes: the sum of two to the power of each mode's value."""
-    bits = np.array([1 << ContactMode[str(name)] for name in consistent["mode"].values])
-    weights = xr.DataArray(bits, dims="mode", coords={"mode": consistent["mode"]})
-    code = ((consistent > 0) * weights).sum("mode").astype(np.int8)
-    code.attrs = {
-        "units": "1",
-        "long_name": "set of consistent contact modes",
-        "flag_masks": bits.astype(np.int8),
-        "flag_meanings": " ".join(consistent["mode"].values),
-    }
-    return code
-
-
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the sets of consistent modes and the edges of the motion cones."""
+    """Select the sets of consistent modes, where sticking ends, and the edges of the motion cones.
+
+    A contact sticks under Coulomb's law where the force of perfectly rough contact, which sticks to
+    every motion, is inside the friction cone: so that force's angle tells exactly where sticking ends.
+    """
     length = rod_lengths(settings, (2.0,))[0]
     magnitude = chosen(settings.pusher_magnitude, 1.0)
     modes = sources["contact_modes"].sel(rod_length=length, pusher_magnitude=magnitude)
@@ -91,7 +79,9 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
     cones = cones.sel(rod_length=length, rod_angle=rod_angle(cones))
     angle = np.rad2deg(np.arctan(modes.friction_coefficient.values))
     data = xr.Dataset({"modes": mode_sets(modes.consistent)})
-    data = data.drop_vars("friction_coefficient")
+    data["force_angle"] = modes.force_angle.sel(contact="perfectly_rough", mode="STICK")
+    data = data.drop_vars(["friction_coefficient", "mode"])
+    data["force_angle"].attrs["long_name"] = "force angle of perfectly rough contact, sticking"
     data["friction_angle"] = named("contact", angle, "degree", "angle of friction of the contact")
     edge = np.rad2deg(np.arctan(cones.friction_coefficient.values))
     for side in ("right", "left"):
@@ -114,7 +104,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         ax.set_title(title, x=MIDDLE)
     axes[0].set_ylabel("pusher angle (degrees)")
     for title, columns, place, codes in LEGENDS:
-        _legend(figure, place, columns, [_patch(code) for code in codes if code in found], title)
+        _legend(figure, place, columns, [patch(code) for code in codes if code in found], title)
     _legend(figure, 0.87, 1, axes[0].lines[-1:], "motion cone")
 
 
@@ -129,19 +119,25 @@ def _legend(
     figure.legend(handles=handles, title=title, ncols=columns, **where)
 
 
-def _patch(code: int) -> Patch:
-    name, color, hatch = STYLES[code]
-    return Patch(facecolor=color, hatch=hatch, edgecolor=DARK, linewidth=0.5, label=name)
-
-
 def _map(ax: Axes, one: xr.Dataset) -> set[int]:
-    """Bands over friction, strips of the other laws, edges of the motion cone; the sets drawn."""
+    """Bands over friction, strips of the other laws, the ends of sticking; the sets drawn."""
     strips = np.isin(one.contact.values, list(STRIPS))
     found = _bands(ax, one.isel(contact=~strips))
     for column in np.flatnonzero(strips):
-        found |= _strip(ax, one.isel(contact=column))
-    for side in ("right", "left"):
-        ax.plot(one.cone_friction_angle, one[f"motion_cone_{side}"], "o", label="edge", **DOTS)
+        found |= _strip(ax, one.isel(contact=[column]))
+    force = _force_angle(one)
+    for low in (0.0, 90.0):
+        part = np.union1d(force[(force > low) & (force < low + 90)], [low, low + 90])
+        ends = np.interp(part, force, one.pusher_angle.values)
+        ax.plot(np.abs(part - 90.0), ends, **BORDER)
+    if "+" not in str(one.effects.values):  # else the cone covers every magnitude of the motion
+        for side in ("right", "left"):
+            ax.plot(one.cone_friction_angle, one[f"motion_cone_{side}"], "o", label="edge", **DOTS)
+    _decorate(ax)
+    return found
+
+
+def _decorate(ax: Axes) -> None:
     ax.set(xlim=(0, RIGHTMOST), ylim=(LOWEST, 180.0))
     ax.set_xticks(np.rad2deg(np.arctan(TICKS)), [f"${number(each)}$" for each in TICKS])
     ax.set_xlabel(r"coefficient of friction $\mu$", x=MIDDLE)
@@ -150,7 +146,20 @@ def _map(ax: Axes, one: xr.Dataset) -> set[int]:
     for name, place in STRIPS.items():
         at, below = (place + STRIP_WIDTH / 2, -0.03), ax.get_xaxis_transform()
         ax.annotate(STRIP_NAMES[name], at, xycoords=below, annotation_clip=False, **UPRIGHT)
-    return found
+
+
+def _force_angle(one: xr.Dataset) -> Array:
+    """Force angle of sticking over the pusher angle, unwrapped, 0 to 180 where the fence pushes."""
+    angle = np.unwrap(one.force_angle.values, period=360.0)
+    normal = angle[np.argmin(np.abs(one.pusher_angle.values - 90.0))]
+    return np.asarray(angle - 360.0 * np.floor(normal / 360.0))
+
+
+def _borders(one: xr.Dataset) -> Array:
+    """Pusher angles at which the set can change, shape (contact, border): ends of sticking, fence."""
+    steep, force, angle = one.friction_angle.values, _force_angle(one), one.pusher_angle.values
+    ends = [np.interp(90.0 + sign * steep, force, angle) for sign in (-1.0, 1.0)]
+    return np.stack([*ends, np.zeros(len(steep))], axis=1)
 
 
 def _bands(ax: Axes, one: xr.Dataset) -> set[int]:
@@ -158,43 +167,48 @@ def _bands(ax: Axes, one: xr.Dataset) -> set[int]:
 
     A set that holds at single angles only, where the fence moves along itself, has no band.
     """
-    modes, angle = one.modes.values, one.pusher_angle.values
+    modes = one.modes.values
     found = np.unique(modes[:, 1:][modes[:, 1:] == modes[:, :-1]])
     ordered = sorted(found, key=lambda code: float(np.nonzero(modes == code)[1].mean()))
     rank = np.full(modes.shape, -1)
     for index, code in enumerate(ordered):
         rank[modes == code] = index
     rank = np.maximum.accumulate(rank, axis=1)
-    half = (angle[1] - angle[0]) / 2
-    edges = [np.where(rank < each, angle + half, LOWEST).max(axis=1) for each in range(len(found))]
-    edges.append(np.full(len(modes), 180.0))
+    below = [(rank < each).sum(axis=1) for each in range(len(found) + 1)]
+    edges = [_edge(one, count) for count in below]
     for code, low, high in zip(ordered, edges[:-1], edges[1:], strict=True):
         # A band that ends between two columns narrows to a point at the next one.
         present = np.convolve(high > low, [1, 1, 1], mode="same") > 0
-        _fill(ax, one.friction_angle.values, low, high, int(code), where=present)
+        fill(ax, one.friction_angle.values, low, high, int(code), where=present)
     _frame(ax, 0.0, 90.0)
     return {int(code) for code in found}
 
 
+def _edge(one: xr.Dataset, count: Array) -> Array:
+    """Where a band starts, above the first `count` pusher angles of each contact.
+
+    At the border between these angles, or half way where none is known.
+    """
+    angle, borders = one.pusher_angle.values, _borders(one)
+    low = angle[np.maximum(count - 1, 0)]
+    high = angle[np.minimum(count, len(angle) - 1)]
+    held = (borders >= low[:, None]) & (borders <= high[:, None])
+    known = borders[np.arange(len(borders)), held.argmax(axis=1)]
+    between = np.where(held.any(axis=1), known, (low + high) / 2)
+    return np.select([count == 0, count == len(angle)], [LOWEST, 180.0], between)
+
+
 def _strip(ax: Axes, column: xr.Dataset) -> set[int]:
     """Sets of modes under one law beside the axis."""
-    modes, angle = column.modes.values, column.pusher_angle.values
-    left, half = STRIPS[str(column.contact.values)], (angle[1] - angle[0]) / 2
+    modes, left = column.modes.values[0], STRIPS[str(column.contact.values[0])]
     starts = np.flatnonzero(np.diff(modes, prepend=-1))
-    stops = np.append(starts[1:], len(modes)) - 1
-    wide = [(start, stop) for start, stop in zip(starts, stops, strict=True) if stop > start]
+    stops = np.append(starts[1:], len(modes))
+    wide = [(start, stop) for start, stop in zip(starts, stops, strict=True) if stop > start + 1]
     for start, stop in wide:
-        low, high = angle[start] - half, angle[stop] + half
-        _fill(ax, [left, left + STRIP_WIDTH], low, high, int(modes[start]))
+        low, high = (_edge(column, np.array([n])) for n in (start, stop))
+        fill(ax, [left, left + STRIP_WIDTH], low, high, int(modes[start]))
     _frame(ax, left, STRIP_WIDTH)
     return {int(modes[start]) for start, _ in wide}
-
-
-def _fill(ax: Axes, x: Any, low: Any, high: Any, code: int, **options: Any) -> None:
-    _, color, hatch = STYLES.get(code, OTHER)
-    ax.fill_between(
-        x, low, high, facecolor=color, hatch=hatch, edgecolor=DARK, linewidth=0, zorder=1, **options
-    )
 
 
 def _frame(ax: Axes, left: float, width: float) -> None:

@@ -6,8 +6,9 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from planar_pushing.figures.motion.over_time import ribbon, series
 from planar_pushing.figures.motion.timeline import plotted
-from planar_pushing.figures.motion.trajectory import Box, box, ribbon, series, snapshots
+from planar_pushing.figures.motion.trajectory import Box, box, snapshots
 from planar_pushing.figures.parts.curves import titled
 from planar_pushing.figures.settings import Settings, Sources
 
@@ -47,12 +48,14 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     )
     angle, gap, modes = (figure.add_subplot(grid[place]) for place in range(3))
     for one, style in zip(both, STYLES, strict=True):
-        series(angle, one, "path_rod_angle", r"rod angle $\psi$ (deg)", linestyle=style)
+        series(angle, one, "path_rod_angle", "rod angle $\\psi$\n(degrees)", linestyle=style)
         label = TITLES[str(one["policy"].values)]
         series(gap, one, "path_gap", "gap", linestyle=style, label=label)
     gap.legend(loc="upper left")
     for one, bottom in zip(both, (1.0, 0.0), strict=True):
         ribbon(modes, one, bottom)
+    modes.set_yticks([1.45, 0.45], [TITLES[str(one["policy"].values)] for one in both])
+    modes.tick_params(axis="y", length=0, pad=1)
     figure.align_ylabels()
 
 

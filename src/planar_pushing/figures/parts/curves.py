@@ -181,9 +181,14 @@ def _cone_panel(
         tip = arrows.unit(edge)
         shift = (14.0 * tip[0], 8.0 * tip[1])
         labels.label(ax, reach * tip, degrees(edge), offset=shift, color=color, size=NOTE_SIZE)
+    # Shorter than the rod, which one of them may cover.
+    length = min(0.76 * reach, 0.7 * max(rod, ring))
+    low = -0.04 * (reach + right)
     for index, angle in enumerate(angles):
-        text = rf"$\mathbf{{{name}}}_{{{index + 1}}}$"
-        draw(ax, (0, 0), 0.76 * reach * arrows.unit(angle), text, head=10, width=1.1)
+        text, tip = rf"$\mathbf{{{name}}}_{{{index + 1}}}$", length * arrows.unit(angle)
+        draw(ax, (0, 0), tip, text if tip[1] >= 0 else "", head=10, width=1.1)
+        if tip[1] < 0:  # below the fence, as its arrow is
+            labels.label(ax, (0.8 * tip[0], min(tip[1], low)), text, color=color, va="top")
     labels.declutter(ax)
 
 
@@ -193,7 +198,7 @@ def _curve_panel(figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbo
     ax = drawing.schematic(figure, (-span, span, -span, span), rect=(0.33, 0.0, 0.34, 0.9), pad=6)
     arrows.coordinate_axes(ax, (0, 0), 0.0, 1.05 * span, ("$f_x$", "$f_y$"), color=GUIDE)
     angle = data.mapped_force_angle.values
-    drawing.cone(ax, (0, 0), angle[0], angle[-1], 1.12 * span / 1.3, FORCE, alpha=0.1)
+    drawing.cone(ax, (0, 0), angle[0], angle[-1], 1.12 * span / 1.3, FORCE, strength=0.1)
     tips = np.stack([data.mapped_force_x, data.mapped_force_y], axis=-1)
     for index, (tip, motion) in enumerate(zip(tips, data.mapped_motion_angle.values, strict=True)):
         arrows.force_arrow(ax, (0, 0), tip, head=8, width=1.0)

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Wedge
 
@@ -59,6 +60,12 @@ def fit(ax: Axes, box: tuple[float, float, float, float], *, pad: float = 12.0) 
     ax.set_aspect("equal", adjustable="datalim")
 
 
+def tint(color: str, strength: float) -> str:
+    """Colour mixed with white: opaque, so that two areas never add up to a third colour."""
+    red, green, blue = (1 - strength * (1 - part) for part in to_rgb(color))
+    return to_hex((red, green, blue))
+
+
 def slider(
     ax: Axes,
     center: npt.ArrayLike,
@@ -101,14 +108,17 @@ def cone(
     radius: float,
     color: str,
     *,
-    alpha: float = 0.16,
+    strength: float = 0.16,
     zorder: float = 0.5,
 ) -> Wedge:
-    """Cone of directions counter-clockwise from right to left; a single direction is a line."""
+    """Cone of directions counter-clockwise from right to left; a single direction is a line.
+
+    It covers the cones that were drawn before, so the largest comes first.
+    """
     origin = np.asarray(apex, dtype=float)
     whole = left_deg - right_deg >= 360
     ends = (0.0, 360.0) if whole else (right_deg, left_deg)
-    wedge = Wedge(tuple(origin), radius, *ends, facecolor=color, alpha=alpha, linewidth=0)
+    wedge = Wedge(tuple(origin), radius, *ends, facecolor=tint(color, strength), linewidth=0)
     wedge.set_zorder(zorder)
     ax.add_patch(wedge)
     if not whole:

@@ -129,8 +129,8 @@ def status(ax: Axes, sketch: Sketch) -> None:
 
 LAYERS: tuple[Layer, ...] = (
     body,
-    friction_cone,
     motion_cone,
+    friction_cone,
     force,
     line_of_force,
     motions,

@@ -17,8 +17,9 @@ SUBJECTS = by_name(
             "Consistent contact modes over the coefficient of friction (linear in its angle) "
             "and the angle of the fence's motion. The strips on the right are infinite "
             "friction without tangential force at zero normal force (the second definition) "
-            "and perfectly rough contact. Dots are edges of the motion cones; with both "
-            "effects the cone covers all magnitudes of the motion, the map is drawn for one."
+            "and perfectly rough contact. The line is where sticking ends. With one effect it "
+            "passes through the edges of the motion cones (dots); with both the cone covers all "
+            "magnitudes of the motion, and the map is drawn for one."
         ),
     ),
     Figure(
@@ -32,7 +33,8 @@ SUBJECTS = by_name(
             "slider: where the contact is kept the slider is pulled along and turns on, where "
             "it is lost the slider stays behind. Slider and fence at some instants, the paths "
             "of the contact and of the motion centre, and over time the rod angle, the gap at "
-            "the contact and the contact mode, hatched where several are consistent. A tick "
+            "the contact and the contact mode. The path of the motion centre (dashed) is drawn "
+            "inside the picture, without its jumps; an arrowhead tells where it leaves. A tick "
             "marks the point of the fence that the contact touched first."
         ),
     ),
@@ -62,7 +64,8 @@ OURS = by_name(
         caption=(
             "Error of the friction wrench against evaluations of the integrand, at four spin "
             "ratios k, a marker for each setting of a method. Formulas evaluate no integrand "
-            "and stand in the grey strip. Dotted: rounding of a double."
+            "and stand in the grey strip; an error of zero, and a result that is no number, stand "
+            "at the ends of the axis. Dotted: rounding of a double."
         ),
     ),
     Figure(

@@ -104,7 +104,7 @@ PAPER = by_name(
         name="figure_07",
         drawing="figures.paper.figure_07",
         datasets=("motion_cones",),
-        size=(PAGE_WIDTH, 1.7),
+        size=(PAGE_WIDTH, 2.0),
         takes=("rod_length",),
         needs=FRICTION,
         section="Sec. 3.2: slip with infinite friction",
@@ -112,7 +112,8 @@ PAPER = by_name(
             "Velocity cones for infinite friction and several rod lengths. Each spans half a "
             "turn and leans away from the friction cone (the half plane above the fence): "
             "below the fence on its right side the fence pulls, above the fence on its left "
-            "side the contact slips."
+            "side the contact slips. Each picture has a scale of its own; the bars are as long "
+            "as the ring's radius."
         ),
         promise="velocity cones of infinite friction.",
     ),

@@ -10,6 +10,7 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.certified.balls import precise
+from planar_pushing.certified.contact import modes
 from planar_pushing.certified.setting import Effects
 from planar_pushing.evidence.golden.build import cells, motions
 from planar_pushing.evidence.golden.build.packing import Values, certified
@@ -161,9 +162,18 @@ def _figure_13(study: Study) -> Golden:
         [[mode_set(cell(kind, label, length, magnitude, phi)) for phi in angles] for label in laws]
         for kind in grid["effects"]
     ]
+    stick = list(modes.Mode).index(modes.Mode.STICK)
+    rough = [
+        [
+            cell(kind, "perfectly_rough", length, magnitude, phi)["force_angle"][stick]
+            for phi in angles
+        ]
+        for kind in grid["effects"]
+    ]
     mus = grid["friction_coefficient"]
     cones = [[cone(study, Effects(kind), length, mu) for mu in mus] for kind in grid["effects"]]
     values: Values = {"modes": (("effects", "contact", "pusher_angle"), sets)}
+    values["force_angle"] = (("effects", "pusher_angle"), rough)
     for name in ("motion_cone_right", "motion_cone_left"):
         rows = [[each[name] for each in row] for row in cones]
         values[name] = (("effects", "friction_coefficient"), rows)
