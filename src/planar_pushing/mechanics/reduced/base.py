@@ -69,6 +69,20 @@ def slips(kinds: Any) -> Callable[..., Any]:
 
 
 @generic
+def edge_motion(kinds: Any) -> Callable[..., Any]:
+    """The motion of unit size under a force on an edge, of effects of one degree: twist and force.
+
+    Parameters
+    ----------
+    effects : tuple
+    rod : Rod
+    edge : Direction
+        Of the force.
+    """
+    return isotropic.edge_motion
+
+
+@generic
 def limit_motion(kinds: Any) -> Callable[..., Any]:
     """Size of the force on the limit curve in a direction, and the motion it causes.
 

@@ -203,6 +203,15 @@ def sustained(effects, own, along, aside, spin, blur):
     return Sustained(v_x, v_y, spin, part * v_x, part * v_y, along, aside, blur)
 
 
+@compiled
+def edge_motion(effects, own, edge):
+    """As `base.edge_motion`."""
+    ratio = signed_spin_ratio(effects, own, edge)
+    speed, spin = (1.0, ratio) if abs(ratio) <= 1.0 else (1.0 / abs(ratio), copysign(1.0, ratio))
+    force = response(effects, speed, spin)[0]
+    return speed * edge.x, speed * edge.y, spin, force * edge.x, force * edge.y
+
+
 class SpeedOfSpin(NamedTuple):
     """Torque about the contact that a motion with a given spin lacks, over the centre's speed."""
 
