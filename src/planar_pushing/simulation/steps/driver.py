@@ -8,7 +8,7 @@ above its tangent, so the step's condition on the gap keeps the true gap open as
 
 from __future__ import annotations
 
-from math import cos, sin, sqrt
+from math import cos, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +18,7 @@ from planar_pushing.mechanics.plane import Array, contact_motion
 from planar_pushing.simulation.fence import span, velocity
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.steps.trials import TRIALS, Step, enumerate_trials
-from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.motion import friction, kinetic_energy, rod_of
 
 #: A gap that is this small in radii is closed.
@@ -29,9 +29,9 @@ INCONSISTENT, LIES = int(Stop.INCONSISTENT), int(Stop.LIES)
 #: Nodes and weights of the quadrature that turns a velocity into a displacement.
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
-#: Where a run is: its time and the end of the step; `mark` and `step` count the intervals between the times
-#: that are recorded, from `start` on, and the steps in one; place of the fence, and its way in the step; state
-#: as a system without inertia has it, twist, and mean force of the last step.
+#: Where a run is: its time and the end of the step; `mark` and `step` count the intervals between the
+#: times that are recorded, from `start` on, and the steps in one; place of the fence, and its way in the
+#: step; state as a system without inertia has it, twist, and mean force of the last step.
 CLOCK = np.dtype(
     [
         ("time", "f8"), ("until", "f8"), ("start", "f8"), ("fence", "f8", (2,)), ("way", "f8", (2,)),
@@ -79,9 +79,6 @@ def advance(system, plan, run, rows):
 @compiled
 def _moved(fence, during, start, end):
     """How far the fence travels between two times of a span."""
-    if during.constant:
-        x, y = velocity(fence, during, start)
-        return x * (end - start), y * (end - start)
     half, middle, x, y = (end - start) / 2.0, (end + start) / 2.0, 0.0, 0.0
     for i in range(len(NODES)):
         v_x, v_y = velocity(fence, during, middle + half * NODES[i])
@@ -91,7 +88,10 @@ def _moved(fence, during, start, end):
 
 @compiled
 def _choose(system, plan, run):
-    """Take the step that the policy takes; whether the mode, or the number of trials, changes."""
+    """Take the step that the policy takes, of several in one mode that of the least impulse.
+
+    Returns whether the mode, or the number of trials, changes.
+    """
     part = (run.step + 1) / plan.counts[run.mark]
     run.until = run.start + (plan.ends[run.mark] - run.start) * part
     during = span(system.fence, plan.pieces[run.mark])
@@ -102,7 +102,10 @@ def _choose(system, plan, run):
         run.kind, run.stopped = NO_MODE, INCONSISTENT
         run.force[:] = 0.0
         return True
-    _take(run, plan.policy, count)
+    best, h = contact.preferred(plan.policy, kind, run.kinds, count), run.until - run.time
+    run.kind = run.kinds[best]
+    run.trials[0] = run.trials[best]
+    run.force[0], run.force[1] = run.trials[0, 3] / h, run.trials[0, 4] / h
     if system.body.mass == 0.0:
         run.twist[:] = run.trials[0, :3]
     return run.kind != kind or count != before
@@ -115,21 +118,6 @@ def _try(system, run):
     own = rod_of(system.body, run.state[base.ANGLE])
     step = Step(h, own, twist[0], twist[1], twist[2], run.way[0] / h, (run.way[1] - gap) / h)
     return enumerate_trials(system, step, gap <= CLOSED, run.kinds, run.trials)
-
-
-@inlined
-def _take(run, policy, count):
-    """Put the trial that the policy takes first; of several in one mode that of the least impulse."""
-    best, first, least = 0, 0, 0.0
-    for i in range(count):
-        place = base.rank(policy, run.kind, run.kinds[i])
-        size = sqrt(run.trials[i, 3] ** 2 + run.trials[i, 4] ** 2)
-        if i == 0 or place < first or (place == first and size < least):
-            best, first, least = i, place, size
-    run.kind = run.kinds[best]
-    run.trials[0] = run.trials[best]
-    h = run.until - run.time
-    run.force[0], run.force[1] = run.trials[0, 3] / h, run.trials[0, 4] / h
 
 
 @inlined

@@ -1,91 +1,28 @@
 """Steps of a scene with inertia, and with or without friction.
 
-A step solves ``M (v+ - v) + h dD(v+) = J^T P`` for the twist v+ and the contact's impulse P. Every part of
-it is a root in one unknown: the direction of the motion under a known impulse, which lies between those that
-friction alone and inertia alone would give; the rotation in a stick; the impulse's size in a slip. Rest is a
-solution where the impulse lies inside the limit surface times h.
+A step solves ``M (v+ - v) + h dD(v+) = J^T P`` for the twist v+ and the contact's impulse P. It is a root
+in one unknown: the rotation in a stick, the impulse's size in a slip.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import atan, atan2, copysign, cos, sin, sqrt
+from math import copysign, sqrt
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.base import response
-from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.numerics.root import EQUATIONS, root
-from planar_pushing.mechanics.plane import Rod, contact_motion
-from planar_pushing.mechanics.reduced.base import limit_motion
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.numerics.root import EQUATIONS
+from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.bracket import bracketed
+from planar_pushing.simulation.steps.slowing import slowed
 from planar_pushing.simulation.steps.trials import PARTS, SLACK, Step
 from planar_pushing.simulation.systems.contact import edge_of, moment_of, pushed
-from planar_pushing.simulation.systems.motion import friction, seen_from
+from planar_pushing.simulation.systems.motion import friction
 
 #: A target below this part of the speeds is a contact that stands still.
 STILL = 1e-14
 #: Part by which the range of a slip's impulse is widened: friction along the contact's motion shifts it by
 #: exactly its all, and the root is then at an end.
 WIDER = 1e-3
-
-
-class Braked(NamedTuple):
-    """Momentum across the motion that a step lacks, over the angle of the motion (v, R omega); unit mass."""
-
-    effects: tuple[Any, ...]
-    push: float
-    turn: float
-    size: float
-
-
-@compiled
-def _left(of, angle):
-    """Direction at an angle, what friction leaves of push and turn there, and a slope of friction."""
-    c, s = cos(angle), sin(angle)
-    force, torque, vv, _, ss = response(of.effects[:1], c, s)
-    return c, s, of.push - of.size * force, of.turn - of.size * torque, of.size * (vv + ss)
-
-
-@compiled
-def _braked(of, angle):
-    gyration, (c, s, left, over, bend) = of.effects[1].gyration, _left(of, angle)
-    slope = bend * (c * c + gyration * s * s) + over * s + left * gyration * c
-    return left * gyration * s - over * c, slope
-
-
-EQUATIONS[Braked] = _braked
-
-
-@generic
-def _slowed(kinds: Any) -> Callable[..., Any]:
-    """Speed and rotation, >= 0, that friction leaves of those before: effects, both, length of the step."""
-    return _not_slowed if kinds == (Mass,) else _slowed_by_friction
-
-
-@compiled
-def _not_slowed(effects, speed, spin, size):
-    return speed, spin
-
-
-@compiled
-def _slowed_by_friction(effects, speed, spin, size):
-    """The momentum is a force on a line at its moment arm; on the limit curve it is all that friction holds."""
-    mass, gyration = effects[1]
-    size, turn = size / mass, gyration * spin
-    if speed == 0.0:
-        torque = response(effects[:1], 0.0, 1.0)[1]
-        return 0.0, max(turn - size * torque, 0.0) / gyration
-    below = Rod(turn / speed, 0.0, 0.0, 1.0)
-    most, ratio, _ = limit_motion(effects[:1], below, seen_from(below, 1.0, 0.0))
-    if speed <= size * most:
-        return 0.0, 0.0
-    slow, fast = atan(ratio), atan2(spin, speed)
-    of = Braked(effects, speed, turn, size)
-    angle = root(of, min(slow, fast), max(slow, fast), (slow + fast) / 2)[0]
-    c, s, left, over, _ = _left(of, angle)
-    size = (c * left + s * over) / (c * c + gyration * s * s)
-    return size * c, size * s
 
 
 @compiled
@@ -98,7 +35,7 @@ def _after(system, step, p_x, p_y):
         step.spin + moment_of(step.own, p_x, p_y) / body.moment,
         sqrt(v_x * v_x + v_y * v_y),
     )
-    slower, rotation = _slowed(system.effects, speed, abs(spin), step.size)
+    slower, rotation = slowed(system.effects, speed, abs(spin), step.size)
     part = slower / speed if speed > 0.0 else 0.0
     return part * v_x, part * v_y, copysign(rotation, spin)
 
@@ -152,7 +89,7 @@ def stick(system, step, found):
 
 @compiled
 def _sticking(system, step, stiffness, middle):
-    """Rotation and force of friction in a stick; a held rotation takes the part of the force that holds it."""
+    """Rotation and force of friction in a stick; where it is held, the part of the force that holds it."""
     own, most = step.own, step.size * system.body.weight * (step.own.length + 1.0) / stiffness
     f_x, f_y, torque = _about_contact(system.effects, own, 0.0, 0.0, 1.0)
     pivot = step.size * torque / stiffness
@@ -223,8 +160,8 @@ def _sizes(lifted, low, high, found):
         size = low + (high - low) * i / PARTS
         value = _lifted(lifted, size)[0]
         if (at_last < 0.0) != (value < 0.0):
-            exact = at_last == 0.0
-            found[count, 0] = last if exact else bracketed(lifted, last, size, at_last, value)
+            exact = value == 0.0
+            found[count, 0] = size if exact else bracketed(lifted, last, size, at_last, value)
             count += 1
         last, at_last = size, value
     return count

@@ -35,16 +35,10 @@ class TimeStepping:
     problem : Problem
         Its tolerance has no part in this method.
     times : array_like
-        Increasing, within the duration. The rows hold these times and every change of mode or of
-        the number of consistent ones.
+        Increasing, within the duration. The rows hold these and every change of mode or of their number.
     step : float, optional
-        Greatest length of a step; a thousandth of the duration by default. The error is proportional
-        to it.
-
-    Raises
-    ------
-    InvalidValue
-        Where the step is not a positive number.
+        Greatest length of a step, > 0; a thousandth of the duration by default. The error is
+        proportional to it.
 
     Notes
     -----

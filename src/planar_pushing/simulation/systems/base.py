@@ -27,7 +27,6 @@ ALONG, GAP, ANGLE, SLIP, LOST, WORK, RUBBED, OVER, RISE, SPIN = range(10)
 STILL, MOVING = OVER, SPIN + 1
 #: Policies in the core, in the order of `Policy`.
 KEEPS, LEAVES, STAYS = range(3)
-
 #: What the slider does: the contact modes, of which `SEPARATE` is a flight, and rests clear of the fence
 #: and on it.
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
@@ -156,8 +155,7 @@ def pace(system, during, time):
     body, (x, y) = system.body, velocity(system.fence, during, time)
     speed = body.speed if body.mass > 0.0 else sqrt(x * x + y * y)
     along = max(1.0, body.length) / speed if speed > 0.0 else inf
-    slows = body.mass > 0.0 and body.weight > 0.0
-    return min(along, body.mass * speed / body.weight) if slows else along
+    return min(along, speed * body.mass / body.weight) if body.mass * body.weight > 0.0 else along
 
 
 @compiled
@@ -167,8 +165,7 @@ def settling(system, during, time, state):
     if body.mass == 0.0:
         return 0.0
     v_x, v_y = center_velocity(system, during, time, state)
-    size = max(size_of(v_x, v_y, state[SPIN]), AT_REST * body.speed)
-    return body.weight / (body.mass * size)
+    return body.weight / (body.mass * max(size_of(v_x, v_y, state[SPIN]), AT_REST * body.speed))
 
 
 @compiled

@@ -8,7 +8,10 @@ from __future__ import annotations
 
 from math import atan2
 
+import numpy as np
+
 from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.simulation.fence import velocity
 from planar_pushing.simulation.rows import Stop
@@ -18,8 +21,8 @@ from planar_pushing.simulation.systems.motion import rod_of
 NO_IMPULSE = int(Stop.NO_IMPULSE)
 #: An impulse this near to an edge of the cone is on it, radians.
 ON_EDGE = 1e-12
-#: Greatest rank of a mode, and one more.
-NONE = 9
+#: How many contact modes there are.
+MODES = len(ContactMode)
 
 
 @compiled
@@ -102,34 +105,37 @@ def pushed_in(body, own, kind, x, y):
 
 
 @compiled
+def preferred(policy, previous, kinds, count):
+    """Place of the contact mode that a policy takes, the first of equals; -1 where there is none."""
+    best = -1
+    for i in range(count):
+        place = base.rank(policy, previous, kinds[i])
+        if best < 0 or place < base.rank(policy, previous, kinds[best]):
+            best = i
+    return best
+
+
+@compiled
 def impact(system, during, time, state, kind, policy):
     """Change the twist by the impulse that the policy takes; 0, or the `Stop` where there is none."""
     body, x, y = system.body, state[base.OVER], state[base.RISE]
     if max(abs(x), abs(y)) <= base.SLACK * body.speed:
         state[base.OVER], state[base.RISE] = 0.0, 0.0
         return 0
-    own = rod_of(body, state[base.ANGLE])
-    chosen = _chosen(body, own, x, y, base.contact_mode(kind), policy)
-    if chosen == NONE:
+    own, kinds, count = rod_of(body, state[base.ANGLE]), np.empty(MODES, np.int64), 0
+    for each in range(MODES):
+        if _consistent(body, own, each, x, y):
+            kinds[count], count = each, count + 1
+    chosen = preferred(policy, base.contact_mode(kind), kinds, count)
+    if chosen < 0:
         return NO_IMPULSE
-    p_x, p_y, after_x, after_y = pushed_in(body, own, chosen, x, y)
+    p_x, p_y, after_x, after_y = pushed_in(body, own, kinds[chosen], x, y)
     state[base.OVER], state[base.RISE] = after_x, after_y
     state[base.SPIN] += moment_of(own, p_x, p_y) / body.moment
     fence_x, fence_y = velocity(system.fence, during, time)
     state[base.WORK] += p_x * fence_x + p_y * fence_y
     state[base.LOST] -= p_x * (x + after_x) / 2 + p_y * (y + after_y) / 2
     return 0
-
-
-@compiled
-def _chosen(body, own, x, y, previous, policy):
-    """Of the modes whose impulse is consistent the one that the policy takes."""
-    chosen, best = NONE, NONE
-    for kind in range(base.SLIP_LEFT + 1):
-        place = base.rank(policy, previous, kind)
-        if place < best and _consistent(body, own, kind, x, y):
-            chosen, best = kind, place
-    return chosen
 
 
 @compiled

@@ -61,7 +61,7 @@ def _in_motion(system, during, time, state, kinds):
     """Modes of a contact on the fence whose slider moves."""
     body, slip, count = system.body, state[base.OVER], 0
     flight = motion(system, base.Mode(base.SEPARATE, 0.0, 0.0, 0.0, during), time, state)
-    for kind in range(base.SLIP_LEFT + 1):
+    for kind in range(contact.MODES):
         may = body.slips and contact.side_of(kind) * slip >= -base.SLACK * body.speed
         if kind == base.SEPARATE:
             may = flight.lift >= -base.SLACK * body.force / body.mass
@@ -89,10 +89,10 @@ def after(system, cause, mode, time, state, policy):
 
 @compiled
 def motion(system, mode, time, state):
-    fence = velocity(system.fence, mode.during, time)
+    fence_x, fence_y = velocity(system.fence, mode.during, time)
     turn_x, turn_y = acceleration(system.fence, mode.during, time)
     if mode.kind >= base.CLEAR:
-        return at_rest(*fence, turn_x, turn_y)
+        return at_rest(fence_x, fence_y, turn_x, turn_y)
     body, own, spin = system.body, rod_of(system.body, state[base.ANGLE]), state[base.SPIN]
     body.evaluations += 1
     v_x, v_y = base.center_velocity(system, mode.during, time, state)
@@ -100,10 +100,12 @@ def motion(system, mode, time, state):
     free_x, free_y = _free(body, own, drag_x, drag_y, drag, spin)
     free_x, free_y = free_x - turn_x, free_y - turn_y
     f_x, f_y, a_x, a_y = contact.pushed_in(body, own, mode.kind, free_x, free_y)
-    moved = state[base.OVER], state[base.RISE], *fence, v_x, v_y, spin
     rubbed = drag_x * v_x + drag_y * v_y + drag * spin
     turn = (contact.moment_of(own, f_x, f_y) - drag) / body.moment
-    return Motion(*moved, f_x, f_y, rubbed, a_x, a_y, turn, free_y)
+    return Motion(
+        state[base.OVER], state[base.RISE], fence_x, fence_y, v_x, v_y, spin,
+        f_x, f_y, rubbed, a_x, a_y, turn, free_y,
+    )  # fmt: skip
 
 
 @compiled

@@ -49,12 +49,14 @@ def motion(system, mode, time, state):
     system.body.evaluations += 1
     own, slip = rod_of(system.body, state[base.ANGLE]), 0.0
     if mode.kind == base.STICK:
-        twist, force, lift = sticking(system, own, fence_x, fence_y)
+        (v_x, v_y, spin), (f_x, f_y), lift = sticking(system, own, fence_x, fence_y)
     else:
-        twist, force, lift = _slipping(system, own, mode.kind, fence_y)
-        slip = contact_motion(own, *twist)[0] - fence_x
-    rubbed = force[0] * (fence_x + slip) + force[1] * fence_y
-    return Motion(slip, 0.0, fence_x, fence_y, *twist, *force, rubbed, 0.0, 0.0, 0.0, lift)
+        (v_x, v_y, spin), (f_x, f_y), lift = _slipping(system, own, mode.kind, fence_y)
+        slip = contact_motion(own, v_x, v_y, spin)[0] - fence_x
+    rubbed = f_x * (fence_x + slip) + f_y * fence_y
+    return Motion(
+        slip, 0.0, fence_x, fence_y, v_x, v_y, spin, f_x, f_y, rubbed, 0.0, 0.0, 0.0, lift
+    )
 
 
 @compiled

@@ -93,8 +93,8 @@ def set_off(system, mode, time, state, policy):
     during, body = mode.during, system.body
     kinds, starts = np.empty(MOST, np.int64), np.zeros((MOST, 3))
     count = starting(system.effects, system, during, time, state, kinds, starts)
-    chosen = _chosen(kinds, count, policy)
-    if chosen < 0:
+    chosen = contact.preferred(policy, base.contact_mode(mode.kind), kinds, count)
+    if chosen < 0 or kinds[chosen] == base.HELD:
         return contact.impact(system, during, time, state, mode.kind, policy)
     turn_y = acceleration(system.fence, during, time)[1]
     fence_x, fence_y = velocity(system.fence, during, time)
@@ -104,17 +104,6 @@ def set_off(system, mode, time, state, policy):
     state[base.OVER] = 0.0 if kinds[chosen] == base.STICK else slip
     state[base.RISE], state[base.SPIN] = 0.0, spin
     return 0
-
-
-@inlined
-def _chosen(kinds, count, policy):
-    """Place of the start that a policy takes of those of a slider at rest, -1 where it only rests."""
-    chosen, best = -1, 0
-    for i in range(count):
-        place = base.rank(policy, base.SEPARATE, kinds[i])
-        if kinds[i] != base.HELD and (chosen < 0 or place < best):
-            chosen, best = i, place
-    return chosen
 
 
 @inlined
