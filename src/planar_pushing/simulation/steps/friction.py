@@ -17,8 +17,8 @@ def free(system, step, found):
 @compiled
 def stick(system, step, found):
     system.body.evaluations += 1
-    (v_x, v_y, spin), (f_x, f_y), _ = sticking(system, step.own, step.x, step.y)
-    found[0], found[1], found[2] = v_x, v_y, spin
+    (x, y, spin, f_x, f_y), size = sticking(system, step.own, step.x, step.y)
+    found[0], found[1], found[2] = size * x, size * y, size * spin
     found[3], found[4] = step.size * f_x, step.size * f_y
 
 

@@ -103,7 +103,8 @@ def motion(system, mode, time, state):
     rubbed = drag_x * v_x + drag_y * v_y + drag * spin
     turn = (contact.moment_of(own, f_x, f_y) - drag) / body.moment
     return Motion(
-        state[base.OVER], state[base.RISE], fence_x, fence_y, v_x, v_y, spin,
+        state[base.OVER], state[base.RISE], fence_x, fence_y,
+        v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
         f_x, f_y, rubbed, a_x, a_y, turn, free_y,
     )  # fmt: skip
 
@@ -138,4 +139,4 @@ def guard_contact(system, mode, now, found):
     if base.contact_mode(kind) != base.SEPARATE:
         found[base.LIFTS] = now.lift * body.mass / body.force
     if kind < base.CLEAR and body.weight > 0.0:
-        found[base.STOPS] = size_of(now.v_x, now.v_y, now.spin) / body.speed - STOPPED
+        found[base.STOPS] = (now.speed + abs(now.spin)) / body.speed - STOPPED

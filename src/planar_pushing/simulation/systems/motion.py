@@ -15,10 +15,11 @@ from planar_pushing.mechanics.plane import Direction, Rod
 class Motion(NamedTuple):
     """The motion at an instant.
 
-    Velocities of the contact over the fence, of the fence, and of the slider at the ring's centre; force of
-    the fence on the slider; what friction on the support dissipates; and accelerations of the contact over
-    the fence and of the rotation, zero without inertia. `lift` is the contact's normal acceleration without
-    the force; without inertia, its normal velocity in a slip of unit size.
+    Velocities of the contact over the fence, of the fence, and of the slider at the ring's centre, with the
+    centre's speed; force of the fence on the slider; what friction on the support dissipates; and
+    accelerations of the contact over the fence and of the rotation, zero without inertia. `lift` is the
+    contact's normal acceleration without the force; without inertia, its normal velocity in a slip of unit
+    size.
     """
 
     slip: float
@@ -28,6 +29,7 @@ class Motion(NamedTuple):
     v_x: float
     v_y: float
     spin: float
+    speed: float
     f_x: float
     f_y: float
     rubbed: float
@@ -40,7 +42,7 @@ class Motion(NamedTuple):
 @compiled
 def at_rest(x, y, a_x, a_y):
     """The motion of a slider at rest over a fence with a velocity and an acceleration."""
-    return Motion(-x, -y, x, y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -a_x, -a_y, 0.0, 0.0)
+    return Motion(-x, -y, x, y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -a_x, -a_y, 0.0, 0.0)
 
 
 @compiled

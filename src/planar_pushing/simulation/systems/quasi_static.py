@@ -49,35 +49,34 @@ def motion(system, mode, time, state):
     system.body.evaluations += 1
     own, slip = rod_of(system.body, state[base.ANGLE]), 0.0
     if mode.kind == base.STICK:
-        (v_x, v_y, spin), (f_x, f_y), lift = sticking(system, own, fence_x, fence_y)
+        (x, y, spin, f_x, f_y), size = sticking(system, own, fence_x, fence_y)
+        lift = 0.0
     else:
-        (v_x, v_y, spin), (f_x, f_y), lift = _slipping(system, own, mode.kind, fence_y)
-        slip = contact_motion(own, v_x, v_y, spin)[0] - fence_x
-    rubbed = f_x * (fence_x + slip) + f_y * fence_y
+        (x, y, spin, f_x, f_y), along, lift = _slipping(system, own, mode.kind)
+        size = fence_y / lift if lift != 0.0 else 0.0
+        slip = size * along - fence_x
     return Motion(
-        slip, 0.0, fence_x, fence_y, v_x, v_y, spin, f_x, f_y, rubbed, 0.0, 0.0, 0.0, lift
-    )
+        slip, 0.0, fence_x, fence_y, size * x, size * y, size * spin, abs(size) * sqrt(x * x + y * y),
+        f_x, f_y, f_x * fence_x + f_y * fence_y + f_x * slip, 0.0, 0.0, 0.0, lift,
+    )  # fmt: skip
 
 
 @compiled
 def sticking(system, own, x, y):
-    """Twist and force of a contact that moves with a velocity."""
+    """Twist and force of a contact that moves by one unit in the direction of a velocity, and its size."""
     pace = sqrt(x * x + y * y)
     if pace == 0.0:
-        return (0.0, 0.0, 0.0), (0.0, 0.0), 0.0
-    moved = stick(system.effects, own, seen_from(own, x / pace, y / pace))
-    twist = pace * moved.v_x, pace * moved.v_y, pace * moved.spin
-    return twist, (moved.f_x, moved.f_y), 0.0
+        return (0.0, 0.0, 0.0, 0.0, 0.0), 0.0
+    return stick(system.effects, own, seen_from(own, x / pace, y / pace))[:5], pace
 
 
 @compiled
-def _slipping(system, own, kind, fence_y):
-    """Twist and force of a contact that moves over the fence, and its normal motion in a unit slip."""
+def _slipping(system, own, kind):
+    """Twist and force of a slip of unit size, and motion of its contact."""
     x, y, _ = contact.edge_of(system.body, kind)
-    v_x, v_y, spin, f_x, f_y = edge_motion(system.effects, own, seen_from(own, x, y))
-    lift = contact_motion(own, v_x, v_y, spin)[1]
-    size = fence_y / lift if lift != 0.0 else 0.0
-    return (size * v_x, size * v_y, size * spin), (f_x, f_y), lift
+    moved = edge_motion(system.effects, own, seen_from(own, x, y))
+    along, lift = contact_motion(own, moved[0], moved[1], moved[2])
+    return moved, along, lift
 
 
 @compiled
@@ -90,9 +89,8 @@ def guard_contact(system, mode, now, found):
     elif contact.side_of(kind) != 0.0:
         _guard_slip(system, mode, now, speed, found)
     if kind < base.CLEAR:
-        pace = sqrt(now.v_x * now.v_x + now.v_y * now.v_y)
-        total = abs(now.spin) + pace
-        found[base.KINK] = (abs(now.spin) - pace) / total if total > 0.0 else 0.0
+        total = abs(now.spin) + now.speed
+        found[base.KINK] = (abs(now.spin) - now.speed) / total if total > 0.0 else 0.0
     if not mode.during.constant and kind == base.HELD:
         found[base.TURNS] = 1.0 if speed > 0.0 else -1.0
     elif not mode.during.constant and kind != base.CLEAR:
