@@ -56,6 +56,12 @@ def slips(kinds: Any) -> Callable[..., Any]:
 
 
 @generic
+def edge_motion(kinds: Any) -> Callable[..., Any]:
+    """The motion of unit size under a force on an edge, of effects of one degree: twist and force."""
+    return _of(kinds, "edge_motion")
+
+
+@generic
 def limit_motion(kinds: Any) -> Callable[..., Any]:
     """Size of the force on the limit curve in a direction, and its motion: spin ratio and angle.
 

@@ -102,6 +102,15 @@ def motion_angles(effects, own, force):
 
 
 @compiled
+def edge_motion(effects, own, edge):
+    """As `base.edge_motion`."""
+    ratio = spin_ratio(effects, own, edge)
+    speed, spin = (1.0, ratio) if abs(ratio) <= 1.0 else (1.0 / abs(ratio), copysign(1.0, ratio))
+    force = response(effects, speed, spin)[0]
+    return speed * edge.x, speed * edge.y, spin, force * edge.x, force * edge.y
+
+
+@compiled
 def without_noise(part, other):
     """Difference of two numbers, zero where nothing but rounding is left of it."""
     difference = part - other

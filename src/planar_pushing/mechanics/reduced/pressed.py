@@ -232,6 +232,16 @@ def _write(moved, scale, force, found):
 
 
 @compiled
+def edge_motion(effects, own, edge):
+    """As `base.edge_motion`."""
+    moved = pushed(effects, own, edge, 1.0)
+    scale = 1.0 / max(hypot(moved.v_x, moved.v_y), abs(moved.spin))
+    force = _growth(effects, scale)
+    twist = scale * moved.v_x, scale * moved.v_y, scale * moved.spin
+    return *twist, force * moved.f_x, force * moved.f_y
+
+
+@compiled
 def steady_slips(effects, own, edge, normal, found):
     """As `base.slips`, for one effect, whose motion keeps its direction as it grows."""
     moved = pushed(effects, own, edge, 1.0)

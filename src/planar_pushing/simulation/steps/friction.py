@@ -2,37 +2,31 @@
 
 from __future__ import annotations
 
-from math import nan, sqrt
-
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.plane import Direction, toward
+from planar_pushing.mechanics.plane import toward
 from planar_pushing.mechanics.reduced import base
+from planar_pushing.simulation.systems import contact
+from planar_pushing.simulation.systems.quasi_static import sticking
 
 
 @compiled
-def free(system, step):
-    return 0.0, 0.0, 0.0
+def free(system, step, found):
+    found[:] = 0.0
 
 
 @compiled
-def stick(system, step):
+def stick(system, step, found):
     system.body.evaluations += 1
-    own, pace = step.own, sqrt(step.x * step.x + step.y * step.y)
-    if pace == 0.0:
-        return 0.0, 0.0, 0.0, 0.0, 0.0
-    x, y = step.x / pace, step.y / pace
-    towards = Direction(nan, x, y, x * own.x + y * own.y, x * own.y - y * own.x)
-    moved = base.stick(system.effects, own, towards)
-    return (
-        pace * moved.v_x, pace * moved.v_y, pace * moved.spin,
-        step.size * moved.f_x, step.size * moved.f_y,
-    )  # fmt: skip
+    (x, y, spin, f_x, f_y), size = sticking(system, step.own, step.x, step.y)
+    found[0], found[1], found[2] = size * x, size * y, size * spin
+    found[3], found[4] = step.size * f_x, step.size * f_y
 
 
 @compiled
-def slips(system, step, angle, found):
+def slips(system, step, kind, found):
     system.body.evaluations += 1
-    count = base.slips(system.effects, step.own, toward(step.own, angle), step.y, found)
+    edge = toward(step.own, contact.edge_of(system.body, kind)[2])
+    count = base.slips(system.effects, step.own, edge, step.y, found)
     for i in range(count):
         found[i, 3] *= step.size
         found[i, 4] *= step.size

@@ -10,16 +10,15 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import ROW, in_units, reason, records
+from planar_pushing.simulation.rows import NO_MODE, ROW, in_units, reason, records
 from planar_pushing.simulation.steps import friction, inertia
-from planar_pushing.simulation.steps.driver import CLOCK, Plan, advance, begin, ended
+from planar_pushing.simulation.steps.driver import CLOCK, Plan, advance, ended
 from planar_pushing.simulation.steps.trials import INCREMENTS
-from planar_pushing.simulation.systems.base import Inertial, QuasiStatic
-from planar_pushing.simulation.systems.setup import ANGLE, GAP, V_X, row_of, system_of
+from planar_pushing.simulation.systems import base, setup
 from planar_pushing.terms.errors import require_positive
 from planar_pushing.terms.options import Policy
 
-INCREMENTS.update({QuasiStatic: friction, Inertial: inertia})
+INCREMENTS.update({base.QuasiStatic: friction, base.Inertial: inertia})
 #: Steps of a run whose step is not given.
 STEPS = 1000
 #: Rows handed on at once.
@@ -36,16 +35,10 @@ class TimeStepping:
     problem : Problem
         Its tolerance has no part in this method.
     times : array_like
-        Increasing, within the duration. The rows hold these times and every change of mode or of
-        the number of consistent ones.
+        Increasing, within the duration. The rows hold these and every change of mode or of their number.
     step : float, optional
-        Greatest length of a step; a thousandth of the duration by default. The error is proportional
-        to it.
-
-    Raises
-    ------
-    InvalidValue
-        Where the step is not a positive number.
+        Greatest length of a step, > 0; a thousandth of the duration by default. The error is
+        proportional to it.
 
     Notes
     -----
@@ -62,12 +55,14 @@ class TimeStepping:
         )  # fmt: skip
         self.radius = float(problem.scene.slider.radius)
         fence = problem.pusher.fence(duration, self.radius)
-        row = row_of(problem.scene, problem.twist, problem.gap)
-        self.system = system_of(problem.scene, row, fence)
+        row = setup.row_of(problem.scene, problem.twist, problem.gap)
+        self.system = setup.system_of(problem.scene, row, fence)
         wanted = sorted({*map(float, np.asarray(times)), 0.0, duration})
         self.plan = _plan(fence, wanted, size, list(Policy).index(problem.on_ambiguity))
         self.run = records(CLOCK, 1)[0]
-        begin(self.system, row[ANGLE], row[GAP], row[V_X:GAP], self.run)
+        self.run.kind, self.run.fence[1] = NO_MODE, -row[setup.GAP]
+        self.run.twist[:] = row[setup.V_X : setup.GAP]
+        base.initial(self.system, row[setup.ANGLE], row[setup.GAP], self.run.twist, self.run.state)
 
     def __iter__(self) -> Iterator[Any]:
         while not ended(self.plan, self.run):

@@ -1,25 +1,23 @@
 """What a simulation is made of: a system, its state, and modes that last while margins are positive.
 
-A system is a named tuple of a kind of its own; the functions below choose by that kind, so that what a
-scene does not list is not compiled into its integrators.
+A system is a named tuple of a kind of its own. Where systems differ the functions choose by that kind, so
+that what a scene does not list is not compiled into its integrators.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import IntEnum
-from math import atan2
+from math import inf, nan, sin, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.contact.laws import Law
-from planar_pushing.simulation.fence import Span
-
-#: Of each kind of system, the module of its equations.
-SYSTEMS: dict[type, Any] = {}
+from planar_pushing.mechanics.plane import contact_motion
+from planar_pushing.mechanics.push import spin_ratio
+from planar_pushing.simulation.fence import Span, velocity
+from planar_pushing.simulation.systems.motion import kinetic_energy, rod_of, size_of
 
 #: Where the state holds what: place of the contact relative to the fence, rod angle, slip accumulated,
 #: energy dissipated at the contact, work of the fence, energy dissipated by friction of the support. A
@@ -29,7 +27,6 @@ ALONG, GAP, ANGLE, SLIP, LOST, WORK, RUBBED, OVER, RISE, SPIN = range(10)
 STILL, MOVING = OVER, SPIN + 1
 #: Policies in the core, in the order of `Policy`.
 KEEPS, LEAVES, STAYS = range(3)
-
 #: What the slider does: the contact modes, of which `SEPARATE` is a flight, and rests clear of the fence
 #: and on it.
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
@@ -38,31 +35,21 @@ CLEAR, HELD = 4, 5
 
 #: A margin (dimensionless) this far below zero ends a mode; rounding stays above it.
 SLACK = 1e-11
+#: The fence pushes a slider at rest from this part of the typical speed on.
+PUSHES = 2e-10
+#: Below this part of the typical speed friction holds the slider.
+AT_REST = 1e-9
 
-
-class Cause(IntEnum):
-    """Why a mode ends, or why the modes are enumerated anew; of two at once the first counts."""
-
-    LEAVES_CONE = 0  # the force leaves the friction cone
-    SLIP_ENDS = 1
-    FORCE_ENDS = 2
-    TOUCHES = 3  # the contact is made
-    STARTS = 4  # the fence begins to push a slider at rest
-    LIFTS = 5  # without a force the contact would part, or no longer
-    LIES = 6  # the ring's centre comes down to the fence
-    STOPS = 7  # the slider comes to rest
-    KINK = 8  # the response to the motion is not smooth here
-    TURNS = 9  # the fence's normal motion changes its sign, or it starts to move
-    TURNS_ALONG = 10
-
-
-CAUSES = len(Cause)
+#: Why a mode ends, or why the modes are enumerated anew; of two at once the first counts. The force leaves
+#: the friction cone, a slip or a force ends, the contact is made, the fence begins to push a slider at
+#: rest; without a force the contact would part, or no longer; the ring's centre comes down to the fence,
+#: the slider comes to rest, the response to the motion is not smooth; the fence's normal motion changes its
+#: sign, or it starts to move, or its motion along itself changes its sign.
+CAUSES = 11
 LEAVES_CONE, SLIP_ENDS, FORCE_ENDS, TOUCHES, STARTS, LIFTS = range(6)
 LIES, STOPS, KINK, TURNS, TURNS_ALONG = range(6, CAUSES)
-#: These are watches: their change of sign is an event. The others are margins, positive while a mode lasts.
-FIRST_WATCHES = (LIFTS, STOPS, KINK, TURNS, TURNS_ALONG)
-WATCHES = tuple(cause in FIRST_WATCHES for cause in range(CAUSES))
-
+#: Some are watches: their change of sign is an event. The others are margins, positive while a mode lasts.
+WATCHES = tuple(cause in (LIFTS, STOPS, KINK, TURNS, TURNS_ALONG) for cause in range(CAUSES))
 
 #: What of a scene does not change while it moves: l / R; edges of the friction cone and their angles,
 #: and what the law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such
@@ -96,15 +83,9 @@ class Inertial(NamedTuple):
 
 
 class Mode(NamedTuple):
-    """One way in which the slider moves on during a span of the fence's motion.
+    """One way in which the slider moves on: a contact mode, `CLEAR` or `HELD`, during a span of the fence.
 
-    Attributes
-    ----------
-    kind : int
-        A contact mode, `CLEAR` or `HELD`.
-    x, y, spin : float
-        Acceleration with which the slider starts from rest; zero otherwise.
-    during : Span
+    (x, y, spin) is the acceleration with which the slider starts from rest, zero otherwise.
     """
 
     kind: int
@@ -112,6 +93,79 @@ class Mode(NamedTuple):
     y: float
     spin: float
     during: Span
+
+
+def by_kind(members: dict[type, Any], name: str) -> Callable[..., Any]:
+    """The function of a name in the module that belongs to the kind of the first argument."""
+
+    def choose(kind: Any) -> Any:
+        return getattr(members[kind], name)
+
+    return generic(choose)
+
+
+#: Of each kind of system, the module of its equations, with the functions below; the first argument of all
+#: is the system.
+SYSTEMS: dict[type, Any] = {}
+#: Change the state where the fence takes up the motion of a span: index of the span, state, contact mode,
+#: policy. Returns 0, or the `Stop` that says why there is no such state.
+enter = by_kind(SYSTEMS, "enter")
+#: Write down the modes that may be: span, time, state, kinds, starts. Returns their number.
+modes = by_kind(SYSTEMS, "modes")
+#: Change the state just after an event: cause, mode, time, state, policy. Returns the time and a `Stop`.
+after = by_kind(SYSTEMS, "after")
+#: The `Motion` at an instant: mode, time, state.
+motion = by_kind(SYSTEMS, "motion")
+#: Write down what ends a contact: mode, motion, found.
+guard_contact = by_kind(SYSTEMS, "guard_contact")
+
+
+@compiled
+def initial(system, angle, gap, twist, state):
+    """Write down the state at time 0."""
+    state[:] = 0.0
+    state[GAP], state[ANGLE] = gap, angle
+    if len(state) == MOVING:
+        own = rod_of(system.body, angle)
+        state[OVER], state[RISE] = contact_motion(own, twist[0], twist[1], twist[2])
+        state[SPIN] = twist[2]
+
+
+@compiled
+def scales(system, found):
+    """Write down typical sizes of the state, for the tolerance near zero."""
+    length = max(1.0, system.body.length)
+    found[:] = length
+    found[ANGLE] = 1.0
+    found[LOST:OVER] = system.body.force * length
+    found[OVER:] = 0.01 * system.body.speed
+
+
+@compiled
+def center_velocity(system, during, time, state):
+    """Velocity of the ring's centre, where the twist is part of the state."""
+    fence_x, fence_y = velocity(system.fence, during, time)
+    own = rod_of(system.body, state[ANGLE])
+    return contact_motion(own, fence_x + state[OVER], fence_y + state[RISE], -state[SPIN])
+
+
+@compiled
+def pace(system, during, time):
+    """Time in which the motion takes the slider about one length, or friction stops it."""
+    body, (x, y) = system.body, velocity(system.fence, during, time)
+    speed = body.speed if body.mass > 0.0 else sqrt(x * x + y * y)
+    along = max(1.0, body.length) / speed if speed > 0.0 else inf
+    return min(along, speed * body.mass / body.weight) if body.mass * body.weight > 0.0 else along
+
+
+@compiled
+def settling(system, during, time, state):
+    """Rate at which friction turns the twist to its quasi-static direction, 0 without inertia."""
+    body = system.body
+    if body.mass == 0.0:
+        return 0.0
+    v_x, v_y = center_velocity(system, during, time, state)
+    return body.weight / (body.mass * max(size_of(v_x, v_y, state[SPIN]), AT_REST * body.speed))
 
 
 @compiled
@@ -130,100 +184,48 @@ def rank(policy, previous, kind):
     return kind
 
 
-def member(module: Any, name: str) -> Callable[..., Any]:
-    """A function of a member of a family, which is a module."""
-    found: Callable[..., Any] = getattr(module, name)
-    return found
-
-
-@generic
-def initial(kind: Any) -> Callable[..., Any]:
-    """Write down the state at time 0: system, rod angle, gap, twist, state."""
-    return member(SYSTEMS[kind], "initial")
-
-
-@generic
-def scales(kind: Any) -> Callable[..., Any]:
-    """Write down typical sizes of the state, for the tolerance near zero: system, sizes."""
-    return member(SYSTEMS[kind], "scales")
-
-
-@generic
-def pace(kind: Any) -> Callable[..., Any]:
-    """Time in which the motion takes the slider about one length: system, span, time."""
-    return member(SYSTEMS[kind], "pace")
-
-
-@generic
-def settling(kind: Any) -> Callable[..., Any]:
-    """Rate at which friction turns the twist to its quasi-static direction: system, span, time, state."""
-    return member(SYSTEMS[kind], "settling")
-
-
-@generic
-def enter(kind: Any) -> Callable[..., Any]:
-    """Change the state where the fence takes up the motion of a span: system, index, state, mode, policy.
-
-    Returns 0, or the `Stop` that says why there is no such state.
-    """
-    return member(SYSTEMS[kind], "enter")
-
-
-@generic
-def modes(kind: Any) -> Callable[..., Any]:
-    """Write down the modes that may be: system, span, time, state, kinds, starts; their number."""
-    return member(SYSTEMS[kind], "modes")
-
-
-@generic
-def after(kind: Any) -> Callable[..., Any]:
-    """Change the state just after an event: system, cause, mode, time, state, policy; time and `Stop`."""
-    return member(SYSTEMS[kind], "after")
-
-
-@generic
-def rates(kind: Any) -> Callable[..., Any]:
-    """Write down the derivative of the state: system, mode, time, state, found."""
-    return member(SYSTEMS[kind], "rates")
-
-
-@generic
-def guards(kind: Any) -> Callable[..., Any]:
-    """Write down margins and watches by cause, NaN where none is: system, mode, time, state, found."""
-    return member(SYSTEMS[kind], "guards")
-
-
-@generic
-def write(kind: Any) -> Callable[..., Any]:
-    """Write down position, twist, force, spin ratio and kinetic energy: system, mode, time, state, row.
-
-    The displacement of the fence is in the row already.
-    """
-    return member(SYSTEMS[kind], "write")
+@compiled
+def rates(system, mode, time, state, found):
+    """Write down the derivative of the state."""
+    now = motion(system, mode, time, state)
+    found[ALONG], found[GAP], found[ANGLE] = now.slip, now.rise, now.spin
+    # A rest or a flight over the fence is no slip of the contact.
+    found[SLIP] = now.slip if contact_mode(mode.kind) != SEPARATE else 0.0
+    found[LOST] = -now.f_x * now.slip - now.f_y * now.rise
+    found[WORK] = now.f_x * now.fence_x + now.f_y * now.fence_y
+    found[RUBBED] = now.rubbed
+    if len(found) == MOVING:
+        found[OVER], found[RISE], found[SPIN] = now.a_x, now.a_y, now.turn
 
 
 @compiled
-def edge_of(body, kind):
-    """Direction of the force in a slipping mode: on the edge opposite to the slip."""
-    if kind == SLIP_RIGHT:
-        return body.left[0], body.left[1]
-    return body.right[0], body.right[1]
+def guards(system, mode, time, state, found):
+    """Write down margins and watches by cause, NaN where there is none."""
+    body, now = system.body, motion(system, mode, time, state)
+    found[:] = nan
+    if mode.kind == HELD:
+        found[STARTS] = PUSHES - now.fence_y / body.speed
+    elif contact_mode(mode.kind) == SEPARATE:
+        found[TOUCHES] = state[GAP]
+    if mode.kind < CLEAR and body.length > 0.0:
+        found[LIES] = state[GAP] / body.length + sin(state[ANGLE])
+    guard_contact(system, mode, now, found)
 
 
 @compiled
-def law_of(body):
-    """The contact law."""
-    return Law(body.right_angle, body.left_angle, body.slips, body.closed, body.rough)
+def put(body, state, v_x, v_y, spin, row):
+    """Write down position, twist, spin ratio and kinetic energy; the fence is in the row already."""
+    own = rod_of(body, state[ANGLE])
+    row.position[0] = row.fence[0] + state[ALONG] + own.length * own.x
+    row.position[1] = row.fence[1] + state[GAP] + own.length * own.y
+    row.twist[0], row.twist[1], row.twist[2] = v_x, v_y, spin
+    row.spin_ratio = spin_ratio(sqrt(v_x * v_x + v_y * v_y), spin)
+    row.kinetic_energy = kinetic_energy(body, v_x, v_y, spin)
 
 
 @compiled
-def margin(body, f_x, f_y, least):
-    """Margin of a force in the friction cone, negative outside; forces below `least` count as none.
-
-    The angle left to the nearer edge, weighted so that it is smooth and 0 for no force.
-    """
-    if body.rough:
-        return 1.0
-    size = (f_x * f_x + f_y * f_y) ** 0.5
-    lean = (body.left_angle - body.right_angle) / 2 - abs(atan2(f_x, f_y))
-    return lean * size / (size + least) if size > 0.0 else 0.0
+def write(system, mode, time, state, row):
+    """Write down position, twist, force, spin ratio and kinetic energy."""
+    now = motion(system, mode, time, state)
+    put(system.body, state, now.v_x, now.v_y, now.spin, row)
+    row.force[0], row.force[1] = now.f_x, now.f_y

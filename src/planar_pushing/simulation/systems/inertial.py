@@ -1,89 +1,26 @@
 """Inertia, with or without friction of the support: the twist is part of the state.
 
 It is kept as the velocity of the contact over the fence and the rotation R omega, so that a contact that
-sticks has no relative velocity at all, and one that slips no normal one.
+sticks has no relative velocity at all, and one that slips no normal one. The contact force follows from
+the mode, and the accelerations follow from the force.
 """
 
 from __future__ import annotations
 
-from math import cos, sin, sqrt
+from math import sqrt
 
 from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.mechanics.push import spin_ratio
-from planar_pushing.simulation.fence import span, velocity
-from planar_pushing.simulation.systems.base import (
-    ALONG,
-    ANGLE,
-    CLEAR,
-    GAP,
-    LOST,
-    OVER,
-    RISE,
-    SEPARATE,
-    SLACK,
-    SLIP_ENDS,
-    SLIP_LEFT,
-    SLIP_RIGHT,
-    SPIN,
-    STARTS,
-    STICK,
-    STOPS,
-    TOUCHES,
-    Mode,
-)
-from planar_pushing.simulation.systems.impacts import impact
-from planar_pushing.simulation.systems.inertial_motion import (
-    contact_force,
-    guards,
-    instant,
-    kinetic_energy,
-    rates,
-    size,
-)
-from planar_pushing.simulation.systems.rest import AT_REST, from_rest, set_off, stopped
+from planar_pushing.mechanics.plane import contact_motion
+from planar_pushing.simulation.fence import acceleration, span, velocity
+from planar_pushing.simulation.systems import base, contact, rest
+from planar_pushing.simulation.systems.motion import Motion, at_rest, friction, rod_of, size_of
 
-__all__ = [
-    "after",
-    "enter",
-    "guards",
-    "initial",
-    "modes",
-    "pace",
-    "rates",
-    "scales",
-    "settling",
-    "write",
-]
-
-
-@compiled
-def initial(system, angle, gap, twist, state):
-    state[:] = 0.0
-    state[GAP], state[ANGLE], state[SPIN] = gap, angle, twist[2]
-    lever = system.body.length * twist[2]
-    state[OVER], state[RISE] = twist[0] + lever * sin(angle), twist[1] - lever * cos(angle)
-
-
-@compiled
-def scales(system, found):
-    length = max(1.0, system.body.length)
-    found[:] = length
-    found[ANGLE] = 1.0
-    found[LOST:OVER] = system.body.force * length
-    found[OVER:] = 0.01 * system.body.speed
-
-
-@compiled
-def pace(system, during, time):
-    body = system.body
-    along = max(1.0, body.length) / body.speed
-    return min(along, body.mass * body.speed / body.weight) if body.weight > 0.0 else along
-
-
-@compiled
-def settling(system, during, time, state):
-    body = system.body
-    return body.weight / (body.mass * max(size(system, during, time, state), AT_REST * body.speed))
+#: Part of the typical force below which a force has no direction of its own.
+NO_FORCE = 1e-9
+#: The slider rests below this part of the typical speed; what is left is finished in closed form.
+STOPPED = 2e-9
+#: Below this part of the typical speed a slider that starts has no direction but the impending one.
+NO_DIRECTION = 1e-13
 
 
 @inlined
@@ -96,76 +33,110 @@ def enter(system, index, state, kind, policy):
         past = span(system.fence, index - 1)
         before_x, before_y = velocity(system.fence, past, past.end)
     jump_x, jump_y = before_x - now_x, before_y - now_y
-    state[OVER] += jump_x
-    state[RISE] += jump_y
-    slack = SLACK * system.body.speed
-    hits = sqrt(jump_x * jump_x + jump_y * jump_y) > slack or state[RISE] < -slack
-    if state[GAP] <= SLACK and hits:
-        return impact(system, during, during.start, state, kind, policy)
+    state[base.OVER] += jump_x
+    state[base.RISE] += jump_y
+    slack = base.SLACK * system.body.speed
+    hits = sqrt(jump_x * jump_x + jump_y * jump_y) > slack or state[base.RISE] < -slack
+    if state[base.GAP] <= base.SLACK and hits:
+        return contact.impact(system, during, during.start, state, kind, policy)
     return 0
-
-
-@compiled
-def _touches(system, state):
-    """Whether the contact is on the fence and does not leave it."""
-    return state[GAP] <= SLACK and abs(state[RISE]) <= SLACK * system.body.speed
 
 
 @inlined
 def modes(system, during, time, state, kinds, starts):
     starts[:] = 0.0
-    body = system.body
-    rests = body.weight > 0.0 and size(system, during, time, state) <= AT_REST * body.speed
-    if not _touches(system, state):
-        kinds[0] = CLEAR if rests else SEPARATE
+    body, (v_x, v_y) = system.body, base.center_velocity(system, during, time, state)
+    slow = size_of(v_x, v_y, state[base.SPIN]) <= base.AT_REST * body.speed
+    rests = slow and body.weight > 0.0
+    if state[base.GAP] > base.SLACK or abs(state[base.RISE]) > base.SLACK * body.speed:
+        kinds[0] = base.CLEAR if rests else base.SEPARATE
         return 1
     if rests:
-        return from_rest(system.effects, system, during, time, state, kinds, starts)
+        return rest.starting(system.effects, system, during, time, state, kinds, starts)
     return _in_motion(system, during, time, state, kinds)
 
 
 @inlined
 def _in_motion(system, during, time, state, kinds):
     """Modes of a contact on the fence whose slider moves."""
-    body, slip, count = system.body, state[OVER], 0
-    free = instant(system, Mode(SEPARATE, 0.0, 0.0, 0.0, during), time, state)
-    if free.free_y >= -SLACK * body.force / body.mass:
-        kinds[count] = SEPARATE
-        count += 1
-    if abs(slip) <= SLACK * body.speed:
-        kinds[count] = STICK
-        count += 1
-        slip = 0.0
-    if body.slips and slip >= 0.0:
-        kinds[count] = SLIP_RIGHT
-        count += 1
-    if body.slips and slip <= 0.0:
-        kinds[count] = SLIP_LEFT
-        count += 1
+    body, slip, count = system.body, state[base.OVER], 0
+    flight = motion(system, base.Mode(base.SEPARATE, 0.0, 0.0, 0.0, during), time, state)
+    for kind in range(contact.MODES):
+        may = body.slips and contact.side_of(kind) * slip >= -base.SLACK * body.speed
+        if kind == base.SEPARATE:
+            may = flight.lift >= -base.SLACK * body.force / body.mass
+        elif kind == base.STICK:
+            may = abs(slip) <= base.SLACK * body.speed
+        if may:
+            kinds[count] = kind
+            count += 1
     return count
 
 
 @inlined
 def after(system, cause, mode, time, state, policy):
-    if cause == TOUCHES:
-        state[GAP] = 0.0
-        return time, impact(system, mode.during, time, state, mode.kind, policy)
-    if cause == SLIP_ENDS:
-        state[OVER] = 0.0
-    elif cause == STOPS:
-        return stopped(system, mode, time, state), 0
-    elif cause == STARTS:
-        return time, set_off(system.effects, system, mode, time, state, policy)
+    if cause == base.TOUCHES:
+        state[base.GAP] = 0.0
+        return time, contact.impact(system, mode.during, time, state, mode.kind, policy)
+    if cause == base.SLIP_ENDS:
+        state[base.OVER] = 0.0
+    elif cause == base.STOPS:
+        return rest.stopped(system, mode, time, state), 0
+    elif cause == base.STARTS:
+        return time, rest.set_off(system, mode, time, state, policy)
     return time, 0
 
 
 @compiled
-def write(system, mode, time, state, row):
-    now = instant(system, mode, time, state)
-    length, angle = system.body.length, state[ANGLE]
-    row.position[0] = row.fence[0] + state[ALONG] + length * cos(angle)
-    row.position[1] = row.fence[1] + state[GAP] + length * sin(angle)
-    row.twist[0], row.twist[1], row.twist[2] = now.v_x, now.v_y, state[SPIN]
-    row.force[0], row.force[1] = contact_force(system, mode, now)
-    row.spin_ratio = spin_ratio(sqrt(now.v_x * now.v_x + now.v_y * now.v_y), state[SPIN])
-    row.kinetic_energy = kinetic_energy(system, mode.during, time, state)
+def motion(system, mode, time, state):
+    fence_x, fence_y = velocity(system.fence, mode.during, time)
+    turn_x, turn_y = acceleration(system.fence, mode.during, time)
+    if mode.kind >= base.CLEAR:
+        return at_rest(fence_x, fence_y, turn_x, turn_y)
+    body, own, spin = system.body, rod_of(system.body, state[base.ANGLE]), state[base.SPIN]
+    body.evaluations += 1
+    v_x, v_y = base.center_velocity(system, mode.during, time, state)
+    drag_x, drag_y, drag = _drag(system, mode, v_x, v_y, spin)
+    free_x, free_y = _free(body, own, drag_x, drag_y, drag, spin)
+    free_x, free_y = free_x - turn_x, free_y - turn_y
+    f_x, f_y, a_x, a_y = contact.pushed_in(body, own, mode.kind, free_x, free_y)
+    rubbed = drag_x * v_x + drag_y * v_y + drag * spin
+    turn = (contact.moment_of(own, f_x, f_y) - drag) / body.moment
+    return Motion(
+        state[base.OVER], state[base.RISE], fence_x, fence_y,
+        v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
+        f_x, f_y, rubbed, a_x, a_y, turn, free_y,
+    )  # fmt: skip
+
+
+@compiled
+def _drag(system, mode, v_x, v_y, spin):
+    """Friction on the support against the motion, or against the impending one from rest."""
+    impending = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
+    if impending and size_of(v_x, v_y, spin) <= NO_DIRECTION * system.body.speed:
+        return friction(system.effects, mode.x, mode.y, mode.spin)
+    return friction(system.effects, v_x, v_y, spin)
+
+
+@compiled
+def _free(body, own, drag_x, drag_y, drag, spin):
+    """Acceleration of the contact without a force of the fence."""
+    x, y = contact_motion(own, -drag_x / body.mass, -drag_y / body.mass, -drag / body.moment)
+    pull = own.length * spin * spin
+    return x + pull * own.x, y + pull * own.y
+
+
+@compiled
+def guard_contact(system, mode, now, found):
+    body, kind, side = system.body, mode.kind, contact.side_of(mode.kind)
+    if kind == base.STICK:
+        found[base.LEAVES_CONE] = contact.margin(body, now.f_x, now.f_y, NO_FORCE * body.force)
+    elif side != 0.0:
+        e_x, e_y, _ = contact.edge_of(body, kind)
+        size = now.f_x * e_x + now.f_y * e_y
+        found[base.SLIP_ENDS] = side * now.slip / body.speed
+        found[base.FORCE_ENDS] = size / (abs(size) + body.force)
+    if base.contact_mode(kind) != base.SEPARATE:
+        found[base.LIFTS] = now.lift * body.mass / body.force
+    if kind < base.CLEAR and body.weight > 0.0:
+        found[base.STOPS] = (now.speed + abs(now.spin)) / body.speed - STOPPED

@@ -13,20 +13,13 @@ from planar_pushing.mechanics.plane import Array, unit_vector
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.fence import typical_speed
 from planar_pushing.simulation.rows import records
-from planar_pushing.simulation.systems import inertial, quasi_static
-from planar_pushing.simulation.systems.base import (
-    BODY,
-    SYSTEMS,
-    Inertial,
-    QuasiStatic,
-    initial,
-)
+from planar_pushing.simulation.systems import base, inertial, quasi_static
 
 #: Columns of a row behind those of the effects; twist and gap in radii.
 LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(COLUMNS, COLUMNS + 11)
 #: Systems by whether they have inertia.
-KINDS = {False: QuasiStatic, True: Inertial}
-SYSTEMS.update({QuasiStatic: quasi_static, Inertial: inertial})
+KINDS = {False: base.QuasiStatic, True: base.Inertial}
+base.SYSTEMS.update({base.QuasiStatic: quasi_static, base.Inertial: inertial})
 
 
 def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
@@ -47,14 +40,7 @@ def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
 
 @compiled
 def fill(row, fence, body):
-    """Write down what of a scene does not change while it moves.
-
-    Parameters
-    ----------
-    row : ndarray
-    fence : array of PIECE
-    body : record of BODY
-    """
+    """Write down what of a scene does not change while it moves."""
     own = max(sqrt(row[V_X] * row[V_X] + row[V_Y] * row[V_Y]), abs(row[SPIN]))
     speed = max(own, typical_speed(fence))
     body.speed = speed if speed > 0.0 else 1.0
@@ -71,12 +57,12 @@ def fill(row, fence, body):
 @compiled
 def put(system, row, state):
     """Write down the state at time 0."""
-    initial(system, row[ANGLE], row[GAP], row[V_X:GAP], state)
+    base.initial(system, row[ANGLE], row[GAP], row[V_X:GAP], state)
 
 
 def system_of(scene: Scene, row: Array, fence: Any) -> Any:
     """The system of one scene, from its row and its fence."""
-    body = records(BODY, 1)[0]
+    body = records(base.BODY, 1)[0]
     fill(row, fence, body)
     return KINDS[scene.stores_energy](made(scene.kinds, row), body, fence)
 

@@ -1,0 +1,152 @@
+"""What the contact transmits: the friction cone, and forces and impulses on a slider with inertia.
+
+A force f at the contact accelerates it by ``G f`` with ``G = I / m + (l^2 / J) e e^T``, where e is the
+rod's right-hand normal. Impacts are inelastic; friction of the support is finite and has no part in them.
+"""
+
+from __future__ import annotations
+
+from math import atan2
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.contact.laws import Law
+from planar_pushing.simulation.fence import velocity
+from planar_pushing.simulation.rows import Stop
+from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems.motion import rod_of
+
+NO_IMPULSE = int(Stop.NO_IMPULSE)
+#: An impulse this near to an edge of the cone is on it, radians.
+ON_EDGE = 1e-12
+#: How many contact modes there are.
+MODES = len(ContactMode)
+
+
+@compiled
+def law_of(body):
+    """The contact law."""
+    return Law(body.right_angle, body.left_angle, body.slips, body.closed, body.rough)
+
+
+@compiled
+def side_of(kind):
+    """Sense of the slip, 0 in a mode without one."""
+    return 1.0 if kind == base.SLIP_RIGHT else -1.0 if kind == base.SLIP_LEFT else 0.0
+
+
+@compiled
+def edge_of(body, kind):
+    """Direction of the force in a slipping mode, on the edge opposite to the slip, and its angle."""
+    if kind == base.SLIP_RIGHT:
+        return body.left[0], body.left[1], body.left_angle
+    return body.right[0], body.right[1], body.right_angle
+
+
+@compiled
+def margin(body, f_x, f_y, least):
+    """Margin of a force in the friction cone, negative outside; forces below `least` count as none.
+
+    The angle left to the nearer edge, weighted so that it is smooth and 0 for no force.
+    """
+    if body.rough:
+        return 1.0
+    size = (f_x * f_x + f_y * f_y) ** 0.5
+    lean = (body.left_angle - body.right_angle) / 2 - abs(atan2(f_x, f_y))
+    return lean * size / (size + least) if size > 0.0 else 0.0
+
+
+@compiled
+def admits(body, p_x, p_y):
+    """Whether an impulse lies in the cone of the law; none does not."""
+    if p_x == 0.0 and p_y == 0.0:
+        return False
+    return margin(body, p_x, p_y, 0.0) >= (-ON_EDGE if body.closed else ON_EDGE)
+
+
+@compiled
+def moment_of(own, f_x, f_y):
+    """Torque about the ring's centre of a force at the contact."""
+    return own.length * (f_x * own.y - f_y * own.x)
+
+
+@compiled
+def pushed(body, own, f_x, f_y):
+    """Acceleration of the contact under a force."""
+    swing = own.length * moment_of(own, f_x, f_y) / body.moment
+    return f_x / body.mass + swing * own.y, f_y / body.mass - swing * own.x
+
+
+@compiled
+def _pushing(body, own, a_x, a_y):
+    """Force that accelerates the contact."""
+    along = body.mass * (a_x * own.x + a_y * own.y)
+    swing = own.length * own.length / body.moment
+    aside = (a_x * own.y - a_y * own.x) / (1.0 / body.mass + swing)
+    return along * own.x + aside * own.y, along * own.y - aside * own.x
+
+
+@compiled
+def pushed_in(body, own, kind, x, y):
+    """Force of a mode, and acceleration of the contact over the fence with it, given that without it.
+
+    As well the impulse of a mode, and the velocity after it, given that before.
+    """
+    if kind == base.STICK:
+        return *_pushing(body, own, -x, -y), 0.0, 0.0
+    if side_of(kind) == 0.0:
+        return 0.0, 0.0, x, y
+    e_x, e_y, _ = edge_of(body, kind)
+    along, normal = pushed(body, own, e_x, e_y)
+    size = -y / normal if normal != 0.0 else 0.0
+    return size * e_x, size * e_y, x + size * along, 0.0
+
+
+@compiled
+def preferred(policy, previous, kinds, count):
+    """Place of the contact mode that a policy takes, the first of equals; -1 where there is none."""
+    best = -1
+    for i in range(count):
+        place = base.rank(policy, previous, kinds[i])
+        if best < 0 or place < base.rank(policy, previous, kinds[best]):
+            best = i
+    return best
+
+
+@compiled
+def impact(system, during, time, state, kind, policy):
+    """Change the twist by the impulse that the policy takes; 0, or the `Stop` where there is none."""
+    body, x, y = system.body, state[base.OVER], state[base.RISE]
+    if max(abs(x), abs(y)) <= base.SLACK * body.speed:
+        state[base.OVER], state[base.RISE] = 0.0, 0.0
+        return 0
+    own, kinds, count = rod_of(body, state[base.ANGLE]), np.empty(MODES, np.int64), 0
+    for each in range(MODES):
+        if _consistent(body, own, each, x, y):
+            kinds[count], count = each, count + 1
+    chosen = preferred(policy, base.contact_mode(kind), kinds, count)
+    if chosen < 0:
+        return NO_IMPULSE
+    p_x, p_y, after_x, after_y = pushed_in(body, own, kinds[chosen], x, y)
+    state[base.OVER], state[base.RISE] = after_x, after_y
+    state[base.SPIN] += moment_of(own, p_x, p_y) / body.moment
+    fence_x, fence_y = velocity(system.fence, during, time)
+    state[base.WORK] += p_x * fence_x + p_y * fence_y
+    state[base.LOST] -= p_x * (x + after_x) / 2 + p_y * (y + after_y) / 2
+    return 0
+
+
+@compiled
+def _consistent(body, own, kind, x, y):
+    """Whether the impulse of a mode lies in the cone, and the contact then does what the mode says."""
+    slack = base.SLACK * body.speed
+    p_x, p_y, after_x, _ = pushed_in(body, own, kind, x, y)
+    if kind == base.SEPARATE:
+        return y >= -slack
+    if kind == base.STICK:
+        return admits(body, p_x, p_y)
+    e_x, e_y, _ = edge_of(body, kind)
+    pushes = p_x * e_x + p_y * e_y > 0.0
+    return body.slips and pushes and side_of(kind) * after_x > slack

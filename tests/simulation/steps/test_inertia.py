@@ -1,0 +1,26 @@
+"""Slips of a step with inertia and friction."""
+
+import math
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from mechanics.builders import BOTH, make_scene
+from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.steps.integrate import TimeStepping
+
+
+@pytest.mark.parametrize(
+    "twist", [(-0.4955911336775569, -0.46708788228066356, 0.49), (0.5, -0.5, 0.1)]
+)
+def test_the_impulse_of_a_slip_in_the_middle_of_its_range_is_found(twist):
+    """Without a rod friction on the support shifts the bounds of the impulse by the same amount."""
+    scene = make_scene(0, 0.4, BOTH, psi=math.radians(60))
+    problem = Problem(
+        scene=scene, pusher=pp.Pusher(velocity=(1.0, 0.0)), duration=0.01, twist=twist
+    )  # fmt: skip
+    rows = np.concatenate(list(TimeStepping(problem, [0, 0.01], 0.01)))
+    assert rows["mode"][0] == pp.ContactMode.SLIP_LEFT
+    assert rows["twist"][-1, 1] == pytest.approx(0, abs=1e-15)
+    assert rows["force"][-1, 0] == pytest.approx(0.4 * rows["force"][-1, 1], rel=1e-12)
