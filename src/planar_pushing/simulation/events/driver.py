@@ -35,6 +35,7 @@ def begin(system, run):
     run.time, run.last_size, run.phase, run.span, run.sample = 0.0, 0.0, ENTERS, 0, 0
     run.chosen, run.count, run.kind, run.solutions = -1, 0, choice.NO_KIND, 0
     run.stopped, run.events, run.at_once, run.changes = GOES_ON, 0, 0, 0
+    run.cause = watch.NOTHING
     system.body.evaluations = 0
     base.scales(system, run.vectors[at.SCALES])
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import sqrt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.sizes import norm
 from planar_pushing.simulation.events.tableau import ERRORS, STAGES, STEP, WEIGHTS, A, C
@@ -25,49 +25,75 @@ def _sum(weights, count, slopes, found):
                 found[k] += weight * slopes[j, k]
 
 
-@compiled
-def _stage(system, mode, run, size, i, time, found):
-    """State and slope in a stage of the step."""
-    slopes, state = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.STATE]
-    _sum(A[i], i, slopes, found)
-    for k in range(len(state)):
-        found[k] = state[k] + size * found[k]
-    base.rates(system, mode, time, found, slopes[i])
+@inlined
+def clock(run, part):
+    """Time at a part of a step, and its rate.
+
+    Beside a pivot the square root of the distance from it runs evenly, which smooths the motion there.
+    """
+    if run.side == 0.0:
+        return run.time + part * (run.until - run.time), run.until - run.time
+    start, end = sqrt(abs(run.time - run.pivot)), sqrt(abs(run.until - run.pivot))
+    root = start + part * (end - start)
+    return run.pivot + run.side * root * root, 2.0 * run.side * root * (end - start)
+
+
+@inlined
+def _part(run, time):
+    """The part of a step that is done at a time."""
+    if run.side == 0.0:
+        return (time - run.time) / (run.until - run.time)
+    start, end = sqrt(abs(run.time - run.pivot)), sqrt(abs(run.until - run.pivot))
+    return (sqrt(abs(time - run.pivot)) - start) / (end - start)
 
 
 @compiled
-def attempt(system, mode, run, size, rtol):
-    """Try a step; the estimate of its error in units of the tolerance (Sec. II.10)."""
-    slopes, trial, scales = (
+def _stage(system, mode, run, i):
+    """Change of the state at the rate in a stage of the step."""
+    slopes, state, trial = (
         run.vectors[at.SLOPES : at.DENSE],
+        run.vectors[at.STATE],
         run.vectors[at.TRIAL],
-        run.vectors[at.SCALES],
     )
-    state, reached = run.vectors[at.STATE], run.vectors[at.REACHED]
+    _sum(A[i], i, slopes, trial)
+    time, rate = clock(run, C[i])
+    for k in range(len(state)):
+        trial[k] += state[k]
+    base.rates(system, mode, time, trial, slopes[i])
+    for k in range(len(state)):
+        slopes[i, k] *= rate
+
+
+@compiled
+def attempt(system, mode, run, rtol):
+    """Try a step; the estimate of its error in units of the tolerance (Sec. II.10)."""
+    slopes, trial = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.TRIAL]
+    state, reached, scales = run.vectors[at.STATE], run.vectors[at.REACHED], run.vectors[at.SCALES]
+    slopes[0] = clock(run, 0.0)[1] * run.vectors[at.FIRST]
     for i in range(1, STEP):
-        _stage(system, mode, run, size, i, run.time + C[i] * size, trial)
-    _stage(system, mode, run, size, STEP, run.until, reached)
+        _stage(system, mode, run, i)
+    _sum(A[STEP], STEP, slopes, reached)
+    reached += state
+    base.rates(system, mode, run.until, reached, run.vectors[at.LAST])
+    slopes[STEP] = clock(run, 1.0)[1] * run.vectors[at.LAST]
     _sum(ERRORS[0], STEP + 1, slopes, trial)
     fifth = norm(trial, state, reached, rtol, scales) ** 2
     _sum(ERRORS[1], STEP + 1, slopes, trial)
     third = norm(trial, state, reached, rtol, scales) ** 2
-    return size * fifth / sqrt(fifth + 0.01 * third) if fifth > 0.0 else 0.0
+    return fifth / sqrt(fifth + 0.01 * third) if fifth > 0.0 else 0.0
 
 
 @compiled
 def _prepare(system, mode, run):
     """Coefficients of the dense output, and the stages that only it takes."""
-    size = run.until - run.time
     for i in range(STEP + 1, STAGES):
-        _stage(system, mode, run, size, i, run.time + C[i] * size, run.vectors[at.TRIAL])
+        _stage(system, mode, run, i)
     slopes, dense = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.DENSE : at.IMPLICIT]
-    state, reached = run.vectors[at.STATE], run.vectors[at.REACHED]
-    dense[0] = reached - state
-    dense[1] = size * slopes[0] - dense[0]
-    dense[2] = dense[0] - size * slopes[STEP] - dense[1]
+    dense[0] = run.vectors[at.REACHED] - run.vectors[at.STATE]
+    dense[1] = slopes[0] - dense[0]
+    dense[2] = dense[0] - slopes[STEP] - dense[1]
     for i in range(len(WEIGHTS)):
         _sum(WEIGHTS[i], STAGES, slopes, dense[3 + i])
-        dense[3 + i] *= size
     run.prepared = True
 
 
@@ -75,13 +101,11 @@ def _prepare(system, mode, run):
 def stiffness(run):
     """Step times Jacobian, from the two stages at the end of the step (Hairer and Wanner II, Sec. IV.2)."""
     slopes, trial = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.TRIAL]
-    size, state, reached = run.until - run.time, run.vectors[at.STATE], run.vectors[at.REACHED]
     _sum(A[STEP - 1], STEP - 1, slopes, trial)
-    apart, change = 0.0, 0.0
-    for k in range(len(state)):
-        apart += (reached[k] - state[k] - size * trial[k]) ** 2
-        change += (slopes[STEP, k] - slopes[STEP - 1, k]) ** 2
-    return size * sqrt(change / apart) if apart > 0.0 else 0.0
+    apart = run.vectors[at.REACHED] - run.vectors[at.STATE] - trial
+    change = slopes[STEP] - slopes[STEP - 1]
+    distance = (apart * apart).sum()
+    return sqrt((change * change).sum() / distance) if distance > 0.0 else 0.0
 
 
 @compiled
@@ -92,10 +116,8 @@ def near_middle(run, found):
         run.vectors[at.STATE],
         run.vectors[at.REACHED],
     )
-    eighth = (run.until - run.time) / 8.0
     for k in range(len(found)):
-        bulge = eighth * (slopes[0, k] - slopes[STEP, k])
-        found[k] = (state[k] + reached[k]) / 2.0 + bulge
+        found[k] = (state[k] + reached[k]) / 2.0 + (slopes[0, k] - slopes[STEP, k]) / 8.0
 
 
 @compiled
@@ -103,8 +125,7 @@ def interpolate(system, mode, run, time, found):
     """State at a time within the last step, whichever method took it."""
     if not run.prepared:
         _prepare(system, mode, run)
-    dense, state = run.vectors[at.DENSE : at.IMPLICIT], run.vectors[at.STATE]
-    x = (time - run.time) / (run.until - run.time)
+    dense, state, x = run.vectors[at.DENSE : at.IMPLICIT], run.vectors[at.STATE], _part(run, time)
     if not run.explicit:
         for k in range(len(found)):
             found[k] = state[k] + x * (dense[0, k] + x * (dense[1, k] + x * dense[2, k]))

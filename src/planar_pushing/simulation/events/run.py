@@ -28,16 +28,16 @@ class Task(NamedTuple):
 
 
 #: Vectors of a run, each with the entries of the state: the state, that at the end of the step, two on
-#: which functions work, typical sizes; slopes in the stages of a step, coefficients of the dense output,
-#: and what the stiff method works on.
-STATE, REACHED, TRIAL, PASSING, SCALES, SLOPES = range(6)
+#: which functions work, typical sizes; rates at the start and at the end of a step; changes in its stages,
+#: coefficients of the dense output, and what the stiff method works on.
+STATE, REACHED, TRIAL, PASSING, SCALES, FIRST, LAST, SLOPES = range(8)
 DENSE = SLOPES + STAGES
 IMPLICIT = DENSE + 7
 VECTORS = IMPLICIT + 3 * RADAU
 #: Guards of a run by cause: their signs, zero until a guard was away from zero; values at the start of the
 #: step and at its nodes, and two sets on which functions work.
-SIGNS, VALUES, NODE = range(3)
-END = NODE + len(NODES) - 1
+SIGNS, VALUES = range(2)
+END = VALUES + len(NODES)
 NOW, LATER = END + 1, END + 2
 
 
@@ -46,13 +46,15 @@ def _dtype(entries: int) -> np.dtype[Any]:
 
     `phase` of `driver`; `time` of the state, `until` at the end of the step that is looked at, and `event`
     in it, with its `cause`; `before` when the mode was chosen; `planned` size of the next step, `prepared`
-    where the dense output of this one is known. `chosen` of the `count` modes that might be, -1 where none
-    is consistent.
+    where the dense output of this one is known; `pivot` is a time at which the motion is not smooth, and
+    `side` 1 behind it, -1 before it and 0 where there is none. `chosen` of the `count` modes that might be,
+    -1 where none is consistent.
     """
     return np.dtype(
         [
             ("time", "f8"), ("until", "f8"), ("event", "f8"), ("before", "f8"), ("planned", "f8"),
             ("last_size", "f8"), ("last_error", "f8"), ("stable", "f8"),
+            ("pivot", "f8"), ("side", "f8"),
             ("phase", "i8"), ("span", "i8"), ("chosen", "i8"), ("count", "i8"), ("kind", "i8"),
             ("solutions", "i8"), ("sample", "i8"), ("cause", "i8"), ("stopped", "i8"),
             ("events", "i8"), ("at_once", "i8"), ("changes", "i8"), ("agree", "i8"),

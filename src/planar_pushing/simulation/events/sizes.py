@@ -14,9 +14,9 @@ from planar_pushing.simulation.systems import base
 SAFETY, SHRINK, GROW = 0.9, 0.1, 10.0
 #: Most by which the change of the last size is taken to go on, and by which the first size of a mode is
 #: above the last one before it: the motion is as hard behind a singularity as it was beside it.
-TREND = 3.0
+TREND = 2.0
 #: So many of the usual first size give a step whose error is about the tolerance.
-CAUTIOUS = 6.0
+CAUTIOUS = 4.0
 
 
 @compiled
@@ -39,7 +39,7 @@ def least_size(time):
 def first_size(system, mode, run, end, rtol, order):
     """Size of the first step of a mode; its first slope is known (Hairer and Wanner I, Sec. II.4)."""
     state, trial, scales = run.vectors[at.STATE], run.vectors[at.TRIAL], run.vectors[at.SCALES]
-    slope, other = run.vectors[at.SLOPES], run.vectors[at.PASSING]
+    slope, other = run.vectors[at.FIRST], run.vectors[at.PASSING]
     state_size = norm(state, state, state, rtol, scales)
     slope_size = norm(slope, state, state, rtol, scales)
     small = state_size < 1e-5 or slope_size < 1e-5

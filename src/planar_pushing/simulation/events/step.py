@@ -7,14 +7,15 @@ from math import inf
 from typing import Any
 
 from planar_pushing.mechanics.compiled import compiled, generic, inlined
-from planar_pushing.simulation.events import explicit, sizes, stiff
+from planar_pushing.simulation.events import explicit, sizes, stiff, watch
 from planar_pushing.simulation.events import run as at
-from planar_pushing.simulation.events.tableau import STEP
 from planar_pushing.simulation.fence import span
 from planar_pushing.simulation.systems import base
 
 #: Step times Jacobian near the bound of stability (Hairer and Wanner II, Sec. IV.2).
 STIFF = 4.0
+#: Above this error, in units of the tolerance, a step that was tried says nothing.
+WILD = 1e5
 #: So many steps in a row have to agree before the method changes.
 AGREE = 15
 
@@ -27,13 +28,13 @@ def _attempt(kinds: Any) -> Callable[..., Any]:
 
 @compiled
 def _explicit(effects, system, mode, run, size, rtol, again):
-    return explicit.attempt(system, mode, run, size, rtol)
+    return explicit.attempt(system, mode, run, rtol)
 
 
 @compiled
 def _either(effects, system, mode, run, size, rtol, again):
     if run.explicit:
-        return explicit.attempt(system, mode, run, size, rtol)
+        return explicit.attempt(system, mode, run, rtol)
     if not again:
         stiff.differentiate(system, mode, run, rtol)
     error = stiff.attempt(system, mode, run, size, rtol, again)
@@ -44,17 +45,18 @@ def _either(effects, system, mode, run, size, rtol, again):
 
 @inlined
 def begin(run):
-    """Forget the steps before."""
+    """Forget the steps before, but for a kink, behind which the motion is not smooth."""
     run.explicit, run.fresh, run.agree, run.stable = True, True, 0, inf
+    run.pivot, run.side = run.time, 1.0 if run.cause == base.KINK else 0.0
 
 
 @inlined
 def _first_slope(system, mode, run, end, rtol, order):
     """Slope at the start of a step, and the size of a first one."""
     if run.explicit and not run.fresh:
-        run.vectors[at.SLOPES] = run.vectors[at.SLOPES + STEP]
+        run.vectors[at.FIRST] = run.vectors[at.LAST]
     else:
-        base.rates(system, mode, run.time, run.vectors[at.STATE], run.vectors[at.SLOPES])
+        base.rates(system, mode, run.time, run.vectors[at.STATE], run.vectors[at.FIRST])
     if run.fresh:
         run.planned = sizes.first_size(system, mode, run, end, rtol, order)
         run.last_size, run.fresh = 0.0, False
@@ -64,20 +66,23 @@ def _first_slope(system, mode, run, end, rtol, order):
 def take(system, mode, run, end, rtol):
     """Go on by one step; False where no step is small enough."""
     order = explicit.ORDER if run.explicit else stiff.ORDER
+    if run.side < 0.0 and run.time >= run.pivot:
+        run.side = 1.0
     _first_slope(system, mode, run, end, rtol, order)
     least, tried, failed = sizes.least_size(run.time), 0.0, 0.0
     size = max(run.planned, least)
     while size >= least:
-        last = run.time + size >= end
-        if last:
-            size = end - run.time
-        run.until, run.prepared = end if last else run.time + size, False
+        bound = min(end, run.pivot) if run.side < 0.0 else end
+        run.until, run.prepared = min(run.time + size, bound), False
+        size = run.until - run.time
         error = _attempt(system.effects, system, mode, run, size, rtol, tried > 0.0)
         if error < 1.0:
             planned = sizes.next_size(run, size, error, order)
             run.planned = min(planned, size) if tried > 0.0 else planned
             run.last_size, run.last_error = size, error
             return True
+        if run.explicit and run.side >= 0.0 and error < WILD:
+            watch.look_for_pivot(system, mode, run)
         smaller = sizes.smaller_size(size, error, tried, failed, order)
         tried, failed, size = size, error, smaller
     return False

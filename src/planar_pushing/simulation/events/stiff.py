@@ -47,7 +47,7 @@ def differentiate(system, mode, run, rtol):
         change = DIFFERENCE * max(abs(state[j]), rtol * run.vectors[at.SCALES, j])
         trial[j] = state[j] + change
         base.rates(system, mode, run.time, trial, moved)
-        run.jacobian[:, j] = (moved - run.vectors[at.SLOPES]) / (trial[j] - state[j])
+        run.jacobian[:, j] = (moved - run.vectors[at.FIRST]) / (trial[j] - state[j])
         trial[j] = state[j]
 
 
@@ -112,7 +112,7 @@ def _error(system, mode, run, size, rtol, again):
     state, reached, trial = run.vectors[at.STATE], run.vectors[at.REACHED], run.vectors[at.TRIAL]
     inverse = np.linalg.inv(EIGENVALUE / size * np.eye(len(state)) - run.jacobian)
     weighted = np.dot(ERROR / size, run.vectors[CHANGES:THERE])
-    error = np.dot(inverse, run.vectors[at.SLOPES] + weighted)
+    error = np.dot(inverse, run.vectors[at.FIRST] + weighted)
     total = norm(error, state, reached, rtol, run.vectors[at.SCALES])
     if total >= 1.0 and (again or run.last_size == 0.0):
         trial[:] = state + error

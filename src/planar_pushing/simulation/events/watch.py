@@ -9,7 +9,7 @@ from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.numerics.root import EQUATIONS
 from planar_pushing.simulation.bracket import RESOLUTION, bracketed
 from planar_pushing.simulation.events import run as at
-from planar_pushing.simulation.events.explicit import interpolate, near_middle
+from planar_pushing.simulation.events.explicit import clock, interpolate, near_middle
 from planar_pushing.simulation.systems import base
 
 #: Halvings that look for the moment in which a margin that starts at zero is positive.
@@ -18,6 +18,9 @@ HALVINGS = 20
 SECTION, SECTIONS = (3.0 - sqrt(5.0)) / 2.0, 24
 #: A margin that a parabola has fall below this part of itself may vanish between the nodes.
 DIP = 0.2
+#: A pivot is sought to some parts in this of a step, and put so far behind the kink that the step to it
+#: holds the kink as an event; what is not smooth there changes the motion by less than 1e-12.
+BEHIND = 1e-5
 #: What a step holds, besides the cause of an event.
 NOTHING, MISJUDGED = -1, -2
 
@@ -53,11 +56,24 @@ def first_event(system, mode, run):
 
 
 @inlined
+def look_for_pivot(system, mode, run):
+    """Where the motion is not smooth within a step that was tried, steps are graded towards that time."""
+    sign, end = run.guards[at.SIGNS, base.KINK], run.guards[at.END]
+    base.guards(system, mode, run.until, run.vectors[at.REACHED], end)
+    if sign * end[base.KINK] < -base.SLACK:
+        equation, slack = Guarded(system, mode, run, base.KINK), BEHIND * (run.until - run.time)
+        at_start, at_end = abs(run.guards[at.VALUES, base.KINK]), -abs(end[base.KINK])
+        low, high, fine = run.time, run.until, slack / (4.0 * run.until)
+        run.pivot = bracketed(equation, low, high, at_start, at_end, fine) + slack
+        run.side = -1.0
+
+
+@inlined
 def _may_end(system, mode, run):
     """Whether an event may lie in a step, by its guards at the ends and about the middle."""
     near_middle(run, run.vectors[at.TRIAL])
     now = run.guards[at.NOW]
-    base.guards(system, mode, (run.time + run.until) / 2.0, run.vectors[at.TRIAL], now)
+    base.guards(system, mode, clock(run, 0.5)[0], run.vectors[at.TRIAL], now)
     for cause in range(base.CAUSES):
         sign, middle, end = run.guards[at.SIGNS, cause], now[cause], run.guards[at.END, cause]
         if sign == 0.0 and (abs(middle) > base.SLACK or abs(end) > base.SLACK):
@@ -81,7 +97,9 @@ def _search(system, mode, run):
     """As `first_event`, by the guards at the nodes of the dense output."""
     for j in range(len(at.NODES) - 1):
         interpolate(system, mode, run, _node(run, j + 1), run.vectors[at.TRIAL])
-        base.guards(system, mode, _node(run, j + 1), run.vectors[at.TRIAL], run.guards[at.NODE + j])
+        base.guards(
+            system, mode, _node(run, j + 1), run.vectors[at.TRIAL], run.guards[at.VALUES + j + 1]
+        )
     first, found = inf, NOTHING
     for cause in range(base.CAUSES):
         value = run.guards[at.VALUES, cause]
@@ -107,16 +125,18 @@ def _node(run, j):
 def _event(system, mode, run, cause):
     """Time of the first event of one cause in a step, infinite where there is none, -1 where misjudged."""
     for j in range(1, len(at.NODES) + 1):
-        value = run.guards[at.NODE + j - 1, cause]
+        value = run.guards[at.VALUES + j, cause]
         if run.guards[at.SIGNS, cause] == 0.0:
             run.guards[at.SIGNS, cause] = _sign(cause, value)
             if value < -base.SLACK and not base.WATCHES[cause]:
                 rise = _rise(system, mode, run, cause, _node(run, j - 1), _node(run, j))
                 return (
-                    rise if rise < 0.0 else _crossing(system, mode, run, cause, rise, _node(run, j))
+                    rise if rise < 0.0 else _within(system, mode, run, cause, rise, _node(run, j))
                 )
         elif run.guards[at.SIGNS, cause] * value < -base.SLACK:
-            return _crossing(system, mode, run, cause, _node(run, j - 1), _node(run, j))
+            sign, before = run.guards[at.SIGNS, cause], run.guards[at.VALUES + j - 1, cause]
+            low, high = _node(run, j - 1), _node(run, j)
+            return _crossing(system, mode, run, cause, low, high, sign * before, sign * value)
     return inf if base.WATCHES[cause] else _dip(system, mode, run, cause)
 
 
@@ -137,13 +157,13 @@ def _rise(system, mode, run, cause, start, end):
 def _dip(system, mode, run, cause):
     """Time at which a margin vanishes between nodes at which it is positive, infinite where it does not."""
     for j in range(1, len(at.NODES)):
-        a = run.guards[at.NODE + j - 2 if j > 1 else at.VALUES, cause]
-        b, c = run.guards[at.NODE + j - 1, cause], run.guards[at.NODE + j, cause]
+        a, b = run.guards[at.VALUES + j - 1, cause], run.guards[at.VALUES + j, cause]
+        c = run.guards[at.VALUES + j + 1, cause]
         if min(a, b, c) > 0.0 and _dips(a, b, c):
             low = _node(run, j - 1)
             time = _below(system, mode, run, cause, low, _node(run, j + 1))
             if time < inf:
-                return _crossing(system, mode, run, cause, low, time)
+                return _within(system, mode, run, cause, low, time)
     return inf
 
 
@@ -187,12 +207,18 @@ EQUATIONS[Guarded] = _guarded
 
 
 @compiled
-def _crossing(system, mode, run, cause, low, high):
-    """Time at which a guard vanishes between two times; where it jumps, beyond the jump."""
+def _within(system, mode, run, cause, low, high):
+    """As `_crossing`, between times at which the guard is not known."""
     at_low = _value(system, mode, run, cause, low)
+    at_high = _value(system, mode, run, cause, high)
+    return _crossing(system, mode, run, cause, low, high, at_low, at_high)
+
+
+@compiled
+def _crossing(system, mode, run, cause, low, high, at_low, at_high):
+    """Time at which a guard vanishes between two times; where it jumps, beyond the jump."""
     if at_low <= 0.0:
         return low
-    at_high = _value(system, mode, run, cause, high)
     time = bracketed(Guarded(system, mode, run, cause), low, high, at_low, at_high)
     step = RESOLUTION * time
     while step > 0.0 and time < high and _value(system, mode, run, cause, time) > base.SLACK:
