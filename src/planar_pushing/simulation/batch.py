@@ -59,12 +59,8 @@ def simulate_batch(
         Instead of a coefficient.
     effects : sequence of effects
         Their parameters may be arrays.
-    twist : (v_x, v_y, omega)
-        Initial twist at the ring centre, for scenes with inertia; numbers or arrays.
-    rtol : float
-        Relative tolerance of the motion.
-    on_ambiguity : {"keep-contact", "separate", "stay-in-mode"}
-        Which mode is taken where several are consistent, as in `simulate`.
+    twist, rtol, on_ambiguity
+        As in `simulate`; the entries of the twist may be arrays.
     samples : int, optional
         Number of evenly spaced instants, the first and the last included; without it only the last.
 

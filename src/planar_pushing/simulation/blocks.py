@@ -55,13 +55,11 @@ def _simulated(kinds: Any) -> Callable[..., Any]:
 
 @compiled
 def _quasi_static(kinds, row, fence, body, task, run, rows, found):
-    fill(row, fence, body)
     return _follow(QuasiStatic(made(kinds, row), body, fence), row, task, run, rows, found)
 
 
 @compiled
 def _with_inertia(kinds, row, fence, body, task, run, rows, found):
-    fill(row, fence, body)
     return _follow(Inertial(made(kinds, row), body, fence), row, task, run, rows, found)
 
 
@@ -70,32 +68,16 @@ def _block(kinds, scenes, fences, counts, times, rtol, policy, body, run, rows, 
     """Run a block of scenes."""
     for i in range(len(scenes)):
         task, fence = Task(rtol, policy, times[i]), fences[i, : counts[i]]
+        fill(scenes[i], fence, body)
         changes[i] = _simulated(kinds, scenes[i], fence, body, task, run, rows, found[i])
 
 
 def run_scenes(
     kinds: Any, scenes: Scenes, times: Array, rtol: float, policy: int, block: int = BLOCK
 ) -> tuple[Any, Any]:
-    """Run many scenes.
+    """Rows of many scenes at these times, shape (scenes, samples), and their numbers of mode changes.
 
-    Parameters
-    ----------
-    kinds : tuple
-        Of effects, as `Scene.kinds`.
-    scenes : Scenes
-    times : ndarray, shape (scenes, samples)
-        Up to the duration.
-    rtol, policy
-        As in `Task`.
-    block : int
-        Scenes of a block.
-
-    Returns
-    -------
-    rows : array of ROW, shape (scenes, samples)
-        The last one of a scene that stops before stands for the times after.
-    changes : ndarray of int, shape (scenes,)
-        Changes of mode.
+    The last row of a scene that stops before stands for the times after.
     """
     size, moves = len(times), any(isinstance(kind, Mass) for kind in kinds)
     found = records(ROW, times.size).reshape(times.shape)

@@ -103,7 +103,7 @@ def _fences(pusher: Pusher | Array, ends: Array, radius: Array) -> Fences:
 
         return function
     if isinstance(pusher, Pusher):
-        starts, moves = pusher.starts, pusher.moves
+        starts, moves = pusher.steps
     else:
         starts, moves = np.zeros(1), np.reshape(pusher, (-1, 1, 2))
     every = np.broadcast_to(moves, (len(ends), len(starts), 2)) / radius[:, None, None]

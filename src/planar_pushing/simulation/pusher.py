@@ -31,7 +31,7 @@ def vector(given: object) -> Vector:
     try:
         x, y = (float(each) for each in given)  # type: ignore[attr-defined]
     except (TypeError, ValueError):
-        raise InvalidValue("velocity", given, ALLOWED, REMEDY) from None
+        x, y = math.nan, math.nan
     if not (math.isfinite(x) and math.isfinite(y)):
         raise InvalidValue("velocity", given, ALLOWED, REMEDY)
     return x, y
@@ -73,14 +73,9 @@ class Pusher:
         object.__setattr__(self, "breakpoints", times)
 
     @property
-    def starts(self) -> Array:
-        """Times at which the velocity changes, where it is piecewise constant."""
-        return np.array([start for start, _ in self.pieces])
-
-    @property
-    def moves(self) -> Array:
-        """The velocities from these times on, shape (pieces, 2)."""
-        return np.array([velocity for _, velocity in self.pieces])
+    def steps(self) -> tuple[Array, Array]:
+        """Start times, and velocities of shape (pieces, 2), where the velocity is piecewise constant."""
+        return np.array([time for time, _ in self.pieces]), np.array([v for _, v in self.pieces])
 
     def fence(self, duration: float, radius: float) -> Any:
         """The fence's motion as an array of pieces, from 0 to the duration.
@@ -91,8 +86,8 @@ class Pusher:
             Where a function returns something else than a velocity.
         """
         if self.pieces:
-            moves, ends = self.moves[None] / radius, np.array([duration])
-            fences, counts = constant_fences(self.starts, moves, ends)
+            starts, moves = self.steps
+            fences, counts = constant_fences(starts, moves[None] / radius, np.array([duration]))
             return fences[0, : counts[0]]
         given: Motion = self.velocity  # type: ignore[assignment]
         inner = [time for time in self.breakpoints if 0 < time < duration]
@@ -101,19 +96,9 @@ class Pusher:
 
 
 def constant_fences(starts: Array, velocities: Array, ends: Array) -> tuple[Any, Array]:
-    """Fences of many scenes whose velocities are constant from given times on, in radii.
+    """Fences of many scenes whose velocities, shape (scenes, pieces, 2), are constant from given times on.
 
-    Parameters
-    ----------
-    starts : ndarray, shape (pieces,)
-    velocities : ndarray, shape (scenes, pieces, 2)
-    ends : ndarray, shape (scenes,)
-
-    Returns
-    -------
-    fences : array of PIECE, shape (scenes, pieces)
-    counts : ndarray of int, shape (scenes,)
-        Pieces of each fence that begin before its end; the others are not filled in.
+    Returns them and, of each, the number of pieces that begin before its end; the others do not count.
     """
     fences = records(PIECE, velocities[..., 0].size).reshape(velocities.shape[:2])
     marks = np.append(np.tile(starts, (len(ends), 1)), ends[:, None], axis=1)
