@@ -11,8 +11,11 @@ import planar_pushing as pp
 from mechanics.builders import BOTH, FRICTION, make_scene
 from planar_pushing.simulation.events.driver import ENDED, advance
 from planar_pushing.simulation.events.integrate import EventDriven
+from planar_pushing.simulation.events.run import RUNS
+from planar_pushing.simulation.fence import PIECE
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, records
+from planar_pushing.simulation.systems.base import BODY
 from simulation.runs import final, heading, run
 
 FENCE = [(0, heading(60)), (0.5, heading(100))]
@@ -88,3 +91,20 @@ def test_friction_that_settles_fast_is_followed_by_the_stiff_method():
     assert final(log, "rod_angle") == pytest.approx(final(slow, "rod_angle"), abs=0.02)
     finer = run(scene, heading(60, 0.02), 0.5 / 0.02, rtol=1e-12)
     assert final(log, "rod_angle") == pytest.approx(final(finer, "rod_angle"), abs=1e-8)
+
+
+@pytest.mark.parametrize("dtype", [*RUNS.values(), ROW, PIECE, BODY], ids=lambda d: d.names[0])
+def test_no_field_of_a_record_hides_behind_an_attribute(dtype):
+    """Without the compiler ``record.size`` is 1, whatever the field."""
+    assert not set(dtype.names) & set(dir(np.record))
+
+
+def test_steps_are_graded_towards_a_kink_and_away_from_it():
+    """The motion centre crosses the ring, where the rates are no smoother than x / log x."""
+    scene = make_scene(1.5, np.inf, psi=np.deg2rad(80))
+    log = run(scene, heading(10), 3, samples=2)
+    k = np.abs(log.spin_ratio.values)
+    assert k.min() < 0.999 < 1.001 < k.max()
+    finer = run(scene, heading(10), 3, samples=2, rtol=1e-13)
+    assert final(log, "rod_angle") == pytest.approx(final(finer, "rod_angle"), abs=1e-8)
+    assert final(log, "evaluations")[0] < 550

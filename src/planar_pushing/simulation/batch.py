@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.effects import Effect, RingFriction
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.simulation.blocks import run_scenes
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.simulation.blocks import BLOCK, run_scenes
 from planar_pushing.simulation.log.variables import MODES
-from planar_pushing.simulation.parameters import Scenes, parts_of, scenes_of
-from planar_pushing.simulation.problem import policy, tolerance
+from planar_pushing.simulation.parameters import coefficients, scenes_of, velocities
+from planar_pushing.simulation.problem import Problem, sample_count
+from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.rows import Stop, in_units
 from planar_pushing.terms import quantities
 from planar_pushing.terms.options import Policy
@@ -56,12 +59,8 @@ def simulate_batch(
         Instead of a coefficient.
     effects : sequence of effects
         Their parameters may be arrays.
-    twist : (v_x, v_y, omega)
-        Initial twist at the ring centre, for scenes with inertia; numbers or arrays.
-    rtol : float
-        Relative tolerance of the motion.
-    on_ambiguity : {"keep-contact", "separate", "stay-in-mode"}
-        Which mode is taken where several are consistent, as in `simulate`.
+    twist, rtol, on_ambiguity
+        As in `simulate`; the entries of the twist may be arrays.
     samples : int, optional
         Number of evenly spaced instants, the first and the last included; without it only the last.
 
@@ -76,37 +75,64 @@ def simulate_batch(
     InvalidValue
         Where a value is not allowed, or shapes do not match.
     """
-    parts = parts_of(samples)
-    given = scenes_of(
-        rod_length, rod_angle, radius, friction_coefficient, contact, effects, velocity, duration,
-        twist, gap,
+    mu = coefficients(friction_coefficient, contact)
+    law = Coulomb(np.where(np.isinf(mu), 0.0, mu)) if contact is None else contact
+    slider = Slider(rod_length=rod_length, rod_angle=rod_angle, radius=radius)
+    problem = Problem(
+        scene=Scene(slider=slider, contact=law, effects=tuple(effects)),
+        pusher=velocity if isinstance(velocity, Pusher) else velocities(velocity),
+        duration=np.atleast_1d(duration), twist=twist, gap=gap, rtol=rtol,
+        on_ambiguity=cast(Policy, on_ambiguity),
     )  # fmt: skip
-    times = given.ends[:, None]
-    if samples is not None:
-        times = np.linspace(0.0, given.ends, len(parts), axis=-1)
+    parts = np.ones(1) if samples is None else np.linspace(0.0, 1.0, sample_count(samples))
+    scenes = scenes_of(problem, mu)
+    # As `simulate` has them, bit for bit.
+    times = np.linspace(0.0, scenes.ends, len(parts), axis=-1) if samples else scenes.ends[:, None]
+    block = 1 if callable(getattr(velocity, "velocity", None)) else BLOCK
     rows, changes = run_scenes(
-        given.kinds, given.rows, given.motions, np.ascontiguousarray(times), tolerance(rtol),
-        list(Policy).index(policy(on_ambiguity)),
-    )  # fmt: skip
-    return _dataset(in_units(rows, given.radius), changes, given, parts if samples else None)
+        problem.scene.kinds,
+        scenes,
+        np.ascontiguousarray(times),
+        problem.rtol,
+        problem.policy,
+        block,
+    )
+    found = _variables(in_units(rows, scenes.radius), changes, samples is None)
+    coordinates = _coordinates(problem, mu, scenes.ends) | (
+        {"part": ("part", parts)} if samples else {}
+    )
+    return _described(xr.Dataset(found, coordinates))
 
 
-def _dataset(rows: Any, changes: Any, given: Scenes, parts: Array | None) -> xr.Dataset:
-    over: tuple[str, ...] = ("scene",) if parts is None else ("scene", "part")
-    variables: dict[str, Any] = {}
+def _variables(rows: Any, changes: Array, only_last: bool) -> dict[str, Any]:
+    over = ("scene",) if only_last else ("scene", "part")
+    found: dict[str, Any] = {}
     for name in SAMPLED:
         values = rows[name].astype("i1") if rows[name].dtype.kind == "i" else rows[name]
         values = np.rad2deg(values) if name == "rod_angle" else values
         dims = (*over, "xy") if name == "position" else over
-        variables[name] = dims, np.array(values[:, -1] if parts is None else values)
+        found[name] = dims, np.array(values[:, -1] if only_last else values)
     evaluations = np.array(rows["evaluations"][:, -1])
-    variables |= {"mode_changes": ("scene", changes), "evaluations": ("scene", evaluations)}
-    coords: dict[str, Any] = {"xy": ("xy", ["x", "y"])}
-    for name, each in given.coordinates.items():
-        coords[name] = ("scene", "xy")[: each.ndim], np.array(each)
-    if parts is not None:
-        coords["part"] = ("part", parts)
-    dataset = xr.Dataset(variables, coords)
+    return found | {"mode_changes": ("scene", changes), "evaluations": ("scene", evaluations)}
+
+
+def _coordinates(problem: Problem, mu: Array, ends: Array) -> dict[str, Any]:
+    """What the dataset says of each scene."""
+    slider, size = problem.scene.slider, len(ends)
+    given = {
+        "rod_length": slider.rod_length, "initial_rod_angle": np.rad2deg(slider.rod_angle),
+        "friction_coefficient": mu, "duration": ends,
+    }  # fmt: skip
+    found: dict[str, Any] = {"xy": ("xy", ["x", "y"])}
+    for name, each in given.items():
+        found[name] = "scene", np.array(np.broadcast_to(np.asarray(each, float), (size,)))
+    if not isinstance(problem.pusher, Pusher):
+        found["velocity"] = ("scene", "xy"), np.array(np.broadcast_to(problem.pusher, (size, 2)))
+    return found
+
+
+def _described(dataset: xr.Dataset) -> xr.Dataset:
+    """The dataset with units, names and flags."""
     for label, variable in dataset.variables.items():
         variable.attrs = dict(quantities.attributes(quantities.BATCH, str(label)))
     for label, flags in FLAGS.items():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import RUNS, STATE, Task
-from planar_pushing.simulation.fence import MEAN, PIECE, VELOCITY
+from planar_pushing.simulation.parameters import Scenes
 from planar_pushing.simulation.rows import ROW, records
 from planar_pushing.simulation.systems.base import BODY, Inertial, QuasiStatic
 from planar_pushing.simulation.systems.setup import fill, put
@@ -23,33 +23,6 @@ from planar_pushing.simulation.systems.setup import fill, put
 BLOCK = 128
 #: Rows that the integrator hands on at once.
 ROWS = 64
-
-
-class Desk(NamedTuple):
-    """What a loop over scenes works on, one after the other."""
-
-    fence: Any
-    body: Any
-    run: Any
-    rows: Any
-
-
-@compiled
-def _constant_pieces(motion, duration, fence):
-    """Write down a piecewise constant motion, rows of start time and velocity; its number of pieces."""
-    count, x, y = 0, 0.0, 0.0
-    for i in range(len(motion)):
-        start, v_x, v_y = motion[i, 0], motion[i, 1], motion[i, 2]
-        if start < duration:
-            end = min(motion[i + 1, 0], duration) if i + 1 < len(motion) else duration
-            piece = fence[i]
-            piece.start, piece.end, piece.degree = start, end, 0
-            piece.first, piece.last, count = i, i + 1, i + 1
-            piece.origin[0], piece.origin[1] = x, y
-            piece.series[VELOCITY, 0], piece.series[VELOCITY + 1, 0] = v_x, v_y
-            piece.series[MEAN, 0], piece.series[MEAN + 1, 0] = v_x, v_y
-            x, y = x + (end - start) * v_x, y + (end - start) * v_y
-    return count
 
 
 @compiled
@@ -82,73 +55,43 @@ def _simulated(kinds: Any) -> Callable[..., Any]:
 
 @compiled
 def _quasi_static(kinds, row, fence, body, task, run, rows, found):
-    fill(row, fence, body)
     return _follow(QuasiStatic(made(kinds, row), body, fence), row, task, run, rows, found)
 
 
 @compiled
 def _with_inertia(kinds, row, fence, body, task, run, rows, found):
-    fill(row, fence, body)
     return _follow(Inertial(made(kinds, row), body, fence), row, task, run, rows, found)
 
 
 @compiled
-def _block(kinds, scenes, motions, times, rtol, policy, fence, body, run, rows, found, changes):
-    """Run a block of scenes; without motions the fence is that of all of them."""
+def _block(kinds, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes):
+    """Run a block of scenes."""
     for i in range(len(scenes)):
-        count = len(fence)
-        if motions.shape[1] > 0:
-            count = _constant_pieces(motions[i], times[i, times.shape[1] - 1], fence)
-        task = Task(rtol, policy, times[i])
-        changes[i] = _simulated(kinds, scenes[i], fence[:count], body, task, run, rows, found[i])
+        task, fence = Task(rtol, policy, times[i]), fences[i, : counts[i]]
+        fill(scenes[i], fence, body)
+        changes[i] = _simulated(kinds, scenes[i], fence, body, task, run, rows, found[i])
 
 
 def run_scenes(
-    kinds: Any, scenes: Array, motions: Any, times: Array, rtol: float, policy: int
+    kinds: Any, scenes: Scenes, times: Array, rtol: float, policy: int, block: int = BLOCK
 ) -> tuple[Any, Any]:
-    """Run many scenes.
+    """Rows of many scenes at these times, shape (scenes, samples), and their numbers of mode changes.
 
-    Parameters
-    ----------
-    kinds : tuple
-        Of effects, as `Scene.kinds`.
-    scenes : ndarray, shape (scenes, columns)
-        Rows as `systems.setup` has them.
-    motions : ndarray, shape (scenes, pieces, 3), or function of a scene's number
-        Start times and constant velocities of the fence; or the scene's fence itself. In radii.
-    times : ndarray, shape (scenes, samples)
-        Up to the duration.
-    rtol : float
-    policy : int
-
-    Returns
-    -------
-    rows : array of ROW, shape (scenes, samples)
-        The last one of a scene that stops before stands for the times after.
-    changes : ndarray of int, shape (scenes,)
-        Changes of mode.
+    The last row of a scene that stops before stands for the times after.
     """
-    size = len(scenes)
+    size, moves = len(times), any(isinstance(kind, Mass) for kind in kinds)
     found = records(ROW, times.size).reshape(times.shape)
     changes = np.zeros(size, np.int64)
-    block = 1 if callable(motions) else BLOCK
 
     def run(start: int) -> None:
         part = slice(start, min(start + block, size))
-        given = np.zeros((1, 0, 3)) if callable(motions) else motions[part]
-        fence = motions(start) if callable(motions) else records(PIECE, motions.shape[1])
-        desk = Desk(
-            fence, records(BODY, 1)[0], records(RUNS[_moves(kinds)], 1)[0], records(ROW, ROWS)
-        )
+        body, state, rows = records(BODY, 1)[0], records(RUNS[moves], 1)[0], records(ROW, ROWS)
         _block(
-            kinds, scenes[part], given, times[part], rtol, policy, *desk, found[part], changes[part]
-        )
+            kinds, scenes.rows[part], *scenes.fences(part), times[part], rtol, policy,
+            body, state, rows, found[part], changes[part],
+        )  # fmt: skip
 
     with announced(_block):
         run(0)
     in_threads(run, range(block, size, block))
     return found, changes
-
-
-def _moves(kinds: Any) -> bool:
-    return any(isinstance(kind, Mass) for kind in kinds)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -22,32 +22,26 @@ CHECKS = np.array([-0.97, 0.021, 0.53])
 SHORTEST, MOST = 2.0**-30, 4096
 
 
+def _operator(function: Callable[[Any], Any]) -> Array:
+    """The matrix of a linear function of coefficients."""
+    found = np.zeros((POINTS, POINTS))
+    for column, unit in zip(found.T, np.eye(POINTS), strict=True):
+        image = function(unit)
+        column[: len(image)] = image
+    return found
+
+
+#: From a piece's coefficients to those of its derivative, over -1 to 1, and of its mean since it began.
+SLOPE = _operator(chebyshev.chebder)
+MEAN = _operator(lambda c: chebyshev.chebdiv(chebyshev.chebint(c, lbnd=-1), [1.0, 1.0])[0])
+
+
 class Piece(NamedTuple):
-    """The fence's velocity up to a time: coefficients, shape (2, degree + 1), and what is rounding."""
+    """The fence's velocity up to a time: coefficients, shape (POINTS, 2), and what is rounding of it."""
 
     end: float
-    velocity: Array
-    noise: tuple[float, float] = (0.0, 0.0)
-
-    @property
-    def slope(self) -> Array:
-        """Coefficients of the derivative over the piece's own length, from -1 to 1."""
-        if self.velocity.shape[1] == 1:
-            return np.zeros_like(self.velocity)
-        found = np.zeros_like(self.velocity)
-        found[:, :-1] = chebyshev.chebder(self.velocity, axis=1)
-        return found
-
-    @property
-    def mean(self) -> Array:
-        """Coefficients of the mean since the piece began."""
-        if self.velocity.shape[1] == 1:
-            return self.velocity
-        found = np.zeros_like(self.velocity)
-        for row, part in zip(found, self.velocity, strict=True):
-            quotient = chebyshev.chebdiv(chebyshev.chebint(part, lbnd=-1), [1.0, 1.0])[0]
-            row[: len(quotient)] = quotient
-        return found
+    coefficients: Array
+    noise: Array
 
 
 def pieces_of(
@@ -79,8 +73,6 @@ def _interpolated(
     coefficients[np.abs(coefficients) <= ROUNDING * size] = 0.0
     there = np.array([velocity(middle + half * node) for node in CHECKS])
     apart = np.abs(chebyshev.chebval(CHECKS, coefficients).T - there)
-    tail = np.abs(coefficients[-2:]).max(axis=0)
-    resolved = bool((tail == 0).all() and (apart <= POINTS * ROUNDING * size).all())
+    resolved = not coefficients[-2:].any() and bool((apart <= POINTS * ROUNDING * size).all())
     noise = 0.0 if resolved and not coefficients[1:].any() else ROUNDING
-    degree = np.flatnonzero(coefficients.any(axis=1)).max(initial=0)
-    return Piece(high, coefficients[: degree + 1].T, (noise * size[0], noise * size[1])), resolved
+    return Piece(high, coefficients, noise * size), resolved

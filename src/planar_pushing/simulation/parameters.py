@@ -1,9 +1,9 @@
-"""What `simulate_batch` is given: arrays of parameters, checked and broadcast before any work."""
+"""Many scenes as rows of numbers: arrays of parameters, checked and broadcast before any work."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,84 +11,27 @@ import numpy as np
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.contact.laws import friction_coefficient as coefficient_of
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.simulation.problem import no_twist
-from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.pusher import Pusher, constant_fences
 from planar_pushing.simulation.systems.setup import LEFT, RIGHT, columns
 from planar_pushing.terms.domain import required
-from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.errors import InvalidValue
+
+#: Of a slice of many scenes: their fences, shape (scenes, pieces), and how many pieces of each count.
+Fences = Callable[[slice], tuple[Any, Array]]
 
 
 class Scenes(NamedTuple):
-    """Many scenes and their fences.
+    """Many scenes in radii, and their radii: rows as `systems.setup` has them, durations and fences."""
 
-    Attributes
-    ----------
-    kinds : tuple
-        Of effects, as `Scene.kinds`.
-    rows : ndarray, shape (scenes, columns)
-    motions : ndarray, shape (scenes, pieces, 3), or function
-        As `blocks.run_scenes` takes them.
-    ends : ndarray, shape (scenes,)
-        Durations.
-    radius : ndarray, shape (scenes,)
-    coordinates : dict
-        What the dataset says of each scene.
-    """
-
-    kinds: Any
     rows: Array
-    motions: Any
     ends: Array
     radius: Array
-    coordinates: dict[str, Array]
+    fences: Fences
 
 
-def scenes_of(
-    rod_length: Any, rod_angle: Any, radius: Any, friction_coefficient: Any, contact: Any,
-    effects: Sequence[Any], velocity: Any, duration: Any, twist: Sequence[Any], gap: Any,
-) -> Scenes:  # fmt: skip
-    """The scenes of the arguments of `simulate_batch`; errors as there."""
-    mu = _coefficients(friction_coefficient, contact)
-    law = Coulomb(np.where(np.isinf(mu), 0.0, mu)) if contact is None else contact
-    slider = Slider(rod_length=_array(rod_length), rod_angle=_array(rod_angle), radius=radius)
-    scene = Scene(slider=slider, contact=law, effects=tuple(effects))
-    ends = np.atleast_1d(duration)
-    required("duration", ends)
-    required("gap", gap)
-    if not scene.stores_energy:
-        no_twist(twist)
-    numbers = columns(scene, tuple(map(np.asarray, twist)), np.asarray(gap))
-    if contact is None:
-        numbers[RIGHT] = np.where(np.isinf(mu), 0.0, numbers[RIGHT])
-        numbers[LEFT] = np.where(np.isinf(mu), math.pi, numbers[LEFT])
-    moves = velocity if isinstance(velocity, Pusher) else _velocities(velocity)
-    given = [*numbers, mu, radius, ends, moves[..., 0] if isinstance(moves, np.ndarray) else 0.0]
-    shape = _shape([np.shape(each) for each in given])
-    over = [np.broadcast_to(np.asarray(each, float), shape) for each in given]
-    rows = np.stack(over[: len(numbers)], axis=-1)
-    coordinates = {
-        "rod_length": np.broadcast_to(slider.rod_length, shape),
-        "initial_rod_angle": np.rad2deg(np.broadcast_to(slider.rod_angle, shape)),
-        "friction_coefficient": over[-4],
-        "duration": over[-2],
-    }
-    if isinstance(moves, np.ndarray):
-        coordinates["velocity"] = np.broadcast_to(moves, (*shape, 2))
-    motions = _motions(moves, over[-2], over[-3])
-    return Scenes(scene.kinds, rows, motions, over[-2], over[-3], coordinates)
-
-
-def _array(given: Any) -> Any:
-    """Numbers as an array, what is none as it is given."""
-    try:
-        return np.asarray(given, dtype=float) if np.ndim(given) else given
-    except (TypeError, ValueError):
-        return given
-
-
-def _coefficients(given: Any, contact: Any) -> Array:
-    """Coefficients of friction, infinite where there is none."""
+def coefficients(given: Any, contact: Any) -> Array:
+    """Coefficients of friction, infinite where there is none, from one of the two arguments."""
     if (given is None) == (contact is None):
         raise InvalidValue(
             "friction_coefficient", given, "a coefficient, or a law as contact",
@@ -106,7 +49,8 @@ def _coefficients(given: Any, contact: Any) -> Array:
     return mu
 
 
-def _velocities(given: Any) -> Array:
+def velocities(given: Any) -> Array:
+    """Velocities of many fences, shape (2,) or (scenes, 2), or `InvalidValue`."""
     try:
         moves = np.asarray(given, dtype=float)
     except (TypeError, ValueError):
@@ -122,37 +66,45 @@ def _velocities(given: Any) -> Array:
     return moves
 
 
-def _shape(shapes: list[tuple[int, ...]]) -> tuple[int]:
+def scenes_of(problem: Problem, mu: Array) -> Scenes:
+    """The scenes of a problem whose numbers are arrays, with these coefficients of friction."""
+    scene, pusher = problem.scene, problem.pusher
+    numbers = columns(scene, problem.twist, problem.gap)
+    if isinstance(scene.contact, Coulomb):
+        numbers[RIGHT] = np.where(np.isinf(mu), 0.0, numbers[RIGHT])
+        numbers[LEFT] = np.where(np.isinf(mu), math.pi, numbers[LEFT])
+    moves = np.zeros(2) if isinstance(pusher, Pusher) else pusher
+    given = [*numbers, scene.slider.radius, problem.duration, mu, moves[..., 0]]
+    shape = _shape({np.shape(each) for each in given})
+    *rows, radius, ends, _, _ = (np.broadcast_to(np.asarray(x, float), shape) for x in given)
+    return Scenes(np.stack(rows, axis=-1), ends, radius, _fences(pusher, ends, radius))
+
+
+def _shape(shapes: set[tuple[int, ...]]) -> tuple[int, ...]:
+    """The one dimension over which the numbers of many scenes are broadcast."""
     try:
         shape = np.broadcast_shapes((1,), *shapes)
     except ValueError:
         shape = ()
     if len(shape) != 1 or not shape[0]:
-        different = sorted(set(shapes))
-        raise InvalidValue("shapes", different, "() or (scenes,)", "give one number for each scene")
+        raise InvalidValue(
+            "shapes", sorted(shapes), "() or (scenes,)", "give one number for each scene"
+        )
     return shape
 
 
-def _motions(moves: Any, ends: Array, radius: Array) -> Any:
-    """Motions of the fences as `blocks.run_scenes` takes them."""
-    if isinstance(moves, np.ndarray):
-        motions = np.zeros((len(ends), 1, 3))
-        motions[:, 0, 1:] = moves / radius[:, None]
-        return motions
-    if moves.pieces:
-        motions = np.empty((len(ends), len(moves.pieces), 3))
-        motions[..., 0] = [start for start, _ in moves.pieces]
-        motions[..., 1:] = np.array([v for _, v in moves.pieces]) / radius[:, None, None]
-        return motions
-    return lambda scene: moves.fence(float(ends[scene]), float(radius[scene]))
+def _fences(pusher: Pusher | Array, ends: Array, radius: Array) -> Fences:
+    """The fences of scenes; those that are functions of time are made for one scene at a time."""
+    if isinstance(pusher, Pusher) and not pusher.pieces:
 
+        def function(part: slice) -> tuple[Any, Array]:
+            fence = pusher.fence(float(ends[part.start]), float(radius[part.start]))
+            return fence[None], np.array([len(fence)])
 
-def parts_of(samples: int | None) -> Array:
-    """Parts of the duration at which the scenes are looked at."""
-    if samples is None:
-        return np.ones(1)
-    count = require_number(
-        "samples", samples, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
-        "ask at least for the first and the last instant, or leave it out",
-    )  # fmt: skip
-    return np.linspace(0.0, 1.0, int(count))
+        return function
+    if isinstance(pusher, Pusher):
+        starts, moves = pusher.steps
+    else:
+        starts, moves = np.zeros(1), np.reshape(pusher, (-1, 1, 2))
+    every = np.broadcast_to(moves, (len(ends), len(starts), 2)) / radius[:, None, None]
+    return lambda part: constant_fences(starts, every[part], ends[part])

@@ -16,30 +16,16 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.terms.domain import required
+from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.options import TOLERANCE, Policy
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """What is to be simulated.
+    """What is to be simulated, as `simulate` has it.
 
-    Parameters
-    ----------
-    scene : Scene
-        Its rod angle is the initial one; its parameters are numbers.
-    pusher : Pusher
-    duration : float
-        > 0.
-    twist : (v_x, v_y, omega)
-        Initial twist at the ring centre, where inertia is an effect.
-    gap : float
-        Initial height of the contact point above the fence, >= 0.
-    on_ambiguity : str or Policy
-    rtol : float
-        Relative tolerance of the motion.
+    In a batch numbers are arrays over the scenes, and `pusher` may be an array of velocities.
 
     Raises
     ------
@@ -48,36 +34,30 @@ class Problem:
     """
 
     scene: Scene
-    pusher: Pusher
-    duration: float
-    twist: Sequence[float] = (0.0, 0.0, 0.0)
-    gap: float = 0.0
+    pusher: Any
+    duration: Number
+    twist: Sequence[Number] = (0.0, 0.0, 0.0)
+    gap: Number = 0.0
     on_ambiguity: Policy = Policy.KEEP_CONTACT
     rtol: float = 1e-10
 
     def __post_init__(self) -> None:
-        for name, kind in (("scene", Scene), ("pusher", Pusher)):
-            if not isinstance(getattr(self, name), kind):
-                raise InvalidValue(name, getattr(self, name), f"a {kind.__name__}", "construct one")
-        required("duration", self.duration)
-        required("gap", self.gap)
-        object.__setattr__(self, "rtol", tolerance(self.rtol))
-        object.__setattr__(self, "twist", _twist(self.twist))
-        object.__setattr__(self, "on_ambiguity", policy(self.on_ambiguity))
-        if not self.scene.stores_energy:
-            no_twist(self.twist)
+        require_fields(self, "duration", "gap")
+        rtol = require_number(
+            "rtol", self.rtol, TOLERANCE.holds, TOLERANCE.allowed,
+            "choose a tolerance that double precision can hold",
+        )  # fmt: skip
+        object.__setattr__(self, "rtol", rtol)
+        object.__setattr__(self, "twist", _twist(self.twist, self.scene))
+        object.__setattr__(self, "on_ambiguity", _policy(self.on_ambiguity))
+
+    @property
+    def policy(self) -> int:
+        """The policy in the compiled core."""
+        return list(Policy).index(self.on_ambiguity)
 
 
-def tolerance(given: object) -> float:
-    """A relative tolerance, or `InvalidValue`."""
-    return require_number(
-        "rtol", given, TOLERANCE.holds, TOLERANCE.allowed,
-        "choose a tolerance that double precision can hold",
-    )  # fmt: skip
-
-
-def policy(given: object) -> Policy:
-    """A policy from its name, or `InvalidValue`."""
+def _policy(given: object) -> Policy:
     try:
         return Policy(str(given))
     except ValueError:
@@ -86,20 +66,26 @@ def policy(given: object) -> Policy:
         ) from None
 
 
-def no_twist(twist: Sequence[Any]) -> None:
-    """Refuse an initial twist of scenes without inertia."""
-    if any(np.any(np.asarray(each) != 0) for each in twist):
-        raise InvalidValue(
-            "twist", twist, "(0, 0, 0) for a scene without inertia",
-            "leave the twist out: the fence determines a quasi-static motion",
-        )  # fmt: skip
-
-
-def _twist(given: object) -> tuple[float, float, float]:
+def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
+    """An initial twist, which is zero for a scene without inertia."""
     try:
-        twist = tuple(float(each) for each in given)  # type: ignore[attr-defined]
+        twist = tuple(np.asarray(each, float)[()] for each in given)
     except (TypeError, ValueError):
         twist = ()
-    if len(twist) != 3 or not all(map(math.isfinite, twist)):
+    if len(twist) != 3 or not all(np.isfinite(each).all() for each in twist):
         raise InvalidValue("twist", given, "three finite numbers", "give (v_x, v_y, omega)")
+    if not scene.stores_energy and any(np.any(each != 0) for each in twist):
+        raise InvalidValue(
+            "twist", given, "(0, 0, 0) for a scene without inertia",
+            "leave the twist out: the fence determines a quasi-static motion",
+        )  # fmt: skip
     return twist
+
+
+def sample_count(given: object) -> int:
+    """A number of samples, the first and the last instant included, or `InvalidValue`."""
+    count = require_number(
+        "samples", given, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
+        "ask at least for the first and the last instant",
+    )  # fmt: skip
+    return int(count)

@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.simulation import chebyshev
 from planar_pushing.simulation.chebyshev import Piece, pieces_of
 from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
@@ -29,7 +31,7 @@ def vector(given: object) -> Vector:
     try:
         x, y = (float(each) for each in given)  # type: ignore[attr-defined]
     except (TypeError, ValueError):
-        raise InvalidValue("velocity", given, ALLOWED, REMEDY) from None
+        x, y = math.nan, math.nan
     if not (math.isfinite(x) and math.isfinite(y)):
         raise InvalidValue("velocity", given, ALLOWED, REMEDY)
     return x, y
@@ -70,6 +72,11 @@ class Pusher:
             )
         object.__setattr__(self, "breakpoints", times)
 
+    @property
+    def steps(self) -> tuple[Array, Array]:
+        """Start times, and velocities of shape (pieces, 2), where the velocity is piecewise constant."""
+        return np.array([time for time, _ in self.pieces]), np.array([v for _, v in self.pieces])
+
     def fence(self, duration: float, radius: float) -> Any:
         """The fence's motion as an array of pieces, from 0 to the duration.
 
@@ -79,35 +86,53 @@ class Pusher:
             Where a function returns something else than a velocity.
         """
         if self.pieces:
-            kept = [piece for piece in self.pieces if piece[0] < duration]
-            ends = [*(start for start, _ in kept), duration]
-            constant = [Piece(ends[i + 1], np.array([v]).T) for i, (_, v) in enumerate(kept)]
-            return _fence([[piece] for piece in constant], radius)
+            starts, moves = self.steps
+            fences, counts = constant_fences(starts, moves[None] / radius, np.array([duration]))
+            return fences[0, : counts[0]]
         given: Motion = self.velocity  # type: ignore[assignment]
         inner = [time for time in self.breakpoints if 0 < time < duration]
         spans = itertools.pairwise([0.0, *inner, duration])
         return _fence([pieces_of(lambda t: vector(given(t)), *ends) for ends in spans], radius)
 
 
+def constant_fences(starts: Array, velocities: Array, ends: Array) -> tuple[Any, Array]:
+    """Fences of many scenes whose velocities, shape (scenes, pieces, 2), are constant from given times on.
+
+    Returns them and, of each, the number of pieces that begin before its end; the others do not count.
+    """
+    fences = records(PIECE, velocities[..., 0].size).reshape(velocities.shape[:2])
+    marks = np.append(np.tile(starts, (len(ends), 1)), ends[:, None], axis=1)
+    marks = np.minimum(marks, ends[:, None])
+    fences["start"], fences["end"] = marks[:, :-1], marks[:, 1:]
+    fences["first"] = np.arange(len(starts))
+    fences["last"] = fences["first"] + 1
+    for row in (VELOCITY, MEAN):
+        fences["series"][..., row : row + 2, 0] = velocities
+    paths = np.diff(marks)[..., None] * velocities
+    fences["origin"][:, 1:] = paths.cumsum(axis=1)[:, :-1]
+    return fences, (starts < ends[:, None]).sum(axis=1)
+
+
 def _fence(spans: Sequence[Sequence[Piece]], radius: float) -> Any:
     """The pieces of each span as the compiled core has them."""
     pieces = [piece for during in spans for piece in during]
+    series = np.array([piece.coefficients.T for piece in pieces]) / radius
     fence = records(PIECE, len(pieces))
     fence["end"] = [piece.end for piece in pieces]
     fence["start"][1:] = fence["end"][:-1]
-    fence["degree"] = [piece.velocity.shape[1] - 1 for piece in pieces]
+    fence["degree"] = [np.flatnonzero(each.any(axis=0)).max(initial=0) for each in series]
     counts = np.array([len(during) for during in spans])
     fence["last"] = np.repeat(counts.cumsum(), counts)
     fence["first"] = fence["last"] - np.repeat(counts, counts)
     fence["noise"] = np.array([piece.noise for piece in pieces]) / radius
-    lengths, series = fence["end"] - fence["start"], fence["series"]
-    for i, piece in enumerate(pieces):
-        size = piece.velocity.shape[1]
-        series[i, VELOCITY:ACCELERATION, :size] = piece.velocity / radius
-        series[i, ACCELERATION:MEAN, :size] = piece.slope * 2 / lengths[i] / radius
-        series[i, MEAN:, :size] = piece.mean / radius
+    lengths = fence["end"] - fence["start"]
+    fence["series"][:, VELOCITY:ACCELERATION] = series
+    fence["series"][:, ACCELERATION:MEAN] = (
+        2 / lengths[:, None, None] * (series @ chebyshev.SLOPE.T)
+    )
+    fence["series"][:, MEAN:] = series @ chebyshev.MEAN.T
     # At the end of a piece every Chebyshev polynomial is 1.
-    paths = lengths[:, None] * series[:, MEAN:].sum(axis=-1)
+    paths = lengths[:, None] * fence["series"][:, MEAN:].sum(axis=-1)
     fence["origin"][1:] = paths.cumsum(axis=0)[:-1]
     return fence
 

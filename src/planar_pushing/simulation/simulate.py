@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, cast
 
@@ -14,11 +13,11 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.log.stream import PathLike, streaming
-from planar_pushing.simulation.log.variables import dataset
-from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.log.variables import dataset, ending
+from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.steps.integrate import TimeStepping
-from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import Method, Policy
 
 
@@ -82,20 +81,20 @@ def simulate(
     InvalidFile
         Where `path` cannot be written.
     """
+    for name, given, kind in (("scene", scene, Scene), ("pusher", pusher, Pusher)):
+        if not isinstance(given, kind):
+            raise InvalidValue(name, given, f"a {kind.__name__}", "construct one")
     problem = Problem(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=cast(Policy, on_ambiguity), rtol=rtol,
     )  # fmt: skip
     if method not in list(Method):
         raise InvalidValue("method", method, ", ".join(Method), "name one of these methods")
-    count = require_number(
-        "samples", samples, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
-        "ask at least for the first and the last instant",
-    )  # fmt: skip
-    run = _run(problem, method, np.linspace(0.0, duration, int(count)), step)
+    run = _run(problem, method, np.linspace(0.0, duration, sample_count(samples)), step)
     if path is None:
         rows = np.concatenate(list(_shown(run, duration, progress)))
-        return dataset(problem, method, rows, run.stopped)
+        log = dataset(problem, method, rows)
+        return log.assign_attrs(ending(run.stopped, log.time.values[-1]))
     with streaming(path, problem, method) as stream:
         for rows in _shown(run, duration, progress):
             stream.append(rows)

@@ -24,7 +24,7 @@ def _part(a, b, c, at_a, at_b, at_c):
 
 
 @compiled
-def bracketed(equation, low, high, at_low, at_high):
+def bracketed(equation, low, high, at_low, at_high, resolution=RESOLUTION):
     """Root of an equation of `mechanics.root` between two values of opposite sign.
 
     Chandrupatla's method (Advances in Engineering Software 28, 1997): inverse quadratic interpolation where
@@ -42,8 +42,8 @@ def bracketed(equation, low, high, at_low, at_high):
             c, b, at_c, at_b = b, a, at_b, at_a
         a, at_a = x, value
         best, least = (a, at_a) if abs(at_a) < abs(at_b) else (b, at_b)
-        if least == 0.0 or abs(b - a) <= 2.0 * RESOLUTION * abs(best):
+        if least == 0.0 or abs(b - a) <= 2.0 * resolution * abs(best):
             return best
-        limit = RESOLUTION * abs(best) / abs(b - a)
+        limit = resolution * abs(best) / abs(b - a)
         part = min(max(_part(a, b, c, at_a, at_b, at_c), limit), 1.0 - limit)
     return a

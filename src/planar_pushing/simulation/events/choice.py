@@ -3,18 +3,9 @@
 from __future__ import annotations
 
 from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.simulation.events.run import LATER, NOW, STATE, TRIAL, candidate
+from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.fence import span
-from planar_pushing.simulation.systems.base import (
-    CAUSES,
-    WATCHES,
-    contact_mode,
-    guards,
-    modes,
-    pace,
-    rank,
-    rates,
-)
+from planar_pushing.simulation.systems import base
 
 #: A margin this near to zero is judged by where it goes from there.
 NEAR = 1e-10
@@ -28,24 +19,24 @@ NO_KIND = -1
 @compiled
 def holds(system, mode, time, state, run):
     """Whether the margins of a mode are positive, or zero and not about to fall."""
-    now, later = run.guards[NOW], run.guards[LATER]
-    guards(system, mode, time, state, now)
+    now, later, trial = run.guards[at.NOW], run.guards[at.LATER], run.vectors[at.TRIAL]
+    base.guards(system, mode, time, state, now)
     near = False
-    for cause in range(CAUSES):
-        if not WATCHES[cause]:
+    for cause in range(base.CAUSES):
+        if not base.WATCHES[cause]:
             if now[cause] < -NEAR:
                 return False
             near = near or now[cause] <= NEAR
     if not near:
         return True
     during = mode.during
-    ahead = AHEAD * min(during.end - during.start, pace(system, during, time))
-    rates(system, mode, time, state, run.vectors[TRIAL])
-    for k in range(len(state)):
-        run.vectors[TRIAL][k] = state[k] + ahead * run.vectors[TRIAL][k]
-    guards(system, mode, time + ahead, run.vectors[TRIAL], later)
-    for cause in range(CAUSES):
-        if not WATCHES[cause] and now[cause] <= NEAR and not later[cause] >= now[cause] - TREND:
+    ahead = AHEAD * min(during.end - during.start, base.pace(system, during, time))
+    base.rates(system, mode, time, state, trial)
+    trial[:] = state + ahead * trial
+    base.guards(system, mode, time + ahead, trial, later)
+    for cause in range(base.CAUSES):
+        margin = not base.WATCHES[cause] and now[cause] <= NEAR
+        if margin and not later[cause] >= now[cause] - TREND:
             return False
     return True
 
@@ -53,21 +44,20 @@ def holds(system, mode, time, state, run):
 @inlined
 def choose(system, run, policy, excluded):
     """Take a consistent mode by the policy, `excluded` apart; whether there is one."""
-    during = span(system.fence, run.span)
-    run.count = modes(system, during, run.time, run.vectors[STATE], run.kinds, run.starts)
-    run.solutions, run.chosen = 0, -1
-    best = 0
+    state, before = run.vectors[at.STATE], run.kind
+    run.count = base.modes(
+        system, span(system.fence, run.span), run.time, state, run.kinds, run.starts
+    )
+    run.solutions, run.chosen, run.kind = 0, -1, NO_KIND
     for i in range(run.count):
-        kind = contact_mode(run.kinds[i])
+        kind = base.contact_mode(run.kinds[i])
         if kind == excluded:
             run.kinds[i] = NO_KIND
-        elif holds(system, candidate(system, run, i), run.time, run.vectors[STATE], run):
-            place = rank(policy, run.kind, kind)
+        elif holds(system, at.candidate(system, run, i), run.time, state, run):
+            place, best = base.rank(policy, before, kind), base.rank(policy, before, run.kind)
             if run.chosen < 0 or place < best:
-                run.chosen, best = i, place
+                run.chosen, run.kind = i, kind
             run.solutions += 1
-    before = run.kind
-    run.kind = contact_mode(run.kinds[run.chosen]) if run.chosen >= 0 else NO_KIND
     run.changes += 1 if run.kind != before and before != NO_KIND else 0
     return run.chosen >= 0
 
@@ -78,6 +68,6 @@ def solutions_now(system, run, time, state):
     count = 1
     for i in range(run.count):
         if i != run.chosen and run.kinds[i] != NO_KIND:
-            other = candidate(system, run, i)
+            other = at.candidate(system, run, i)
             count += 1 if holds(system, other, time, state, run) else 0
     return count

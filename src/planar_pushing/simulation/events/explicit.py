@@ -2,69 +2,21 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
-
-import numpy as np
+from math import sqrt
 
 from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.simulation.events.run import (
-    DENSE,
-    IMPLICIT,
-    PASSING,
-    REACHED,
-    SCALES,
-    SLOPES,
-    STATE,
-    TRIAL,
-)
+from planar_pushing.simulation.events import run as at
+from planar_pushing.simulation.events.sizes import norm
 from planar_pushing.simulation.events.tableau import ERRORS, STAGES, STEP, WEIGHTS, A, C
-from planar_pushing.simulation.systems.base import rates
+from planar_pushing.simulation.systems import base
 
-#: Limits of the change of a step's size, and the part of it that is taken.
-SAFETY, SHRINK, GROW = 0.9, 0.2, 10.0
-
-
-@compiled
-def norm(vector, start, end, rtol, scales):
-    """Root mean square of a vector in units of the tolerance."""
-    total = 0.0
-    for i in range(len(vector)):
-        part = vector[i] / (rtol * (scales[i] + max(abs(start[i]), abs(end[i]))))
-        total += part * part
-    return sqrt(total / len(vector))
-
-
-@inlined
-def least_step(time):
-    """Step below which rounding of the time matters."""
-    return 10.0 * (np.nextafter(time, inf) - time)
-
-
-@inlined
-def first_size(system, mode, run, end, rtol, order):
-    """Size of the first step of a mode; its first slope is known (Sec. II.4)."""
-    state, trial, scales = run.vectors[STATE], run.vectors[TRIAL], run.vectors[SCALES]
-    slope, other = run.vectors[SLOPES], run.vectors[PASSING]
-    span = end - run.time
-    state_size = norm(state, state, state, rtol, scales)
-    slope_size = norm(slope, state, state, rtol, scales)
-    small = state_size < 1e-5 or slope_size < 1e-5
-    size = min(1e-6 if small else 0.01 * state_size / slope_size, span)
-    for k in range(len(state)):
-        trial[k] = state[k] + size * slope[k]
-    rates(system, mode, run.time + size, trial, other)
-    for k in range(len(state)):
-        trial[k] = other[k] - slope[k]
-    bend = norm(trial, state, state, rtol, scales) / size
-    if slope_size <= 1e-15 and bend <= 1e-15:
-        better = max(1e-6, 1e-3 * size)
-    else:
-        better = (0.01 / max(slope_size, bend)) ** (1.0 / (order + 1))
-    return min(min(100.0 * size, better), span)
+#: Order of the error of a step.
+ORDER = 8.0
 
 
 @compiled
 def _sum(weights, count, slopes, found):
+    """Write down a weighted sum of slopes."""
     found[:] = 0.0
     for j in range(count):
         weight = weights[j]
@@ -74,104 +26,107 @@ def _sum(weights, count, slopes, found):
 
 
 @inlined
-def _move(state, size, slope):
-    """Turn the mean slope of a step into the state at its end."""
-    for k in range(len(state)):
-        slope[k] = state[k] + size * slope[k]
+def clock(run, part):
+    """Time at a part of a step, and its rate.
 
-
-@compiled
-def _stage(system, mode, run, size, i, time, found):
-    """State and slope in a stage of the step."""
-    slopes = run.vectors[SLOPES:DENSE]
-    _sum(A[i], i, slopes, found)
-    _move(run.vectors[STATE], size, found)
-    rates(system, mode, time, found, slopes[i])
+    Beside a pivot the square root of the distance from it runs evenly, which smooths the motion there.
+    """
+    if run.side == 0.0:
+        return run.time + part * (run.until - run.time), run.until - run.time
+    start, end = sqrt(abs(run.time - run.pivot)), sqrt(abs(run.until - run.pivot))
+    root = start + part * (end - start)
+    return run.pivot + run.side * root * root, 2.0 * run.side * root * (end - start)
 
 
 @inlined
-def _error(run, size, rtol):
-    """Estimate of the error in units of the tolerance (Sec. II.10)."""
-    slopes, trial, scales = run.vectors[SLOPES:DENSE], run.vectors[TRIAL], run.vectors[SCALES]
-    state, reached = run.vectors[STATE], run.vectors[REACHED]
+def _part(run, time):
+    """The part of a step that is done at a time."""
+    if run.side == 0.0:
+        return (time - run.time) / (run.until - run.time)
+    start, end = sqrt(abs(run.time - run.pivot)), sqrt(abs(run.until - run.pivot))
+    return (sqrt(abs(time - run.pivot)) - start) / (end - start)
+
+
+@compiled
+def _stage(system, mode, run, i):
+    """Change of the state at the rate in a stage of the step."""
+    slopes, state, trial = (
+        run.vectors[at.SLOPES : at.DENSE],
+        run.vectors[at.STATE],
+        run.vectors[at.TRIAL],
+    )
+    _sum(A[i], i, slopes, trial)
+    time, rate = clock(run, C[i])
+    for k in range(len(state)):
+        trial[k] += state[k]
+    base.rates(system, mode, time, trial, slopes[i])
+    for k in range(len(state)):
+        slopes[i, k] *= rate
+
+
+@compiled
+def attempt(system, mode, run, rtol):
+    """Try a step; the estimate of its error in units of the tolerance (Sec. II.10)."""
+    slopes, trial = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.TRIAL]
+    state, reached, scales = run.vectors[at.STATE], run.vectors[at.REACHED], run.vectors[at.SCALES]
+    slopes[0] = clock(run, 0.0)[1] * run.vectors[at.FIRST]
+    for i in range(1, STEP):
+        _stage(system, mode, run, i)
+    _sum(A[STEP], STEP, slopes, reached)
+    reached += state
+    base.rates(system, mode, run.until, reached, run.vectors[at.LAST])
+    slopes[STEP] = clock(run, 1.0)[1] * run.vectors[at.LAST]
     _sum(ERRORS[0], STEP + 1, slopes, trial)
     fifth = norm(trial, state, reached, rtol, scales) ** 2
-    if fifth == 0.0:
-        return 0.0
     _sum(ERRORS[1], STEP + 1, slopes, trial)
     third = norm(trial, state, reached, rtol, scales) ** 2
-    return size * fifth / sqrt(fifth + 0.01 * third)
+    return fifth / sqrt(fifth + 0.01 * third) if fifth > 0.0 else 0.0
 
 
 @compiled
-def step(system, mode, run, end, rtol):
-    """Go on by one step and prepare its dense output; False where no step is small enough."""
-    slopes, trial = run.vectors[SLOPES:DENSE], run.vectors[TRIAL]
-    if run.fresh:
-        rates(system, mode, run.time, run.vectors[STATE], slopes[0])
-        run.size = first_size(system, mode, run, end, rtol, 7)
-        run.fresh = False
-    else:
-        slopes[0] = slopes[STEP]
-    least, rejected = least_step(run.time), False
-    size = max(run.size, least)
-    while size >= least:
-        last = run.time + size >= end
-        if last:
-            size = end - run.time
-        run.until = end if last else run.time + size
-        for i in range(1, STEP):
-            _stage(system, mode, run, size, i, run.time + C[i] * size, trial)
-        _stage(system, mode, run, size, STEP, run.until, run.vectors[REACHED])
-        error = _error(run, size, rtol)
-        factor = GROW if error == 0.0 else SAFETY * error ** (-1.0 / 8.0)
-        if error < 1.0:
-            run.size = size * min(factor, 1.0 if rejected else GROW)
-            _prepare(system, mode, run, size)
-            return True
-        size *= factor if factor > SHRINK else SHRINK
-        rejected = True
-    return False
-
-
-@inlined
-def _prepare(system, mode, run, size):
-    """Coefficients of the dense output."""
+def _prepare(system, mode, run):
+    """Coefficients of the dense output, and the stages that only it takes."""
     for i in range(STEP + 1, STAGES):
-        _stage(system, mode, run, size, i, run.time + C[i] * size, run.vectors[TRIAL])
-    slopes, dense = run.vectors[SLOPES:DENSE], run.vectors[DENSE:IMPLICIT]
-    state, reached = run.vectors[STATE], run.vectors[REACHED]
-    for k in range(len(state)):
-        change = reached[k] - state[k]
-        dense[0, k] = change
-        dense[1, k] = size * slopes[0, k] - change
-        dense[2, k] = change - size * slopes[STEP, k] - dense[1, k]
+        _stage(system, mode, run, i)
+    slopes, dense = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.DENSE : at.IMPLICIT]
+    dense[0] = run.vectors[at.REACHED] - run.vectors[at.STATE]
+    dense[1] = slopes[0] - dense[0]
+    dense[2] = dense[0] - slopes[STEP] - dense[1]
     for i in range(len(WEIGHTS)):
         _sum(WEIGHTS[i], STAGES, slopes, dense[3 + i])
-        for k in range(len(state)):
-            dense[3 + i, k] *= size
-    run.cubic = False
+    run.prepared = True
 
 
 @compiled
 def stiffness(run):
     """Step times Jacobian, from the two stages at the end of the step (Hairer and Wanner II, Sec. IV.2)."""
-    slopes, trial = run.vectors[SLOPES:DENSE], run.vectors[TRIAL]
-    size, state, reached = run.until - run.time, run.vectors[STATE], run.vectors[REACHED]
+    slopes, trial = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.TRIAL]
     _sum(A[STEP - 1], STEP - 1, slopes, trial)
-    apart, change = 0.0, 0.0
-    for k in range(len(state)):
-        apart += (reached[k] - state[k] - size * trial[k]) ** 2
-        change += (slopes[STEP, k] - slopes[STEP - 1, k]) ** 2
-    return size * sqrt(change / apart) if apart > 0.0 else 0.0
+    apart = run.vectors[at.REACHED] - run.vectors[at.STATE] - trial
+    change = slopes[STEP] - slopes[STEP - 1]
+    distance = (apart * apart).sum()
+    return sqrt((change * change).sum() / distance) if distance > 0.0 else 0.0
 
 
 @compiled
-def interpolate(run, time, found):
+def near_middle(run, found):
+    """State about the middle of the step, which needs no dense output: that of a cubic."""
+    slopes, state, reached = (
+        run.vectors[at.SLOPES : at.DENSE],
+        run.vectors[at.STATE],
+        run.vectors[at.REACHED],
+    )
+    for k in range(len(found)):
+        found[k] = (state[k] + reached[k]) / 2.0 + (slopes[0, k] - slopes[STEP, k]) / 8.0
+
+
+@compiled
+def interpolate(system, mode, run, time, found):
     """State at a time within the last step, whichever method took it."""
-    dense, state = run.vectors[DENSE:IMPLICIT], run.vectors[STATE]
-    x = (time - run.time) / (run.until - run.time)
-    if run.cubic:
+    if not run.prepared:
+        _prepare(system, mode, run)
+    dense, state, x = run.vectors[at.DENSE : at.IMPLICIT], run.vectors[at.STATE], _part(run, time)
+    if not run.explicit:
         for k in range(len(found)):
             found[k] = state[k] + x * (dense[0, k] + x * (dense[1, k] + x * dense[2, k]))
         return

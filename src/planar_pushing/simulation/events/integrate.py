@@ -14,7 +14,6 @@ from planar_pushing.simulation.events.run import RUNS, STATE, Task
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, Stop, in_units, reason, records
 from planar_pushing.simulation.systems.setup import put, row_of, system_of
-from planar_pushing.terms.options import Policy
 
 #: Rows handed on at once.
 BATCH = 256
@@ -36,8 +35,7 @@ class EventDriven:
         fence = problem.pusher.fence(float(problem.duration), self.radius)
         row = row_of(scene, problem.twist, problem.gap)
         self.system = system_of(scene, row, fence)
-        policy = list(Policy).index(problem.on_ambiguity)
-        self.task = Task(problem.rtol, policy, np.asarray(times, float))
+        self.task = Task(problem.rtol, problem.policy, np.asarray(times, float))
         self.run = records(RUNS[scene.stores_energy], 1)[0]
         put(self.system, row, self.run.vectors[STATE])
         begin(self.system, self.run)

@@ -11,9 +11,9 @@ from planar_pushing.mechanics.modes import MOST
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.tableau import STAGES
 from planar_pushing.simulation.fence import span
-from planar_pushing.simulation.systems.base import CAUSES, MOVING, STILL, Mode
+from planar_pushing.simulation.systems import base
 
-#: Parts of a step at which the guards are looked at; its end is one of them.
+#: Parts of a step at which the guards are looked at where an event may lie in it.
 NODES = (0.25, 0.5, 0.75, 1.0)
 #: Stages of the stiff method.
 RADAU = 3
@@ -28,45 +28,47 @@ class Task(NamedTuple):
 
 
 #: Vectors of a run, each with the entries of the state: the state, that at the end of the step, two on
-#: which functions work, typical sizes; slopes in the stages of a step, coefficients of the dense output,
-#: and what the stiff method works on.
-STATE, REACHED, TRIAL, PASSING, SCALES, SLOPES = range(6)
+#: which functions work, typical sizes; rates at the start and at the end of a step; changes in its stages,
+#: coefficients of the dense output, and what the stiff method works on.
+STATE, REACHED, TRIAL, PASSING, SCALES, FIRST, LAST, SLOPES = range(8)
 DENSE = SLOPES + STAGES
 IMPLICIT = DENSE + 7
 VECTORS = IMPLICIT + 3 * RADAU
 #: Guards of a run by cause: their signs, zero until a guard was away from zero; values at the start of the
 #: step and at its nodes, and two sets on which functions work.
-SIGNS, VALUES, NODE = range(3)
-NOW = NODE + len(NODES)
-LATER = NOW + 1
+SIGNS, VALUES = range(2)
+END = VALUES + len(NODES)
+NOW, LATER = END + 1, END + 2
 
 
 def _dtype(entries: int) -> np.dtype[Any]:
     """Where a run is.
 
     `phase` of `driver`; `time` of the state, `until` at the end of the step that is looked at, and `event`
-    in it, with its `cause`; `before` when the mode was chosen; `size` of the next step. `chosen` of the
-    `count` modes that might be, -1 where none is consistent.
+    in it, with its `cause`; `before` when the mode was chosen; `planned` size of the next step, `prepared`
+    where the dense output of this one is known; `pivot` is a time at which the motion is not smooth, and
+    `side` 1 behind it, -1 before it and 0 where there is none. `chosen` of the `count` modes that might be,
+    -1 where none is consistent.
     """
     return np.dtype(
         [
-            ("time", "f8"), ("until", "f8"), ("event", "f8"), ("before", "f8"), ("size", "f8"),
+            ("time", "f8"), ("until", "f8"), ("event", "f8"), ("before", "f8"), ("planned", "f8"),
             ("last_size", "f8"), ("last_error", "f8"), ("stable", "f8"),
+            ("pivot", "f8"), ("side", "f8"),
             ("phase", "i8"), ("span", "i8"), ("chosen", "i8"), ("count", "i8"), ("kind", "i8"),
             ("solutions", "i8"), ("sample", "i8"), ("cause", "i8"), ("stopped", "i8"),
             ("events", "i8"), ("at_once", "i8"), ("changes", "i8"), ("agree", "i8"),
-            ("explicit", "b1"), ("cubic", "b1"), ("fresh", "b1"),
-            ("vectors", "f8", (VECTORS, entries)), ("guards", "f8", (LATER + 1, CAUSES)),
+            ("explicit", "b1"), ("fresh", "b1"), ("prepared", "b1"),
+            ("vectors", "f8", (VECTORS, entries)), ("guards", "f8", (LATER + 1, base.CAUSES)),
             ("kinds", "i8", (MOST,)), ("starts", "f8", (MOST, 3)),
-            ("jacobian", "f8", (entries, entries)), ("order", "i8", (RADAU * entries,)),
-            ("matrix", "f8", (RADAU * entries, RADAU * entries)),
+            ("jacobian", "f8", (entries, entries)),
         ],
         align=True,
     )  # fmt: skip
 
 
 #: Runs of systems without and with inertia.
-RUNS = {False: _dtype(STILL), True: _dtype(MOVING)}
+RUNS = {False: _dtype(base.STILL), True: _dtype(base.MOVING)}
 
 
 @compiled
@@ -74,6 +76,6 @@ def candidate(system, run, index):
     """One of the modes that might be, or the state without a contact force where there is none."""
     during = span(system.fence, min(run.span, len(system.fence) - 1))
     if index < 0:
-        return Mode(0, 0.0, 0.0, 0.0, during)
+        return base.Mode(0, 0.0, 0.0, 0.0, during)
     start = run.starts[index]
-    return Mode(run.kinds[index], start[0], start[1], start[2], during)
+    return base.Mode(run.kinds[index], start[0], start[1], start[2], during)

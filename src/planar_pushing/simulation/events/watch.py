@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, sqrt
+from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.simulation.events.explicit import interpolate
-from planar_pushing.simulation.events.locate import crossing, least, value_at
-from planar_pushing.simulation.events.run import (
-    NODE,
-    NODES,
-    NOW,
-    REACHED,
-    SIGNS,
-    STATE,
-    TRIAL,
-    VALUES,
-)
-from planar_pushing.simulation.systems.base import CAUSES, SLACK, WATCHES, guards
+from planar_pushing.mechanics.numerics.bracket import RESOLUTION, bracketed
+from planar_pushing.mechanics.numerics.root import EQUATIONS
+from planar_pushing.simulation.events import run as at
+from planar_pushing.simulation.events.explicit import clock, interpolate, near_middle
+from planar_pushing.simulation.systems import base
 
 #: Halvings that look for the moment in which a margin that starts at zero is positive.
 HALVINGS = 20
+#: Golden section, and how many of them look for the least value of a dip: to 1e-5 of its width.
+SECTION, SECTIONS = (3.0 - sqrt(5.0)) / 2.0, 24
+#: A margin that a parabola has fall below this part of itself may vanish between the nodes.
+DIP = 0.2
+#: A pivot is sought to some parts in this of a step, and put so far behind the kink that the step to it
+#: holds the kink as an event; what is not smooth there changes the motion by less than 1e-12.
+BEHIND = 1e-5
 #: What a step holds, besides the cause of an event.
 NOTHING, MISJUDGED = -1, -2
 
@@ -28,17 +28,17 @@ NOTHING, MISJUDGED = -1, -2
 @inlined
 def start_watch(system, mode, run):
     """Look at the guards at the start of a mode."""
-    guards(system, mode, run.time, run.vectors[STATE], run.guards[VALUES])
-    for cause in range(CAUSES):
-        run.guards[SIGNS, cause] = _sign(cause, run.guards[VALUES, cause])
+    base.guards(system, mode, run.time, run.vectors[at.STATE], run.guards[at.VALUES])
+    for cause in range(base.CAUSES):
+        run.guards[at.SIGNS, cause] = _sign(cause, run.guards[at.VALUES, cause])
 
 
 @compiled
 def _sign(cause, value):
     """Sign of a watch that is away from zero; of a margin 1 where it is positive; 0 until then."""
-    if value > SLACK:
+    if value > base.SLACK:
         return 1.0
-    return -1.0 if WATCHES[cause] and value < -SLACK else 0.0
+    return -1.0 if base.WATCHES[cause] and value < -base.SLACK else 0.0
 
 
 @inlined
@@ -47,49 +47,97 @@ def first_event(system, mode, run):
 
     A mode is misjudged where a margin is negative from its start on.
     """
-    nodes = run.guards[NODE:NOW]
-    last = len(NODES) - 1
-    for j in range(last):
-        time = run.time + NODES[j] * (run.until - run.time)
-        interpolate(run, time, run.vectors[TRIAL])
-        guards(system, mode, time, run.vectors[TRIAL], nodes[j])
-    guards(system, mode, run.until, run.vectors[REACHED], nodes[last])
+    base.guards(system, mode, run.until, run.vectors[at.REACHED], run.guards[at.END])
+    run.event, found = run.until, NOTHING
+    if not run.explicit or _may_end(system, mode, run):
+        found = _search(system, mode, run)
+    run.guards[at.VALUES] = run.guards[at.END]
+    return found
+
+
+@inlined
+def look_for_pivot(system, mode, run):
+    """Where the motion is not smooth within a step that was tried, steps are graded towards that time."""
+    sign, end = run.guards[at.SIGNS, base.KINK], run.guards[at.END]
+    base.guards(system, mode, run.until, run.vectors[at.REACHED], end)
+    if sign * end[base.KINK] < -base.SLACK:
+        equation, slack = Guarded(system, mode, run, base.KINK), BEHIND * (run.until - run.time)
+        at_start, at_end = abs(run.guards[at.VALUES, base.KINK]), -abs(end[base.KINK])
+        low, high, fine = run.time, run.until, slack / (4.0 * run.until)
+        run.pivot = bracketed(equation, low, high, at_start, at_end, fine) + slack
+        run.side = -1.0
+
+
+@inlined
+def _may_end(system, mode, run):
+    """Whether an event may lie in a step, by its guards at the ends and about the middle."""
+    near_middle(run, run.vectors[at.TRIAL])
+    now = run.guards[at.NOW]
+    base.guards(system, mode, clock(run, 0.5)[0], run.vectors[at.TRIAL], now)
+    for cause in range(base.CAUSES):
+        sign, middle, end = run.guards[at.SIGNS, cause], now[cause], run.guards[at.END, cause]
+        if sign == 0.0 and (abs(middle) > base.SLACK or abs(end) > base.SLACK):
+            return True
+        if sign * middle < -base.SLACK or sign * end < -base.SLACK:
+            return True
+        if not base.WATCHES[cause] and _dips(run.guards[at.VALUES, cause], middle, end):
+            return True
+    return False
+
+
+@compiled
+def _dips(a, b, c):
+    """Whether the parabola through three values falls, between them, to a fifth of the least one."""
+    bend = a - 2.0 * b + c
+    return abs(c - a) < 2.0 * bend and b - (c - a) * (c - a) / (8.0 * bend) < DIP * min(a, b, c)
+
+
+@compiled
+def _search(system, mode, run):
+    """As `first_event`, by the guards at the nodes of the dense output."""
+    for j in range(len(at.NODES) - 1):
+        interpolate(system, mode, run, _node(run, j + 1), run.vectors[at.TRIAL])
+        base.guards(
+            system, mode, _node(run, j + 1), run.vectors[at.TRIAL], run.guards[at.VALUES + j + 1]
+        )
     first, found = inf, NOTHING
-    for cause in range(CAUSES):
-        if run.guards[VALUES, cause] == run.guards[VALUES, cause]:  # it is guarded
+    for cause in range(base.CAUSES):
+        value = run.guards[at.VALUES, cause]
+        if value == value:  # it is guarded
             time = _event(system, mode, run, cause)
             if time < 0.0:
                 return MISJUDGED
             if time < first:
                 first, found = time, cause
-            run.guards[VALUES, cause] = nodes[last, cause]
-    run.event = first
+    run.event = min(first, run.until)
     return found
 
 
 @inlined
 def _node(run, j):
     """Time of a node, where 0 is the start of the step."""
-    if j == len(NODES):
+    if j == len(at.NODES):
         return run.until
-    return run.time + (NODES[j - 1] * (run.until - run.time) if j else 0.0)
+    return run.time + (at.NODES[j - 1] * (run.until - run.time) if j else 0.0)
 
 
 @compiled
 def _event(system, mode, run, cause):
     """Time of the first event of one cause in a step, infinite where there is none, -1 where misjudged."""
-    for j in range(1, len(NODES) + 1):
-        value = run.guards[NODE + j - 1, cause]
-        if run.guards[SIGNS, cause] == 0.0:
-            run.guards[SIGNS, cause] = _sign(cause, value)
-            if value < -SLACK and not WATCHES[cause]:
+    for j in range(1, len(at.NODES) + 1):
+        value = run.guards[at.VALUES + j, cause]
+        if run.guards[at.SIGNS, cause] == 0.0:
+            run.guards[at.SIGNS, cause] = _sign(cause, value)
+            if value < -base.SLACK and not base.WATCHES[cause]:
                 rise = _rise(system, mode, run, cause, _node(run, j - 1), _node(run, j))
-                if rise < 0.0:
-                    return rise
-                return crossing(system, mode, run, cause, rise, _node(run, j))
-        elif run.guards[SIGNS, cause] * value < -SLACK:
-            return crossing(system, mode, run, cause, _node(run, j - 1), _node(run, j))
-    return inf if WATCHES[cause] else _dip(system, mode, run, cause)
+                return (
+                    rise if rise < 0.0 else _within(system, mode, run, cause, rise, _node(run, j))
+                )
+        elif run.guards[at.SIGNS, cause] * value < -base.SLACK:
+            sign, before = run.guards[at.SIGNS, cause], run.guards[at.VALUES + j - 1, cause]
+            low, high = _node(run, j - 1), _node(run, j)
+            return _crossing(system, mode, run, cause, low, high, sign * before, sign * value)
+    return inf if base.WATCHES[cause] else _dip(system, mode, run, cause)
 
 
 @inlined
@@ -99,8 +147,8 @@ def _rise(system, mode, run, cause, start, end):
     for _ in range(1, HALVINGS):
         part /= 2.0
         time = start + (end - start) * part
-        if value_at(system, mode, run, cause, time) > SLACK:
-            run.guards[SIGNS, cause] = 1.0
+        if _value(system, mode, run, cause, time) > base.SLACK:
+            run.guards[at.SIGNS, cause] = 1.0
             return time
     return -1.0
 
@@ -108,17 +156,71 @@ def _rise(system, mode, run, cause, start, end):
 @inlined
 def _dip(system, mode, run, cause):
     """Time at which a margin vanishes between nodes at which it is positive, infinite where it does not."""
-    a, b = run.guards[VALUES, cause], run.guards[NODE, cause]
-    for j in range(1, len(NODES)):
-        c = run.guards[NODE + j, cause]
-        bend = a - 2.0 * b + c
-        if min(a, b, c) > 0.0 and b <= min(a, c) and bend > 0.0:
-            low, high = _node(run, j - 1), _node(run, j + 1)
-            time, value = low, b
-            # The parabola through the three falls below a fifth of the middle one.
-            if b - (c - a) * (c - a) / (8.0 * bend) < 0.2 * b:
-                time, value = least(system, mode, run, cause, low, high)
-            if value < -SLACK:
-                return crossing(system, mode, run, cause, low, time)
-        a, b = b, c
+    for j in range(1, len(at.NODES)):
+        a, b = run.guards[at.VALUES + j - 1, cause], run.guards[at.VALUES + j, cause]
+        c = run.guards[at.VALUES + j + 1, cause]
+        if min(a, b, c) > 0.0 and _dips(a, b, c):
+            low = _node(run, j - 1)
+            time = _below(system, mode, run, cause, low, _node(run, j + 1))
+            if time < inf:
+                return _within(system, mode, run, cause, low, time)
     return inf
+
+
+@compiled
+def _below(system, mode, run, cause, low, high):
+    """A time in a dip at which a margin is negative, by golden sections; infinite where there is none."""
+    for _ in range(SECTIONS):
+        one, other = low + SECTION * (high - low), high - SECTION * (high - low)
+        at_one = _value(system, mode, run, cause, one)
+        at_other = _value(system, mode, run, cause, other)
+        if min(at_one, at_other) < -base.SLACK:
+            return one if at_one < -base.SLACK else other
+        low, high = (low, other) if at_one <= at_other else (one, high)
+    return inf
+
+
+@compiled
+def _value(system, mode, run, cause, time):
+    """A guard at a time of the step, positive before its event."""
+    interpolate(system, mode, run, time, run.vectors[at.TRIAL])
+    found = run.guards[at.NOW]
+    base.guards(system, mode, time, run.vectors[at.TRIAL], found)
+    return -found[cause] if run.guards[at.SIGNS, cause] < 0.0 else found[cause]
+
+
+class Guarded(NamedTuple):
+    """A guard over the time of a step."""
+
+    system: Any
+    mode: base.Mode
+    run: Any
+    cause: int
+
+
+@compiled
+def _guarded(of, time):
+    return _value(of.system, of.mode, of.run, of.cause, time), 0.0
+
+
+EQUATIONS[Guarded] = _guarded
+
+
+@compiled
+def _within(system, mode, run, cause, low, high):
+    """As `_crossing`, between times at which the guard is not known."""
+    at_low = _value(system, mode, run, cause, low)
+    at_high = _value(system, mode, run, cause, high)
+    return _crossing(system, mode, run, cause, low, high, at_low, at_high)
+
+
+@compiled
+def _crossing(system, mode, run, cause, low, high, at_low, at_high):
+    """Time at which a guard vanishes between two times; where it jumps, beyond the jump."""
+    if at_low <= 0.0:
+        return low
+    time = bracketed(Guarded(system, mode, run, cause), low, high, at_low, at_high)
+    step = RESOLUTION * time
+    while step > 0.0 and time < high and _value(system, mode, run, cause, time) > base.SLACK:
+        time, step = min(time + step, high), 2.0 * step
+    return time

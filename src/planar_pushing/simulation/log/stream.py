@@ -18,6 +18,7 @@ import h5py
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.log import variables as log
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.rows import ROW, records
 from planar_pushing.terms.errors import InvalidFile
 
 PathLike = str | os.PathLike[str]
@@ -30,19 +31,14 @@ class Stream:
 
     def __init__(self, file: h5netcdf.File, disk: h5py.File, scene: Scene) -> None:
         self.file, self.disk, self.length, self.scene = file, disk, 0, scene
-        self._flush()
 
     def append(self, rows: Any) -> None:
         """Write rows to the end of the log."""
-        values = log.arrays(rows, self.scene)
         start, self.length = self.length, self.length + len(rows)
         self.file.resize_dimension("time", self.length)
-        for name, value in values.items():
+        for name, value in log.arrays(rows, self.scene).items():
             self.file.variables[name][start : self.length] = value
-        self._flush()
-
-    def _flush(self) -> None:
-        """What netCDF adds goes to the file, and the file to the disk."""
+        # What netCDF adds goes to the file, and the file to the disk.
         self.file.flush()
         self.disk.flush()
 
@@ -60,30 +56,17 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
     InvalidFile
         Where the file cannot be written.
     """
-    target = Path(path)
+    empty = log.dataset(problem, method, records(ROW, 0)).assign_attrs(finished=0)
+    chunks = {
+        name: {"chunksizes": (CHUNK, *variable.shape[1:])}
+        for name, variable in empty.variables.items()
+        if "time" in variable.dims
+    }
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        # netCDF readers want the order of creation kept.
-        disk = h5py.File(target, "w", track_order=True)
+        Path(path).parent.mkdir(parents=True, exist_ok=True)
+        empty.to_netcdf(path, engine="h5netcdf", unlimited_dims=["time"], encoding=chunks)
+        disk = h5py.File(path, "r+")
     except OSError as error:
         raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
     with disk, h5netcdf.File(disk, "r+") as file:
-        _define(file, problem, method)
         yield Stream(file, disk, problem.scene)
-
-
-def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
-    coordinates = log.coordinates(problem.scene)
-    file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
-    file.attrs.update(log.attributes(problem, method) | {"finished": 0})
-    time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
-    time.attrs.update(log.variable_attributes("time"))
-    for name, labels in coordinates.items():
-        label = file.create_variable(name, (name,), h5py.string_dtype())
-        label[:] = labels
-        label.attrs.update(log.variable_attributes(name))
-    for name, variable in log.VARIABLES.items():
-        dims = "time", *variable.dims
-        chunks = CHUNK, *(len(coordinates[dim]) for dim in variable.dims)
-        created = file.create_variable(name, dims, variable.dtype, chunks=chunks)
-        created.attrs.update(log.variable_attributes(name))

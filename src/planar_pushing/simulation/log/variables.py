@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -16,32 +16,25 @@ from planar_pushing.simulation.rows import NO_MODE
 from planar_pushing.terms import quantities
 from planar_pushing.terms.options import EFFECT_DEGREES
 
-
-class Variable(NamedTuple):
-    """Dimensions after time, and type, of a variable of the log."""
-
-    dims: tuple[str, ...]
-    dtype: str
-
-
-VARIABLES = {
-    "position": Variable(("xy",), "f8"),
-    "rod_angle": Variable((), "f8"),
-    "twist": Variable(("twist_component",), "f8"),
-    "fence": Variable(("xy",), "f8"),
-    "slip": Variable((), "f8"),
-    "gap": Variable((), "f8"),
-    "force": Variable(("xy",), "f8"),
-    "mode": Variable((), "i1"),
-    "outcome": Variable((), "i1"),
-    "solutions": Variable((), "i1"),
-    "adhesive": Variable((), "i1"),
-    "spin_ratio": Variable((), "f8"),
-    "dissipated": Variable(("effect",), "f8"),
-    "contact_dissipated": Variable((), "f8"),
-    "work": Variable((), "f8"),
-    "kinetic_energy": Variable((), "f8"),
-    "evaluations": Variable(("effect",), "i8"),
+#: Dimensions after time, and type, of the variables of the log.
+VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
+    "position": (("xy",), "f8"),
+    "rod_angle": ((), "f8"),
+    "twist": (("twist_component",), "f8"),
+    "fence": (("xy",), "f8"),
+    "slip": ((), "f8"),
+    "gap": ((), "f8"),
+    "force": (("xy",), "f8"),
+    "mode": ((), "i1"),
+    "outcome": ((), "i1"),
+    "solutions": ((), "i1"),
+    "adhesive": ((), "i1"),
+    "spin_ratio": ((), "f8"),
+    "dissipated": (("effect",), "f8"),
+    "contact_dissipated": ((), "f8"),
+    "work": ((), "f8"),
+    "kinetic_energy": ((), "f8"),
+    "evaluations": (("effect",), "i8"),
 }
 MODES = {"NONE": NO_MODE} | {mode.name: int(mode) for mode in ContactMode}
 OUTCOMES = {outcome.name: int(outcome) for outcome in Outcome}
@@ -59,8 +52,8 @@ def arrays(rows: Any, scene: Scene) -> dict[str, Any]:
         "evaluations": np.repeat(rows["evaluations"][:, None], len(scene.effects), axis=1),
     }
     return {"time": np.array(rows["time"])} | {
-        name: np.array(own[name] if name in own else rows[name], variable.dtype)
-        for name, variable in VARIABLES.items()
+        name: np.array(own[name] if name in own else rows[name], dtype)
+        for name, (_, dtype) in VARIABLES.items()
     }
 
 
@@ -114,15 +107,14 @@ def ending(stopped: str, time: float) -> dict[str, Any]:
     return {"finished": 1, "stopped": stopped, "stopped_time": time}
 
 
-def dataset(problem: Problem, method: str, rows: Any, stopped: str) -> xr.Dataset:
-    """The log of a run that has ended, in memory."""
+def dataset(problem: Problem, method: str, rows: Any) -> xr.Dataset:
+    """The log of a run in memory, without what its end settles."""
     values = arrays(rows, problem.scene)
     coords: dict[str, Any] = {"time": ("time", values.pop("time"), variable_attributes("time"))}
     for name, labels in coordinates(problem.scene).items():
         coords[name] = (name, labels, variable_attributes(name))
     variables = {
-        name: (("time", *VARIABLES[name].dims), value, variable_attributes(name))
+        name: (("time", *VARIABLES[name][0]), value, variable_attributes(name))
         for name, value in values.items()
     }
-    attrs = attributes(problem, method) | ending(stopped, coords["time"][1][-1])
-    return xr.Dataset(variables, coords, attrs)
+    return xr.Dataset(variables, coords, attributes(problem, method))

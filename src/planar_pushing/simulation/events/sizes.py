@@ -1,0 +1,81 @@
+"""Sizes of steps: the first one of a mode, and the next one by the error of the last."""
+
+from __future__ import annotations
+
+from math import inf, log, sqrt
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.simulation.events import run as at
+from planar_pushing.simulation.systems import base
+
+#: Limits of the change of a step's size, and the part of it that is taken.
+SAFETY, SHRINK, GROW = 0.9, 0.1, 10.0
+#: Most by which the change of the last size is taken to go on, and by which the first size of a mode is
+#: above the last one before it: the motion is as hard behind a singularity as it was beside it.
+TREND = 2.0
+#: So many of the usual first size give a step whose error is about the tolerance.
+CAUTIOUS = 4.0
+
+
+@compiled
+def norm(vector, start, end, rtol, scales):
+    """Root mean square of a vector in units of the tolerance."""
+    total = 0.0
+    for i in range(len(vector)):
+        part = vector[i] / (rtol * (scales[i] + max(abs(start[i]), abs(end[i]))))
+        total += part * part
+    return sqrt(total / len(vector))
+
+
+@inlined
+def least_size(time):
+    """Size below which rounding of the time matters."""
+    return 10.0 * (np.nextafter(time, inf) - time)
+
+
+@inlined
+def first_size(system, mode, run, end, rtol, order):
+    """Size of the first step of a mode; its first slope is known (Hairer and Wanner I, Sec. II.4)."""
+    state, trial, scales = run.vectors[at.STATE], run.vectors[at.TRIAL], run.vectors[at.SCALES]
+    slope, other = run.vectors[at.FIRST], run.vectors[at.PASSING]
+    state_size = norm(state, state, state, rtol, scales)
+    slope_size = norm(slope, state, state, rtol, scales)
+    small = state_size < 1e-5 or slope_size < 1e-5
+    size = min(1e-6 if small else 0.01 * state_size / slope_size, end - run.time)
+    trial[:] = state + size * slope
+    base.rates(system, mode, run.time + size, trial, other)
+    trial[:] = other - slope
+    bend = max(slope_size, norm(trial, state, state, rtol, scales) / size)
+    better = max(1e-6, 1e-3 * size) if bend <= 1e-15 else (0.01 / bend) ** (1.0 / order)
+    most = TREND * run.last_size if run.last_size > 0.0 else inf
+    return min(min(100.0 * size, CAUTIOUS * better), most, end - run.time)
+
+
+@inlined
+def next_size(run, size, error, order):
+    """Size of the step after one with an error below 1; sizes that change steadily go on to do so.
+
+    Gustafsson's prediction (Hairer and Wanner II, Sec. IV.8): beside a singularity sizes fall, and rise
+    behind it, by a factor a step.
+    """
+    if error == 0.0:
+        return GROW * size
+    factor = SAFETY * error ** (-1.0 / order)
+    if run.last_size > 0.0:
+        trend = size / run.last_size * (run.last_error / error) ** (1.0 / order)
+        factor *= min(max(trend, 1.0 / TREND), TREND)
+    return size * min(max(factor, SHRINK), GROW)
+
+
+@inlined
+def smaller_size(size, error, tried, failed, order):
+    """Size of the next trial after an error above 1, and after that of a larger size that was tried.
+
+    The two tell the order of the error, which is low where the motion is not smooth.
+    """
+    if tried > size and failed > error:
+        order = min(max(log(failed / error) / log(tried / size), 1.0), order)
+    factor = SAFETY * error ** (-1.0 / order)
+    return size * (factor if factor > SHRINK else SHRINK)
