@@ -24,14 +24,18 @@ from .mechanics.effects import Inertia, RingFriction, SupportFriction
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solve import Solution, SolutionArrays, Solutions, solve
-from .mechanics.supports.annulus import Annulus
-from .mechanics.supports.composite import Composite
-from .mechanics.supports.disc import Disc
-from .mechanics.supports.even_ring import Ring
-from .mechanics.supports.points import Points
-from .mechanics.supports.polygon import Polygon
-from .mechanics.supports.pressure_map import PressureMap
-from .mechanics.supports.segment import Segment
+from .mechanics.supports import (
+    Annulus,
+    Composite,
+    Disc,
+    EllipsoidFit,
+    Points,
+    Polygon,
+    PressureMap,
+    Ring,
+    Segment,
+    fit_ellipsoid,
+)
 from .mechanics.wrench import potential, wrench
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
@@ -51,6 +55,7 @@ __all__ = [
     "ContactMode",
     "Coulomb",
     "Disc",
+    "EllipsoidFit",
     "Inertia",
     "InfiniteFriction",
     "InvalidFile",
@@ -74,6 +79,7 @@ __all__ = [
     "SupportFriction",
     "can_pull",
     "conservative_motion_cone",
+    "fit_ellipsoid",
     "friction_cone",
     "limit_curve",
     "load_scene",

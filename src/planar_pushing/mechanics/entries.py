@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import fields
 from functools import cache
 from importlib.metadata import version
 from typing import Any
@@ -11,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction, PerfectlyRough
-from planar_pushing.mechanics.effects import Inertia, RingFriction
+from planar_pushing.mechanics.effects import Inertia, RingFriction, SupportFriction
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.terms.errors import InvalidValue
 
 #: Packages whose versions datasets hold.
@@ -80,8 +82,24 @@ def _effect_entry(effect: object) -> dict[str, Any]:
     match effect:
         case RingFriction(weight=weight):
             return {"type": "ring_friction", "weight": float(weight)}
-        case Inertia(mass=mass, gyration_radius=radius):
-            return {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
-    raise InvalidValue(
-        "effects", effect, "RingFriction and Inertia", "save a scene of these effects"
-    )
+        case SupportFriction(support=support, weight=weight):
+            support = support_entry(support)
+            return {"type": "support_friction", "weight": float(weight), "support": support}
+        case Inertia(mass=mass, gyration_radius=radius, center=(x, y)):
+            found = {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
+            return found | ({"center": [float(x), float(y)]} if x or y else {})
+    allowed = "SupportFriction, RingFriction and Inertia"
+    raise InvalidValue("effects", effect, allowed, "save a scene of these effects")
+
+
+def support_entry(support: Any) -> dict[str, Any]:
+    """A support as a scene file has it: its shape, and what that shape is made from."""
+    names = {kind: shape for shape, kind in SHAPES.items()}
+    found: dict[str, Any] = {"shape": names[type(support)]}
+    for each in fields(support):
+        value = getattr(support, each.name)
+        if each.name == "members":
+            value = [{"share": share, "support": support_entry(one)} for share, one in value]
+        if value is not None:
+            found[each.name] = value
+    return found

@@ -9,7 +9,6 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import announced, compiled, generic
 from planar_pushing.mechanics.effects.base import made
-from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
@@ -17,6 +16,7 @@ from planar_pushing.simulation.events.run import RUNS, STATE, Task
 from planar_pushing.simulation.parameters import Scenes
 from planar_pushing.simulation.rows import ROW, records
 from planar_pushing.simulation.systems.base import BODY, Inertial, QuasiStatic
+from planar_pushing.simulation.systems.motion import MASSES
 from planar_pushing.simulation.systems.setup import fill, put
 
 #: Scenes of a block: some milliseconds of work, so that Ctrl-C is heard.
@@ -50,7 +50,7 @@ def _follow(system, row, task, run, rows, found):
 @generic
 def _simulated(kinds: Any) -> Callable[..., Any]:
     """Run the scene of a row: kinds, row, fence, body, task, run, rows, found."""
-    return _with_inertia if Mass in kinds else _quasi_static
+    return _with_inertia if kinds[-1] in MASSES else _quasi_static
 
 
 @compiled
@@ -79,7 +79,7 @@ def run_scenes(
 
     The last row of a scene that stops before stands for the times after.
     """
-    size, moves = len(times), any(isinstance(kind, Mass) for kind in kinds)
+    size, moves = len(times), isinstance(kinds[-1], MASSES)
     found = records(ROW, times.size).reshape(times.shape)
     changes = np.zeros(size, np.int64)
 

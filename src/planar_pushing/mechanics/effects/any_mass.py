@@ -44,3 +44,8 @@ def rough(effect):
 @compiled
 def fastest(effect, reach):
     return 0.0
+
+
+@compiled
+def scaled(effect, factor):
+    return MassAt(factor * effect.mass, effect.gyration, effect.x, effect.y)

@@ -93,6 +93,12 @@ def _of_gradient(effects, x, y, spin):
 
 
 @generic
+def scaled(kind: Any) -> Callable[..., Any]:
+    """A mass times a factor: effect, factor."""
+    return member(kind, "scaled")
+
+
+@generic
 def made(kind: Any) -> Callable[..., Any]:
     """Effects of the kinds of a tuple, with the numbers of a row of an array of scenes."""
     if isinstance(kind, tuple):

@@ -1,1 +1,25 @@
 """Where the slider presses on the plane: one file a support."""
+
+from planar_pushing.mechanics.supports.annulus import Annulus
+from planar_pushing.mechanics.supports.composite import Composite
+from planar_pushing.mechanics.supports.disc import Disc
+from planar_pushing.mechanics.supports.ellipsoid import EllipsoidFit, fit_ellipsoid
+from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.points import Points
+from planar_pushing.mechanics.supports.polygon import Polygon
+from planar_pushing.mechanics.supports.pressure_map import PressureMap
+from planar_pushing.mechanics.supports.segment import Segment
+
+#: Supports by the shape that scene files give them.
+SHAPES = {
+    "annulus": Annulus,
+    "composite": Composite,
+    "disc": Disc,
+    "points": Points,
+    "polygon": Polygon,
+    "pressure_map": PressureMap,
+    "ring": Ring,
+    "segment": Segment,
+}
+
+__all__ = ["SHAPES", "EllipsoidFit", "fit_ellipsoid", *(kind.__name__ for kind in SHAPES.values())]

@@ -15,11 +15,12 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.plane import Array, contact_motion
+from planar_pushing.mechanics.reduced.base import MOTION
 from planar_pushing.simulation.fence import span, velocity
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.steps.trials import TRIALS, Step, enumerate_trials
 from planar_pushing.simulation.systems import base, contact
-from planar_pushing.simulation.systems.motion import friction, kinetic_energy, rod_of
+from planar_pushing.simulation.systems.motion import friction, kinetic_energy, mass_offset, rod_of
 
 #: A gap that is this small in radii is closed.
 CLOSED = 1e-12
@@ -37,7 +38,7 @@ CLOCK = np.dtype(
         ("time", "f8"), ("until", "f8"), ("start", "f8"), ("fence", "f8", (2,)), ("way", "f8", (2,)),
         ("state", "f8", (base.STILL,)), ("twist", "f8", (3,)), ("force", "f8", (2,)),
         ("kind", "i8"), ("solutions", "i8"), ("mark", "i8"), ("step", "i8"), ("stopped", "i8"),
-        ("kinds", "i8", (TRIALS,)), ("trials", "f8", (TRIALS, 5)),
+        ("kinds", "i8", (TRIALS,)), ("trials", "f8", (TRIALS, MOTION)),
     ],
     align=True,
 )  # fmt: skip
@@ -127,11 +128,12 @@ def _account(system, run):
     Friction dissipates its potential at the end of the step. What is left of the work belongs to the
     contact; in flight it is the scheme's own loss, which goes to friction.
     """
-    (v_x, v_y, spin, _, _), (x, y, turn) = run.trials[0], run.twist
+    (v_x, v_y, spin), (x, y, turn) = run.trials[0, :3], run.twist
+    own = rod_of(system.body, run.state[base.ANGLE])
     work = run.force[0] * run.way[0] + run.force[1] * run.way[1]
-    left = work + kinetic_energy(system.body, x, y, turn)
-    left -= kinetic_energy(system.body, v_x, v_y, spin)
-    f_x, f_y, torque = friction(system.effects, v_x, v_y, spin)
+    left = work + kinetic_energy(system.body, own, x, y, turn)
+    left -= kinetic_energy(system.body, own, v_x, v_y, spin)
+    f_x, f_y, torque = friction(system.effects, own, v_x, v_y, spin)
     rubbed = (run.until - run.time) * (f_x * v_x + f_y * v_y + torque * spin)
     if run.force[0] == 0.0 and run.force[1] == 0.0:
         rubbed = left
@@ -158,7 +160,11 @@ def _move(system, run):
     state[base.GAP] += y - run.way[1]
     state[base.ANGLE], run.time = turned, run.until
     run.fence += run.way
-    run.twist[0], run.twist[1], run.twist[2] = v_x, v_y, spin
+    # What inertia carries on is the motion of the centre of mass.
+    x, y = mass_offset(system.body, own)
+    turned_x, turned_y = mass_offset(system.body, rod_of(system.body, turned))
+    run.twist[0], run.twist[1] = v_x + spin * (turned_y - y), v_y - spin * (turned_x - x)
+    run.twist[2] = spin
     if length > 0.0 and state[base.GAP] + length * sin(turned) <= 0.0:
         run.stopped = LIES
 

@@ -16,7 +16,7 @@ from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.steps.slowing import slowed
 from planar_pushing.simulation.steps.trials import PARTS, SLACK, Step
 from planar_pushing.simulation.systems.contact import edge_of, moment_of, pushed
-from planar_pushing.simulation.systems.motion import friction
+from planar_pushing.simulation.systems.motion import arm_of, farthest, friction, mass_offset, widest
 
 #: A target below this part of the speeds is a contact that stands still.
 STILL = 1e-14
@@ -30,14 +30,19 @@ def _after(system, step, p_x, p_y):
     """Twist after a step under a known impulse: the minimum of a strictly convex potential."""
     body = system.body
     body.evaluations += 1
-    v_x, v_y = step.v_x + p_x / body.mass, step.v_y + p_y / body.mass
-    spin, speed = (
-        step.spin + moment_of(step.own, p_x, p_y) / body.moment,
-        sqrt(v_x * v_x + v_y * v_y),
+    x, y = mass_offset(body, step.own)
+    v_x, v_y = (
+        step.v_x - step.spin * y + p_x / body.mass,
+        step.v_y + step.spin * x + p_y / body.mass,
     )
-    slower, rotation = slowed(system.effects, speed, abs(spin), step.size)
-    part = slower / speed if speed > 0.0 else 0.0
-    return part * v_x, part * v_y, copysign(rotation, spin)
+    spin = step.spin + moment_of(_arm(body, step), p_x, p_y) / body.moment
+    v_x, v_y, spin = slowed(system.effects, step.own, v_x, v_y, spin, step.size)
+    return v_x + spin * y, v_y - spin * x, spin
+
+
+@compiled
+def _arm(body, step):
+    return arm_of(body, step.own.angle)
 
 
 @compiled
@@ -58,7 +63,8 @@ class Turned(NamedTuple):
 @compiled
 def _about_contact(effects, own, x, y, spin):
     """Force of friction where the contact moves by (x, y), and its torque about the contact."""
-    f_x, f_y, torque = friction(effects, *contact_motion(own, x, y, -spin), spin)
+    v_x, v_y = contact_motion(own, x, y, -spin)
+    f_x, f_y, torque = friction(effects, own, v_x, v_y, spin)
     return f_x, f_y, torque - moment_of(own, f_x, f_y)
 
 
@@ -74,23 +80,26 @@ EQUATIONS[Turned] = _turned
 
 @compiled
 def stick(system, step, found):
-    body, own = system.body, step.own
+    body, own, arm = system.body, step.own, _arm(system.body, step)
     body.evaluations += 1
-    stiffness = body.moment + body.mass * own.length * own.length
-    lag = moment_of(own, body.mass * (step.x - step.v_x), body.mass * (step.y - step.v_y))
+    stiffness = body.moment + body.mass * arm.length * arm.length
+    x, y = mass_offset(body, own)
+    w_x, w_y = step.v_x - step.spin * y, step.v_y + step.spin * x
+    lag = moment_of(arm, body.mass * (step.x - w_x), body.mass * (step.y - w_y))
     # The rotation that inertia alone takes; friction shifts it by no more than its own torque.
     middle = (body.moment * step.spin + lag) / stiffness
     spin, f_x, f_y = _sticking(system, step, stiffness, middle)
     v_x, v_y = contact_motion(own, step.x, step.y, -spin)
     found[0], found[1], found[2] = v_x, v_y, spin
-    found[3] = body.mass * (v_x - step.v_x) + step.size * f_x
-    found[4] = body.mass * (v_y - step.v_y) + step.size * f_y
+    found[3] = body.mass * (v_x - spin * y - w_x) + step.size * f_x
+    found[4] = body.mass * (v_y + spin * x - w_y) + step.size * f_y
 
 
 @compiled
 def _sticking(system, step, stiffness, middle):
     """Rotation and force of friction in a stick; where it is held, the part of the force that holds it."""
-    own, most = step.own, step.size * system.body.weight * (step.own.length + 1.0) / stiffness
+    own, grip = step.own, farthest(system.effects, step.own.length)
+    most = step.size * system.body.weight * grip / stiffness
     f_x, f_y, torque = _about_contact(system.effects, own, 0.0, 0.0, 1.0)
     pivot = step.size * torque / stiffness
     if sqrt(step.x * step.x + step.y * step.y) > STILL * own.length * abs(middle):
@@ -126,7 +135,7 @@ EQUATIONS[Lifted] = _lifted
 def slips(system, step, kind, found):
     x, y, _ = edge_of(system.body, kind)
     lifted = Lifted(system, step, x, y)
-    low, high = _range(system.body, step, lifted)
+    low, high = _range(system, step, lifted)
     count = _sizes(lifted, low, high, found)
     for i in range(count):
         found[i, 3], found[i, 4] = found[i, 0] * x, found[i, 0] * y
@@ -135,14 +144,15 @@ def slips(system, step, kind, found):
 
 
 @compiled
-def _range(body, step, lifted):
+def _range(system, step, lifted):
     """Bounds of a slip's impulse: that of inertia alone, shifted by what friction can do at most."""
-    own = step.own
+    body, own, arm = system.body, step.own, _arm(system.body, step)
     away = contact_motion(own, step.v_x, step.v_y, step.spin)[1] - step.y
-    gain = pushed(body, own, lifted.x, lifted.y)[1]
+    gain = pushed(body, arm, lifted.x, lifted.y)[1]
     # A gain of nothing but rounding leaves the size open.
     gain = copysign(max(abs(gain), SLACK / body.mass), gain)
-    shift = step.size * body.weight * (1.0 / body.mass + own.length * abs(own.x) / body.moment)
+    grip = widest(system.effects, body) * arm.length * abs(arm.x) / body.moment
+    shift = step.size * body.weight * (1.0 / body.mass + grip)
     one, other = (-away - shift) / gain, (-away + shift) / gain
     low, high = min(one, other), max(one, other)
     wider = WIDER * (high - low)

@@ -7,15 +7,16 @@ those that friction alone and inertia alone would give. Momentum inside the limi
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan, atan2, cos, sin
+from math import atan, atan2, copysign, cos, sin, sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.effects.any_support import Support
 from planar_pushing.mechanics.effects.base import response
-from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 from planar_pushing.mechanics.plane import Rod
 from planar_pushing.mechanics.reduced.base import limit_motion
+from planar_pushing.simulation.steps import braking
 from planar_pushing.simulation.systems.motion import seen_from
 
 
@@ -48,13 +49,26 @@ EQUATIONS[Braked] = _braked
 
 @generic
 def slowed(kinds: Any) -> Callable[..., Any]:
-    """Speed and rotation, >= 0, that friction leaves of those before: effects, both, length of the step."""
-    return _not_slowed if kinds == (Mass,) else _slowed_by_friction
+    """Motion of the centre of mass, and rotation, that friction leaves of those before.
+
+    Parameters are effects, rod, v_x, v_y, R omega, and length of the step.
+    """
+    if len(kinds) == 1:
+        return _not_slowed
+    return braking.slowed if kinds[0] is Support else _slowed
 
 
 @compiled
-def _not_slowed(effects, speed, spin, size):
-    return speed, spin
+def _not_slowed(effects, own, v_x, v_y, spin, size):
+    return v_x, v_y, spin
+
+
+@compiled
+def _slowed(effects, own, v_x, v_y, spin, size):
+    speed = sqrt(v_x * v_x + v_y * v_y)
+    slower, rotation = _slowed_by_friction(effects, speed, abs(spin), size)
+    part = slower / speed if speed > 0.0 else 0.0
+    return part * v_x, part * v_y, copysign(rotation, spin)
 
 
 @compiled

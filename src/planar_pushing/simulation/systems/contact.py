@@ -1,7 +1,8 @@
 """What the contact transmits: the friction cone, and forces and impulses on a slider with inertia.
 
-A force f at the contact accelerates it by ``G f`` with ``G = I / m + (l^2 / J) e e^T``, where e is the
-rod's right-hand normal. Impacts are inelastic; friction of the support is finite and has no part in them.
+A force f at the contact accelerates it by ``G f`` with ``G = I / m + (l^2 / J) e e^T``, where l is the
+distance of the centre of mass, and e the right-hand normal of the line there. Impacts are inelastic;
+friction of the support is finite and has no part in them.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.simulation.fence import velocity
 from planar_pushing.simulation.rows import Stop
 from planar_pushing.simulation.systems import base
-from planar_pushing.simulation.systems.motion import rod_of
+from planar_pushing.simulation.systems.motion import arm_of
 
 NO_IMPULSE = int(Stop.NO_IMPULSE)
 #: An impulse this near to an edge of the cone is on it, radians.
@@ -68,7 +69,7 @@ def admits(body, p_x, p_y):
 
 @compiled
 def moment_of(own, f_x, f_y):
-    """Torque about the ring's centre of a force at the contact."""
+    """Torque about the end of a rod of a force at the contact."""
     return own.length * (f_x * own.y - f_y * own.x)
 
 
@@ -122,7 +123,7 @@ def impact(system, during, time, state, kind, policy):
     if max(abs(x), abs(y)) <= base.SLACK * body.speed:
         state[base.OVER], state[base.RISE] = 0.0, 0.0
         return 0
-    own, kinds, count = rod_of(body, state[base.ANGLE]), np.empty(MODES, np.int64), 0
+    own, kinds, count = arm_of(body, state[base.ANGLE]), np.empty(MODES, np.int64), 0
     for each in range(MODES):
         if _consistent(body, own, each, x, y):
             kinds[count], count = each, count + 1

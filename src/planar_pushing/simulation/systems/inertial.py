@@ -13,7 +13,15 @@ from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.fence import acceleration, span, velocity
 from planar_pushing.simulation.systems import base, contact, rest
-from planar_pushing.simulation.systems.motion import Motion, at_rest, friction, rod_of, size_of
+from planar_pushing.simulation.systems.motion import (
+    Motion,
+    arm_of,
+    at_rest,
+    friction,
+    mass_offset,
+    rod_of,
+    size_of,
+)
 
 #: Part of the typical force below which a force has no direction of its own.
 NO_FORCE = 1e-9
@@ -93,15 +101,18 @@ def motion(system, mode, time, state):
     turn_x, turn_y = acceleration(system.fence, mode.during, time)
     if mode.kind >= base.CLEAR:
         return at_rest(fence_x, fence_y, turn_x, turn_y)
-    body, own, spin = system.body, rod_of(system.body, state[base.ANGLE]), state[base.SPIN]
+    body, spin, angle = system.body, state[base.SPIN], state[base.ANGLE]
+    own, arm = rod_of(body, angle), arm_of(body, angle)
     body.evaluations += 1
     v_x, v_y = base.center_velocity(system, mode.during, time, state)
-    drag_x, drag_y, drag = _drag(system, mode, v_x, v_y, spin)
-    free_x, free_y = _free(body, own, drag_x, drag_y, drag, spin)
-    free_x, free_y = free_x - turn_x, free_y - turn_y
-    f_x, f_y, a_x, a_y = contact.pushed_in(body, own, mode.kind, free_x, free_y)
+    drag_x, drag_y, drag = _drag(system, own, mode, v_x, v_y, spin)
     rubbed = drag_x * v_x + drag_y * v_y + drag * spin
-    turn = (contact.moment_of(own, f_x, f_y) - drag) / body.moment
+    x, y = mass_offset(body, own)
+    drag -= x * drag_y - y * drag_x
+    free_x, free_y = _free(body, arm, drag_x, drag_y, drag, spin)
+    free_x, free_y = free_x - turn_x, free_y - turn_y
+    f_x, f_y, a_x, a_y = contact.pushed_in(body, arm, mode.kind, free_x, free_y)
+    turn = (contact.moment_of(arm, f_x, f_y) - drag) / body.moment
     return Motion(
         state[base.OVER], state[base.RISE], fence_x, fence_y,
         v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
@@ -110,12 +121,12 @@ def motion(system, mode, time, state):
 
 
 @compiled
-def _drag(system, mode, v_x, v_y, spin):
+def _drag(system, own, mode, v_x, v_y, spin):
     """Friction on the support against the motion, or against the impending one from rest."""
     impending = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
     if impending and size_of(v_x, v_y, spin) <= NO_DIRECTION * system.body.speed:
-        return friction(system.effects, mode.x, mode.y, mode.spin)
-    return friction(system.effects, v_x, v_y, spin)
+        return friction(system.effects, own, mode.x, mode.y, mode.spin)
+    return friction(system.effects, own, v_x, v_y, spin)
 
 
 @compiled

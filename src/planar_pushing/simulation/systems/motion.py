@@ -7,9 +7,14 @@ from math import cos, nan, sin, sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.base import response
+from planar_pushing.mechanics.effects.any_mass import MassAt
+from planar_pushing.mechanics.effects.any_support import Support
+from planar_pushing.mechanics.effects.base import fastest, gradient, response, rough
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.plane import Direction, Rod
+
+#: The kinds of inertia.
+MASSES = (Mass, MassAt)
 
 
 class Motion(NamedTuple):
@@ -52,6 +57,19 @@ def rod_of(body, angle):
 
 
 @compiled
+def arm_of(body, angle):
+    """The line from the contact to the centre of mass, as a rod; without an offset it is the rod."""
+    return Rod(body.reach, angle + body.turn, cos(angle + body.turn), sin(angle + body.turn))
+
+
+@compiled
+def mass_offset(body, own):
+    """From the slider's centre to the centre of mass."""
+    x, y = body.center
+    return x * own.x - y * own.y, x * own.y + y * own.x
+
+
+@compiled
 def seen_from(own, x, y):
     """The direction of a unit vector, seen from a rod."""
     return Direction(nan, x, y, x * own.x + y * own.y, x * own.y - y * own.x)
@@ -64,27 +82,93 @@ def size_of(v_x, v_y, spin):
 
 
 @compiled
-def kinetic_energy(body, v_x, v_y, spin):
-    """Of the slider."""
+def kinetic_energy(body, own, v_x, v_y, spin):
+    """Of the slider, whose centre moves by (v_x, v_y)."""
+    x, y = mass_offset(body, own)
+    v_x, v_y = v_x - spin * y, v_y + spin * x
     return (body.mass * (v_x * v_x + v_y * v_y) + body.moment * spin * spin) / 2
 
 
 @generic
 def friction(kinds: Any) -> Callable[..., Any]:
-    """Force and torque of friction on the support, zero at rest: effects, v_x, v_y, R omega."""
-    return _no_friction if kinds == (Mass,) else _friction
+    """Force and torque about the centre of friction on the support, zero at rest.
+
+    Parameters are effects, rod, v_x, v_y and R omega.
+    """
+    if len(kinds) == 1 and kinds[0] in MASSES:
+        return _no_friction
+    return _pressed_friction if kinds[0] is Support else _friction
 
 
 @compiled
-def _no_friction(effects, v_x, v_y, spin):
+def _no_friction(effects, own, v_x, v_y, spin):
     return 0.0, 0.0, 0.0
 
 
 @compiled
-def _friction(effects, v_x, v_y, spin):
+def _friction(effects, own, v_x, v_y, spin):
     speed = sqrt(v_x * v_x + v_y * v_y)
     if speed == 0.0 and spin == 0.0:
         return 0.0, 0.0, 0.0
     force, torque, _, _, _ = response(effects[:1], speed, spin)
     part = force / speed if speed > 0.0 else 0.0
     return part * v_x, part * v_y, torque
+
+
+@compiled
+def _pressed_friction(effects, own, v_x, v_y, spin):
+    if v_x == 0.0 and v_y == 0.0 and spin == 0.0:
+        return 0.0, 0.0, 0.0
+    along, left = v_x * own.x + v_y * own.y, v_y * own.x - v_x * own.y
+    f_x, f_y, torque, _, _, _, _, _, _ = gradient(effects[0], along, left, spin)
+    return f_x * own.x - f_y * own.y, f_x * own.y + f_y * own.x, torque
+
+
+@generic
+def farthest(kinds: Any) -> Callable[..., Any]:
+    """Greatest torque of friction about the contact, per unit weight: effects, rod length."""
+    return _farthest_point if kinds[0] is Support else _farthest_of_ring
+
+
+@compiled
+def _farthest_of_ring(effects, length):
+    return length + 1.0
+
+
+@compiled
+def _farthest_point(effects, length):
+    return 2.0 / fastest(effects[0], length)
+
+
+@generic
+def widest(kinds: Any) -> Callable[..., Any]:
+    """Greatest torque of friction about the centre of mass, per unit weight: effects, body."""
+    return _mean_distance if kinds[0] is Support else _radius
+
+
+@compiled
+def _radius(effects, body):
+    return 1.0
+
+
+@compiled
+def _mean_distance(effects, body):
+    x, y, _ = rough(effects[0])
+    return effects[0].extent + sqrt((x - body.center[0]) ** 2 + (y - body.center[1]) ** 2)
+
+
+@generic
+def kink(kinds: Any) -> Callable[..., Any]:
+    """Watch of the motion's kink on the ring, none for other supports: effects, spin, speed."""
+    return _no_kink if kinds[0] is Support else _kink_on_ring
+
+
+@compiled
+def _no_kink(effects, spin, speed):
+    return nan
+
+
+@compiled
+def _kink_on_ring(effects, spin, speed):
+    total = abs(spin) + speed
+    return (abs(spin) - speed) / total if total > 0.0 else 0.0

@@ -12,7 +12,7 @@ from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.mechanics.reduced.base import edge_motion, stick
 from planar_pushing.simulation.fence import velocity
 from planar_pushing.simulation.systems import base, contact
-from planar_pushing.simulation.systems.motion import Motion, at_rest, rod_of, seen_from
+from planar_pushing.simulation.systems.motion import Motion, at_rest, kink, rod_of, seen_from
 
 
 @compiled
@@ -89,8 +89,7 @@ def guard_contact(system, mode, now, found):
     elif contact.side_of(kind) != 0.0:
         _guard_slip(system, mode, now, speed, found)
     if kind < base.CLEAR:
-        total = abs(now.spin) + now.speed
-        found[base.KINK] = (abs(now.spin) - now.speed) / total if total > 0.0 else 0.0
+        found[base.KINK] = kink(system.effects, now.spin, now.speed)
     if not mode.during.constant and kind == base.HELD:
         found[base.TURNS] = 1.0 if speed > 0.0 else -1.0
     elif not mode.during.constant and kind != base.CLEAR:

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, generic, inlined
-from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.effects.base import scaled
 from planar_pushing.mechanics.modes import MOST, contact_modes
 from planar_pushing.mechanics.plane import contact_motion, rod, toward
-from planar_pushing.mechanics.reduced.base import slips
+from planar_pushing.mechanics.reduced.base import MOTION, slips
 from planar_pushing.simulation.fence import acceleration, velocity
 from planar_pushing.simulation.systems import base, contact
-from planar_pushing.simulation.systems.motion import kinetic_energy
+from planar_pushing.simulation.systems.motion import MASSES, kinetic_energy, rod_of
 
 #: A fence slower than this part of it, and hardly accelerated, does not move.
 STILL = 1e-10
@@ -24,7 +24,7 @@ STILL = 1e-10
 @generic
 def starting(kinds: Any) -> Callable[..., Any]:
     """Write down every mode in which a slider at rest on the fence may start: effects, as `base.modes`."""
-    return _never if kinds == (Mass,) else _starting
+    return _never if len(kinds) == 1 and kinds[0] in MASSES else _starting
 
 
 @compiled
@@ -41,9 +41,9 @@ def _starting(effects, system, during, time, state, kinds, starts):
         return 1
     size = sqrt(turn_x * turn_x + turn_y * turn_y)
     # The pusher's motion is the unit of `contact_modes`, so the mass counts in units of its acceleration.
-    driven = effects[0], Mass(effects[1].mass * size, effects[1].gyration)
+    driven = effects[0], scaled(effects[1], size)
     body, own = system.body, rod(system.body.length, state[base.ANGLE])
-    found, motions = np.empty(MOST, np.int8), np.empty((MOST, 5))
+    found, motions = np.empty(MOST, np.int8), np.empty((MOST, MOTION))
     if abs(state[base.OVER]) > base.AT_REST * body.speed:
         slip, normal = state[base.OVER], turn_y / size
         count = _slipping_starts(driven, body, own, normal, slip, found, motions)
@@ -118,7 +118,8 @@ def stopped(system, mode, time, state):
     if lost <= 0.0:
         return time
     v_x, v_y = base.center_velocity(system, during, time, state)
-    energy = kinetic_energy(body, v_x, v_y, state[base.SPIN])
+    own = rod_of(body, state[base.ANGLE])
+    energy = kinetic_energy(body, own, v_x, v_y, state[base.SPIN])
     half = min(2 * energy / lost, during.end - time) / 2
     for entry in range(base.OVER):
         state[entry] += found[entry] * half

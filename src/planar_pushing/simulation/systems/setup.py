@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import atan2, hypot, sqrt
 from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import COLUMNS, GYRATION, MASS, WEIGHT, made
+from planar_pushing.mechanics.effects.base import (
+    COLUMNS,
+    GYRATION,
+    MASS,
+    MASS_X,
+    MASS_Y,
+    WEIGHT,
+    made,
+)
 from planar_pushing.mechanics.plane import Array, unit_vector
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.fence import typical_speed
@@ -33,7 +41,7 @@ def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
     return [
         scene.weight if scene.friction else 0.0,
         mass * radius if scene.stores_energy else 0.0,
-        gyration, slider.length_ratio, slider.rod_angle, *scene.law,
+        gyration, *scene.placement, slider.length_ratio, slider.rod_angle, *scene.law,
         v_x / radius, v_y / radius, omega, gap / radius,
     ]  # fmt: skip
 
@@ -46,6 +54,9 @@ def fill(row, fence, body):
     body.speed = speed if speed > 0.0 else 1.0
     body.length, body.weight, body.mass = row[LENGTH], row[WEIGHT], row[MASS]
     body.moment = body.mass * row[GYRATION]
+    body.center[0], body.center[1] = row[MASS_X], row[MASS_Y]
+    body.reach = hypot(row[LENGTH] + row[MASS_X], row[MASS_Y])
+    body.turn = atan2(row[MASS_Y], row[LENGTH] + row[MASS_X])
     body.force = body.mass * body.speed * body.speed + body.weight
     body.right_angle, body.left_angle = row[RIGHT], row[LEFT]
     body.right[0], body.right[1] = unit_vector(row[RIGHT])
