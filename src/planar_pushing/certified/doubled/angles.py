@@ -18,6 +18,8 @@ QUARTER = Doubled(np.float64(1.5707963267948966), np.float64(6.123233995736766e-
 TURN = QUARTER * 4.0
 #: Terms of the series up to an eighth of a turn: the next one is below 2^-106.
 _TERMS = 14
+#: What the arithmetic leaves of a quarter turn; doubles that are none are further from one.
+_NOTHING = 1e-29
 
 
 def radians(degrees: Any) -> Doubled:
@@ -35,7 +37,8 @@ def exact_quarters(angles: Any) -> Doubled:
 def cosine_sine(angle: Doubled) -> tuple[Doubled, Doubled]:
     """Cosine and sine of angles of some turns."""
     turns = np.rint(angle.high / QUARTER.high)
-    cosine, sine = _series(angle - QUARTER * turns)
+    rest = angle - QUARTER * turns
+    cosine, sine = _series(choose(np.abs(rest.high) < _NOTHING, 0.0, rest))
     quadrant = turns % 4
     odd = quadrant % 2 == 1
     c, s = choose(odd, sine, cosine), choose(odd, cosine, sine)

@@ -36,7 +36,8 @@ def wrench(k: Any) -> Wrench:
 
 
 def _wrench(k: Doubled) -> Wrench:
-    beyond, on_ring, still = k.high > 1, (k.high == 1) & (k.low == 0), k.high == 0
+    apart, still = (k - 1.0).high, k.high == 0
+    beyond, on_ring = apart > 0, apart == 0
     inner = choose(beyond, 1.0 / choose(still, 1.0, k), k)
     first, second = _inside(choose(on_ring | still, 0.5, inner))
     force, torque = choose(beyond, second, first), choose(beyond, first, second)
