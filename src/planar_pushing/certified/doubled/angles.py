@@ -11,15 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.certified.doubled.numbers import Doubled, choose, doubled
+from planar_pushing.certified.doubled.numbers import Doubled, choose, doubled, settled
 
 #: A quarter turn, and the rounding error of its double.
 QUARTER = Doubled(np.float64(1.5707963267948966), np.float64(6.123233995736766e-17))
 TURN = QUARTER * 4.0
 #: Terms of the series up to an eighth of a turn: the next one is below 2^-106.
 _TERMS = 14
-#: What the arithmetic leaves of a quarter turn; doubles that are none are further from one.
-_NOTHING = 1e-29
 
 
 def radians(degrees: Any) -> Doubled:
@@ -37,8 +35,7 @@ def exact_quarters(angles: Any) -> Doubled:
 def cosine_sine(angle: Doubled) -> tuple[Doubled, Doubled]:
     """Cosine and sine of angles of some turns."""
     turns = np.rint(angle.high / QUARTER.high)
-    rest = angle - QUARTER * turns
-    cosine, sine = _series(choose(np.abs(rest.high) < _NOTHING, 0.0, rest))
+    cosine, sine = _series(settled(angle - QUARTER * turns))
     quadrant = turns % 4
     odd = quadrant % 2 == 1
     c, s = choose(odd, sine, cosine), choose(odd, cosine, sine)

@@ -14,6 +14,8 @@ import numpy.typing as npt
 Floats = npt.NDArray[np.float64]
 #: Splits the 53 bits of a double into two halves of at most 26 bits.
 _SPLITTER = 2.0**27 + 1.0
+#: More than the rounding of a difference of numbers near one, and less than any of doubles.
+_NOTHING = 1e-29
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
@@ -128,3 +130,8 @@ def choose(condition: Any, one: Any, other: Any) -> Doubled:
     return Doubled(
         np.where(condition, one.high, other.high), np.where(condition, one.low, other.low)
     )
+
+
+def settled(number: Doubled) -> Doubled:
+    """The same, zero where nothing but rounding is left of a difference of numbers near one."""
+    return choose(np.abs(number.high) < _NOTHING, 0.0, number)

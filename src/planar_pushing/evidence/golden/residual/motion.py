@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.certified.doubled.angles import cosine_sine, off_direction, radians
-from planar_pushing.certified.doubled.numbers import Doubled, Floats, choose, doubled
+from planar_pushing.certified.doubled.numbers import Doubled, Floats, choose, doubled, settled
 from planar_pushing.certified.doubled.ring import wrench
 from planar_pushing.terms.options import EffectSet
 
@@ -42,7 +42,7 @@ def line_on_edge(rod_angle: Any, friction_coefficient: Any, side: int) -> Line:
     """Line of force on an edge of the friction cone, side 1 for the right and -1 for the left one."""
     x, y = edge(friction_coefficient, side)
     cosine, sine = cosine_sine(radians(rod_angle))
-    return Line(x * cosine + y * sine, x * sine - y * cosine)
+    return Line(settled(x * cosine + y * sine), settled(x * sine - y * cosine))
 
 
 def edge(friction_coefficient: Any, side: int) -> tuple[Doubled, Doubled]:
