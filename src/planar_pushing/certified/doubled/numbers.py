@@ -132,6 +132,6 @@ def choose(condition: Any, one: Any, other: Any) -> Doubled:
     )
 
 
-def settled(number: Doubled) -> Doubled:
+def settled(number: Doubled, rounding: float = _NOTHING) -> Doubled:
     """The same, zero where nothing but rounding is left of a difference of numbers near one."""
-    return choose(np.abs(number.high) < _NOTHING, 0.0, number)
+    return choose(np.abs(number.high) < rounding, 0.0, number)

@@ -75,7 +75,10 @@ def _spins(center: list[Doubled], force_angle: Any, arm: Doubled) -> tuple[Doubl
         far = [np.where(part.high == 0, 0.0, -np.inf * part.high) for part in (sine, -cosine)]
     still = arm.high == 0
     lost = still & ~((x.high == far[0]) & (y.high == far[1]))
-    x, y = choose(still | ~np.isfinite(x.high), sine, x), choose(still | ~np.isfinite(y.high), 1.0, y)
+    x, y = (
+        choose(still | ~np.isfinite(x.high), sine, x),
+        choose(still | ~np.isfinite(y.high), 1.0, y),
+    )
     across, beside = x * sine - y * cosine, x * cosine + y * sine
     size = (x * x + y * y).sqrt()
     k = choose(still, 0.0, -1.0 / choose(across.high == 0, 1.0, across))

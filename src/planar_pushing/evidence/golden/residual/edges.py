@@ -37,7 +37,13 @@ def friction_edge(name: str, stored: Any, friction_coefficient: Any, side: int) 
 
 
 def motion_edge(
-    name: str, stored: Any, force_angle: Any, line: Line, length: Any, spins: list[Doubled], side: int
+    name: str,
+    stored: Any,
+    force_angle: Any,
+    line: Line,
+    length: Any,
+    spins: list[Doubled],
+    side: int,
 ) -> Finding:
     """An edge of the motion cone, degrees: the outermost motion under the effects.
 

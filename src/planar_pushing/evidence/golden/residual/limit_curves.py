@@ -29,9 +29,7 @@ def residuals(dataset: xr.Dataset, study: StudyFile) -> Iterable[Finding]:
     return over_effects(_part, dataset, study)
 
 
-def _part(
-    dataset: xr.Dataset, effects: str, slider: Slider, study: StudyFile
-) -> Iterable[Finding]:
+def _part(dataset: xr.Dataset, effects: str, slider: Slider, study: StudyFile) -> Iterable[Finding]:
     length, psi, phi = along(dataset, "rod_length", "rod_angle", "force_angle")
     length = length / study.slider.radius
     line, k = line_at(psi, phi), dataset["spin_ratio"].values

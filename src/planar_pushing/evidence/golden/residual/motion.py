@@ -12,6 +12,7 @@ import numpy as np
 from planar_pushing.certified.doubled.angles import cosine_sine, off_direction, radians
 from planar_pushing.certified.doubled.numbers import Doubled, Floats, choose, doubled, settled
 from planar_pushing.certified.doubled.ring import wrench
+from planar_pushing.evidence.golden.residual.finding import EPSILON
 from planar_pushing.terms.options import EffectSet
 
 #: A motion lies within 90 degrees of its force; further off than this it is on another branch.
@@ -39,10 +40,14 @@ def line_at(rod_angle: Any, force_angle: Any) -> Line:
 
 
 def line_on_edge(rod_angle: Any, friction_coefficient: Any, side: int) -> Line:
-    """Line of force on an edge of the friction cone, side 1 for the right and -1 for the left one."""
+    """Line of force on an edge of the friction cone, side 1 for the right and -1 for the left one.
+
+    An edge that only the rounding of its angle tells from the rod lies along the rod.
+    """
     x, y = edge(friction_coefficient, side)
     cosine, sine = cosine_sine(radians(rod_angle))
-    return Line(settled(x * cosine + y * sine), settled(x * sine - y * cosine))
+    parts = x * cosine + y * sine, x * sine - y * cosine
+    return Line(*(settled(part, 4 * EPSILON) for part in parts))
 
 
 def edge(friction_coefficient: Any, side: int) -> tuple[Doubled, Doubled]:

@@ -37,9 +37,7 @@ def residuals(dataset: xr.Dataset, study: StudyFile) -> Iterable[Finding]:
     return over_effects(_part, dataset, study)
 
 
-def _part(
-    dataset: xr.Dataset, effects: str, slider: Slider, study: StudyFile
-) -> Iterable[Finding]:
+def _part(dataset: xr.Dataset, effects: str, slider: Slider, study: StudyFile) -> Iterable[Finding]:
     length, psi, mu = along(dataset, "rod_length", "rod_angle", "friction_coefficient")
     length, normal = length / study.slider.radius, []
     for side, sign in SIDES.items():

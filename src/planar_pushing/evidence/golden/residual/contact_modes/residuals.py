@@ -56,9 +56,7 @@ def residuals(dataset: xr.Dataset, study: StudyFile) -> Iterable[Finding]:
     return over_effects(_part, dataset, study)
 
 
-def _part(
-    dataset: xr.Dataset, effects: str, slider: Slider, study: StudyFile
-) -> Iterable[Finding]:
+def _part(dataset: xr.Dataset, effects: str, slider: Slider, study: StudyFile) -> Iterable[Finding]:
     given, counts = pushes(dataset, study), dataset["consistent"].values
     tables = {
         f"{name}{end}": _without_solution(dataset[f"{name}{end}"].values, counts)
@@ -106,16 +104,12 @@ def _sticks(effects: str, given: Pushes, counts: Any, tables: dict[str, Table]) 
         size = np.where(k == 0, 1.0, np.abs(k))
         apart = np.abs(spin.values[..., place] - k) / size
         spin.put("STICK", here, np.maximum(apart, found.spin_error), SPIN * EPSILON)
-        error = np.maximum(
-            np.abs(angle.values[..., place] - phi), found.angle_error * DEGREE
-        )
+        error = np.maximum(np.abs(angle.values[..., place] - phi), found.angle_error * DEGREE)
         angle.put("STICK", here, error, ANGLE * EPSILON * DEGREE)
     return _contradicts(counts[..., place], sticks(given, found.x, found.y))
 
 
-def _slips(
-    effects: str, given: Pushes, counts: Any, tables: dict[str, Table], mode: str
-) -> Flags:
+def _slips(effects: str, given: Pushes, counts: Any, tables: dict[str, Table], mode: str) -> Flags:
     lines, here = edge_of(given, SLIPS[mode]), counts[..., MODES.index(mode)] > 0
     _edge_angles(lines, here, tables, mode)
     if effects == EffectSet.BOTH:
@@ -124,7 +118,9 @@ def _slips(
     for end in ENDS:
         table, wanted = tables[f"spin_ratio{end}"], k.value()
         error = np.abs(table.values[..., MODES.index(mode)] - wanted)
-        table.put(mode, here, error, SPIN * EPSILON * (np.abs(wanted) + given.length * (wanted != 0)))
+        table.put(
+            mode, here, error, SPIN * EPSILON * (np.abs(wanted) + given.length * (wanted != 0))
+        )
     decision = steady_slips(given, lines, k, SLIPS[mode])
     return _contradicts(counts[..., MODES.index(mode)], decision)
 

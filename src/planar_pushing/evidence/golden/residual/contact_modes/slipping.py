@@ -80,7 +80,9 @@ class Slips(NamedTuple):
     goes: Flags
 
 
-def slips(pushes: Pushes, lines: Edge, k: Floats, push: tuple[Doubled, Doubled], side: int) -> Slips:
+def slips(
+    pushes: Pushes, lines: Edge, k: Floats, push: tuple[Doubled, Doubled], side: int
+) -> Slips:
     """Put spin ratios into ``W (h f - t) (A - B k) = m (g k - h) w_y``.
 
     `push` is the pusher's motion along x and y; all arrays have one shape.
@@ -95,14 +97,18 @@ def slips(pushes: Pushes, lines: Edge, k: Floats, push: tuple[Doubled, Doubled],
     inertia = mass * (np.abs(gyration * k) + np.abs(lines.arm.high))
     scale = friction * reach + inertia * np.abs(push[1].high)
     error = np.abs((surplus * y - lag * push[1]).value()) / np.where(scale > 0, scale, 1.0)
-    return Slips(error, _goes(_speed(surplus, lag, y, push[1]), x, push[0], side))
+    settles = np.abs(lag.high) <= 16 * EPSILON * inertia
+    return Slips(error, _goes(_speed(surplus, lag, settles, y, push[1]), x, push[0], side))
 
 
-def _speed(surplus: Doubled, lag: Doubled, normal: Doubled, pushed: Doubled) -> Floats:
-    """Speed of the centre; a translation has the one that keeps up with the fence."""
-    still = lag.high == 0
+def _speed(
+    surplus: Doubled, lag: Doubled, still: Flags, normal: Doubled, pushed: Doubled
+) -> Floats:
+    """Speed of the centre; where friction and inertia agree on k, that which keeps up with the fence."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(still, pushed.high / normal.high, surplus.high / np.where(still, 1.0, lag.high))
+        return np.where(
+            still, pushed.high / normal.high, surplus.high / np.where(still, 1.0, lag.high)
+        )
 
 
 def _goes(speed: Floats, x: Doubled, pushed: Doubled, side: int) -> Flags:
