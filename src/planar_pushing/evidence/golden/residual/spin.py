@@ -10,8 +10,8 @@ from planar_pushing.certified.doubled.numbers import Doubled, choose, doubled
 from planar_pushing.evidence.golden.residual.motion import Shares, Slider, force_and_torque, shares
 from planar_pushing.terms.options import EffectSet
 
-#: Halvings of the bracket, and steps of the secant from its ends.
-_HALVINGS, _STEPS = 24, 7
+#: Halvings of the bracket, steps of the secant from its ends at most, and the step that ends it.
+_HALVINGS, _STEPS, _LAST = 8, 16, 1e-20
 #: Least and greatest moment arm per spin ratio under friction; the ends of H / k, a little apart.
 _LEAST, _GREATEST = 0.49, 2.1
 
@@ -34,6 +34,8 @@ def on_limit_curve(effects: str, slider: Slider) -> Parts:
 
 def spin_ratio(parts: Parts, slider: Slider, arm: Doubled) -> Doubled:
     """Spin ratio under a moment arm: the root of ``torque = h force``, which increases with k."""
+    if not parts(doubled(1.0)).friction:  # Eq. (10)
+        return arm / slider.gyration
     shape, flat = arm.high.shape, abs(Doubled(arm.high.ravel(), arm.low.ravel()))
     _, first, place = np.unique(flat.high, return_index=True, return_inverse=True)
     each = flat[first]
@@ -65,5 +67,7 @@ def _secant(function: Callable[[Doubled], Doubled], one: Doubled, other: Doubled
         still = (rise.high == 0) | (second.high == 0)
         step = second * (other - one) / choose(still, 1.0, rise)
         one, other = other, choose(still, other, other - step)
+        if np.all(still | (np.abs(step.high) <= _LAST * other.high)):
+            break
         first, second = second, function(other)
     return other
