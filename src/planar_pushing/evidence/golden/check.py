@@ -117,9 +117,7 @@ def check_results(folder: Path, study: StudyFile) -> list[Check]:
     return checks + (check_enclosures(results, study) if study.golden else [])
 
 
-def expectations(
-    study: StudyFile, results: Results
-) -> Iterator[tuple[str, Callable[[], Groups]]]:
+def expectations(study: StudyFile, results: Results) -> Iterator[tuple[str, Callable[[], Groups]]]:
     """Name of every file of a study, and what gives the expectations of its groups."""
     for name in DATASETS:
         if name == "scenes":
@@ -138,9 +136,7 @@ def expectations(
 
 
 def _figure(name: str, study: StudyFile, results: Results) -> Groups:
-    sources = {
-        source: results.dataset(*_place(source)) for source in FIGURES[name].datasets
-    }
+    sources = {source: results.dataset(*_place(source)) for source in FIGURES[name].datasets}
     return _groups(derived.figure(name, study, sources))
 
 

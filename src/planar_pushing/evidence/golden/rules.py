@@ -60,9 +60,7 @@ RULES: dict[str, dict[str, Rule]] = {
         "center_x center_y motion_angle exact_cone_right exact_cone_left "
         "conservative_cone_right conservative_cone_left",
     ),
-    "scenes": _by(
-        Rule.EXACT, "rod_length rod_angle radius pusher_magnitude mode outcome adhesive"
-    )
+    "scenes": _by(Rule.EXACT, "rod_length rod_angle radius pusher_magnitude mode outcome adhesive")
     | _by(
         Rule.RESIDUAL,
         "ring_center pusher_angle pusher_motion friction_cone_right friction_cone_left "

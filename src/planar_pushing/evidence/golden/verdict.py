@@ -89,7 +89,9 @@ def _line(check: Mapping[str, Any]) -> str:
 
 def _worst(check: Mapping[str, Any]) -> str:
     """The worst difference, in units in the last place where that is a number, and where it is."""
-    error, allowed = (math.inf if check[key] is None else check[key] for key in ("error", "allowed"))
+    error, allowed = (
+        math.inf if check[key] is None else check[key] for key in ("error", "allowed")
+    )
     if not error and not allowed:
         return ""
     ulp = f" ({check['ulp']:.3g} ulp)" if check["ulp"] else ""

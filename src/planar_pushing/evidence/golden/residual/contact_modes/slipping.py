@@ -19,7 +19,6 @@ from planar_pushing.evidence.golden.residual.finding import EPSILON
 from planar_pushing.evidence.golden.residual.motion import edge, line_on_edge
 from planar_pushing.evidence.golden.residual.spin import spin_ratio, steady
 
-
 #: Roundings of a slip, whose speed is a quotient of differences.
 _SLIP = 1e4
 

@@ -76,10 +76,14 @@ def _samples(dataset: xr.Dataset, scene: Scene, ring: list[Doubled]) -> Iterable
     kinds = scene.effects.split("+")
     spins = [spin_ratio(steady(kind, scene.slider), scene.slider, arm) for kind in kinds]
     motions = dataset["cone_motion_angle"].values
-    errors = [angle_error(m, phi, line, scene.length, k) for m, k in zip(motions, spins, strict=True)]
+    errors = [
+        angle_error(m, phi, line, scene.length, k) for m, k in zip(motions, spins, strict=True)
+    ]
     allowed = EDGE * (1 + scene.length**2) * EPSILON * DEGREE
     yield Finding("cone_motion_angle", np.stack(errors) * DEGREE, allowed)
-    rounding = CENTER * EPSILON * (1 + scene.length / np.where(arm.high == 0, 1.0, np.abs(arm.high)))
+    rounding = (
+        CENTER * EPSILON * (1 + scene.length / np.where(arm.high == 0, 1.0, np.abs(arm.high)))
+    )
     found = [
         center_error(stored, center(ring, radians(phi), k, scene.radius), rounding)
         for stored, k in zip(dataset["cone_center"].values, spins, strict=True)

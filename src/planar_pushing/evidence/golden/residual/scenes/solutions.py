@@ -30,7 +30,8 @@ def solutions(dataset: xr.Dataset, scene: Scene) -> Iterable[Finding]:
     size = (pace + scene.length * np.abs(spin) + scene.magnitude) * MOTION * EPSILON
     pushed = dataset["pusher_motion"].values
     yield _near(dataset, "contact_motion", contact, size[:, None])
-    yield _near(dataset, "slip", contact[:, 0] - pushed[0], size)
+    slip = dataset["contact_motion"].values[:, 0] - pushed[0]
+    yield _near(dataset, "slip", slip, EPSILON * np.abs(slip))
     k, error = dataset["spin_ratio"].values, _conditions(dataset, scene, contact, velocity)
     yield Finding("twist", np.broadcast_to(error[:, None], twist.shape), size[:, None])
     ratio = np.divide(spin, pace, out=np.zeros_like(spin), where=pace > 0)

@@ -30,7 +30,9 @@ def forces(dataset: xr.Dataset, log: Log) -> Iterable[Finding]:
         ratio = np.where(log.spin == 0, 0.0, log.spin / pace)
     k = dataset["spin_ratio"].values
     gap = np.where(k == ratio, 0.0, np.abs(k - ratio))
-    yield Finding("spin_ratio", gap, np.where(np.isfinite(ratio), rounding(np.abs(ratio), RATIO), 0.0))
+    yield Finding(
+        "spin_ratio", gap, np.where(np.isfinite(ratio), rounding(np.abs(ratio), RATIO), 0.0)
+    )
     friction, torque = _friction(log, pace, k)
     steady = log.effects == EffectSet.SUPPORT_FRICTION
     found = _balance(log, friction, torque) if steady else _acceleration(log, friction, torque)
@@ -67,7 +69,9 @@ def _acceleration(log: Log, friction: Floats, torque: Floats) -> Floats:
     turning = (_torque(log) - torque) / gyration
     spin = mass * log.spin**2
     x, y = log.lever.T
-    lack = log.force - friction + np.stack([turning * y + spin * x, spin * y - turning * x], axis=-1)
+    lack = (
+        log.force - friction + np.stack([turning * y + spin * x, spin * y - turning * x], axis=-1)
+    )
     along = np.where(log.mode == STICK, np.abs(lack[:, 0]), 0.0)
     return np.maximum(np.abs(lack[:, 1]), along)
 
