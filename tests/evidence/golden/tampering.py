@@ -8,8 +8,10 @@ CHANGE = 1e-9
 MARKS = ("units", "long_name", "flag_values", "flag_meanings")
 
 
-def names(dataset, kinds):
-    return [name for name, each in dataset.variables.items() if each.dtype.kind in kinds]
+def chosen(dataset, kinds, random):
+    """A random variable or coordinate of some types, or None."""
+    names = [name for name, each in dataset.variables.items() if each.dtype.kind in kinds]
+    return str(random.choice(names)) if names else None
 
 
 def replaced(dataset, name, values):
@@ -27,7 +29,7 @@ def place(values, allowed, random):
 
 def value(dataset, random):
     """One number by 1e-9 of itself, one count by one, one flag turned."""
-    name = str(random.choice(names(dataset, "fiub")))
+    name = chosen(dataset, "fiub", random)
     values = dataset[name].values.copy()
     moves = np.isfinite(values) & (values != 0) if values.dtype.kind == "f" else values == values
     at = place(values, moves, random)
@@ -39,7 +41,9 @@ def value(dataset, random):
 
 
 def not_a_number(dataset, random):
-    name = str(random.choice(names(dataset, "f")))
+    name = chosen(dataset, "f", random)
+    if name is None:
+        return None
     values = dataset[name].values.copy()
     at = place(values, ~np.isnan(values), random)
     if at is None:

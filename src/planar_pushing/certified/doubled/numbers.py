@@ -91,7 +91,7 @@ class Doubled:
         rest = self - other * first
         second = rest.high / other.high
         rest = rest - other * second
-        return Doubled(*_ordered_sum(first, second)) + rest.high / other.high
+        return Doubled(*_ordered_sum(first, second)) + doubled(rest.high / other.high)
 
     def __rtruediv__(self, other: Any) -> Doubled:
         return doubled(other) / self
@@ -109,7 +109,7 @@ class Doubled:
         """Square root of numbers >= 0 (Karp and Markstein)."""
         root = np.sqrt(self.high)
         rest = self - doubled(root) * root
-        return Doubled(root, np.zeros_like(root)) + rest.high / np.where(root > 0, 2 * root, 1.0)
+        return doubled(root) + doubled(rest.high / np.where(root > 0, 2 * root, 1.0))
 
     def value(self) -> Floats:
         """The nearest doubles."""

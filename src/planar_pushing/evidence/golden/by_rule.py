@@ -40,7 +40,7 @@ def _by_residual(
     left, reason = set(names), "no equation holds it"
     try:
         with np.errstate(all="ignore"):
-            for name, error, allowed in expectation.residuals(found) if names else ():
+            for name, error, allowed in expectation.residuals(found):
                 if name in left:
                     left.remove(name)
                     check = Check(file=file, variable=name, rule=Rule.RESIDUAL)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from planar_pushing.evidence.golden.by_rule import check_dataset
 from planar_pushing.evidence.golden.compare import Check, compare
 from planar_pushing.evidence.golden.expected import Expectation
 from planar_pushing.evidence.golden.rules import Rule
-from planar_pushing.study.catalog import DATASETS, SIMULATIONS
+from planar_pushing.study.catalog import AXES, SIMULATIONS
 from planar_pushing.study.figures import FIGURES, computes
 from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.store import group_names, read_dataset
@@ -61,7 +62,8 @@ class Results:
 
     def groups(self, name: str) -> list[str]:
         """Names of the groups of a file."""
-        return _safely(lambda: group_names(self.path(name)))
+        found: list[str] = _safely(lambda: group_names(self.path(name)))
+        return found
 
     def dataset(self, name: str, group: str = "") -> xr.Dataset:
         """A dataset, or a group of one."""
@@ -119,20 +121,22 @@ def check_results(folder: Path, study: StudyFile) -> list[Check]:
 
 def expectations(study: StudyFile, results: Results) -> Iterator[tuple[str, Callable[[], Groups]]]:
     """Name of every file of a study, and what gives the expectations of its groups."""
-    for name in DATASETS:
-        if name == "scenes":
-            yield name, lambda: expected.scene_expectations(study)
-        elif computes(study, name):
-            yield name, lambda name=name: {"": expected.grid_expectation(name, study)}
+    yield "scenes", partial(expected.scene_expectations, study)
+    for name in (name for name in AXES if computes(study, name)):
+        yield name, partial(_single, expected.grid_expectation, name, study)
     for name in study.simulations:
-        yield (
-            f"{SIMULATIONS}/{name}",
-            lambda name=name: {"": expected.simulation_expectation(name, study)},
-        )
+        single = partial(_single, expected.simulation_expectation, name, study)
+        yield f"{SIMULATIONS}/{name}", single
     for name in (name for name in FIGURES if computes(study, name)):
-        yield name, lambda name=name: _figure(name, study, results)
+        yield name, partial(_figure, name, study, results)
     if study.golden:
         yield from _costs(study)
+
+
+def _single(
+    expectation: Callable[[str, StudyFile], Expectation], name: str, study: StudyFile
+) -> Groups:
+    return {"": expectation(name, study)}
 
 
 def _figure(name: str, study: StudyFile, results: Results) -> Groups:

@@ -139,7 +139,7 @@ def _absent(name: str, computed: Floats, golden: xr.Dataset) -> npt.NDArray[np.b
     counts = golden.get("consistent")
     if counts is None or counts.dims != golden[name].dims:
         return np.zeros(computed.shape, bool)
-    return np.isnan(computed) & (counts.values == 0)
+    return np.asarray(np.isnan(computed) & (counts.values == 0))
 
 
 def _difference(computed: Floats, middle: Floats, low: Floats) -> Floats:

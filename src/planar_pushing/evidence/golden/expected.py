@@ -34,7 +34,7 @@ class Expectation:
         Coordinates of which the structure has a part only.
     rules : dict of Rule
         By variable.
-    residuals : callable, optional
+    residuals : callable
         Puts the values into their equations.
     slack : dict of float
         Relative differences that values compared exactly may have all the same.
@@ -43,7 +43,7 @@ class Expectation:
     structure: xr.Dataset
     axes: dict[str, xr.DataArray] = field(default_factory=dict)
     rules: dict[str, Rule]
-    residuals: Callable[[xr.Dataset], Any] | None = None
+    residuals: Callable[[xr.Dataset], Any] = lambda _: ()
     slack: dict[str, float] = field(default_factory=dict)
 
     @property

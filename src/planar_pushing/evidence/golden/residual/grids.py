@@ -1,4 +1,4 @@
-"""What the grids of the datasets share: coordinates along their dimensions, a part for each set of effects."""
+"""What the grids share: coordinates along their dimensions, and a part for each set of effects."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ def over_effects(part: Part, dataset: xr.Dataset, study: StudyFile) -> Iterable[
     for effects in dataset["effects"].values:
         for each in part(dataset.sel(effects=effects), str(effects), slider_of(study), study):
             found.setdefault(each.variable, []).append(each)
-    for name, each in found.items():
+    for name, parts in found.items():
         shape = dataset[name].shape[1:]
-        yield Finding(name, *(_stacked(each, place, shape) for place in (1, 2)))
+        yield Finding(name, *(_stacked(parts, place, shape) for place in (1, 2)))
 
 
 def _stacked(found: list[Finding], place: int, shape: tuple[int, ...]) -> Any:

@@ -84,7 +84,8 @@ def _without_solution(values: Floats, counts: Any) -> Table:
 
 def _contradicts(counts: Any, decision: Decision) -> Flags:
     """Where a mode is and should not be, or the other way about, or is there twice."""
-    return ((counts == 1) != decision.consistent) & ~decision.open | (counts > 1) | (counts < 0)
+    differs = ((counts == 1) != decision.consistent) & ~decision.open
+    return np.asarray(differs | (counts > 1) | (counts < 0))
 
 
 def _separates(given: Pushes, counts: Any) -> Flags:
@@ -149,7 +150,7 @@ def _slips_of_both(
         errors[here] = np.where(found.goes, found.error, np.inf)
         table.put(mode, here, errors, SPIN * EPSILON)
     slow, fast = (tables[f"spin_ratio{end}"].values[..., MODES.index(mode)] for end in ENDS)
-    return wrong | (here & ((counts == 1) != (slow == fast)))
+    return np.asarray(wrong | (here & ((counts == 1) != (slow == fast))))
 
 
 def _spread(number: Doubled, here: Flags) -> Doubled:

@@ -105,13 +105,12 @@ def _speed(
 ) -> Floats:
     """Speed of the centre; where friction and inertia agree on k, that which keeps up with the fence."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(
-            still, pushed.high / normal.high, surplus.high / np.where(still, 1.0, lag.high)
-        )
+        steady, driven = pushed.high / normal.high, surplus.high / np.where(still, 1.0, lag.high)
+    return np.asarray(np.where(still, steady, driven))
 
 
 def _goes(speed: Floats, x: Doubled, pushed: Doubled, side: int) -> Flags:
     """Whether the slider moves, and slips to the side opposite to that of its edge."""
     slip = (x * speed - pushed).high
     rounding = _SLIP * EPSILON * (np.abs(speed * x.high) + np.abs(pushed.high))
-    return (speed > 0) & (slip * side < rounding)
+    return np.asarray((speed > 0) & (slip * side < rounding))

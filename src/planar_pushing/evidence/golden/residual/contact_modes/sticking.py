@@ -66,9 +66,8 @@ def _leverage(effects: str, pushes: Pushes, line: Line, k: Floats) -> Doubled:
 
 
 def _mixed(effects: str, pushes: Pushes, force: Doubled, per_spin: Doubled, speed: Any) -> Doubled:
-    friction, inertia = shares(effects, pushes.slider, speed)
-    torque = per_spin * friction + doubled(inertia) * pushes.slider.gyration
-    return torque / (force * friction + inertia)
+    friction, inertia = map(doubled, shares(effects, pushes.slider, speed))
+    return (per_spin * friction + inertia * pushes.slider.gyration) / (force * friction + inertia)
 
 
 def sticks(pushes: Pushes, x: Floats, y: Floats) -> Decision:

@@ -67,8 +67,8 @@ def _cones(dataset: xr.Dataset, scene: Scene) -> Iterable[Finding]:
 def _samples(dataset: xr.Dataset, scene: Scene, ring: list[Doubled]) -> Iterable[Finding]:
     """Motions under each effect at even steps along the friction cone."""
     phi = dataset["cone_force_angle"].values
-    ends = (dataset[f"friction_cone_{side}"].values for side in SIDES)
-    even = np.abs(phi - np.linspace(*ends, len(phi)))
+    right, left = (float(dataset[f"friction_cone_{side}"]) for side in SIDES)
+    even = np.abs(phi - np.linspace(right, left, len(phi)))
     yield Finding("cone_force_angle", even, EDGE * EPSILON * DEGREE)
     line = line_at(scene.rod_angle, phi)
     arm = line.aside * scene.length

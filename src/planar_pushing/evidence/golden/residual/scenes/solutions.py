@@ -65,7 +65,7 @@ def _conditions(dataset: xr.Dataset, scene: Scene, contact: Floats, velocity: Fl
         x, y = (part.value() for part in scene.edges[side])
         off = np.abs(velocity[:, 0] * y - velocity[:, 1] * x)
         error = np.where(mode == slip, np.maximum(error, off), error)
-    return error
+    return np.asarray(error)
 
 
 def _resistance(scene: Scene, pace: Floats, k: Floats) -> tuple[Floats, Floats]:

@@ -66,7 +66,7 @@ class Log(NamedTuple):
     @property
     def pace(self) -> Floats:
         """Size of the velocities that make up the contact's."""
-        return np.hypot(*self.velocity.T) + self.length * np.abs(self.spin)
+        return np.asarray(np.hypot(*self.velocity.T) + self.length * np.abs(self.spin))
 
 
 def read(dataset: xr.Dataset) -> tuple[Log, float]:

@@ -54,17 +54,17 @@ def _friction(log: Log, pace: Floats, k: Floats) -> tuple[Floats, Floats]:
 def _torque(log: Log) -> Floats:
     """Torque of the fence's force about the ring centre, over R."""
     x, y = log.lever.T
-    return log.force[:, 0] * y - log.force[:, 1] * x
+    return np.asarray(log.force[:, 0] * y - log.force[:, 1] * x)
 
 
 def _balance(log: Log, friction: Floats, torque: Floats) -> Floats:
     """What friction alone leaves of the force and of the torque."""
     lack = np.abs(log.force - friction).max(axis=1)
-    return np.maximum(lack, np.abs(_torque(log) - torque))
+    return np.asarray(np.maximum(lack, np.abs(_torque(log) - torque)))
 
 
 def _acceleration(log: Log, friction: Floats, torque: Floats) -> Floats:
-    """Force of the contact's acceleration: none where it sticks, none normal to the fence where it slips."""
+    """Force of the contact's acceleration: none where it sticks, else none normal to the fence."""
     mass, gyration = log.slider.mass, log.slider.gyration
     turning = (_torque(log) - torque) / gyration
     spin = mass * log.spin**2
@@ -73,7 +73,7 @@ def _acceleration(log: Log, friction: Floats, torque: Floats) -> Floats:
         log.force - friction + np.stack([turning * y + spin * x, spin * y - turning * x], axis=-1)
     )
     along = np.where(log.mode == STICK, np.abs(lack[:, 0]), 0.0)
-    return np.maximum(np.abs(lack[:, 1]), along)
+    return np.asarray(np.maximum(np.abs(lack[:, 1]), along))
 
 
 def _off_edge(log: Log) -> Floats:
