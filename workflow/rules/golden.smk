@@ -24,7 +24,8 @@ rule golden_verdict:
         results=[
             expand("results/data/{dataset}.nc", dataset=COMPUTED),
             expand(
-                "results/data/simulations/{simulation}.nc", simulation=STUDY.simulations
+                "results/data/simulations/{simulation}.nc",
+                simulation=STUDY.simulations,
             ),
             expand(
                 "results/data/{name}.nc",

@@ -22,7 +22,7 @@ def test_agreement_is_counted():
     found = verdict([ZERO, AGREES])
     assert (found["passed"], found["values"], found["variables"]) == (True, 107, 2)
     assert verdict_text(found).splitlines() == [
-        "passed:",
+        "passed: every value agrees",
         "  107 values of 2 variables enclosed by the golden data",
         "  0 values of 0 variables verified by residual in their equations",
         "  0 values of 0 variables compared exactly",

@@ -65,9 +65,9 @@ def verdict_text(found: Verdict) -> str:
     """Readable verdict, worst first."""
     every = [*found["checks"], *found["verified"]]
     counts = {rule: found["rules"][str(rule)] for rule in Rule}
-    head = "passed" if found["passed"] else f"FAILED: {found['failed']} of {len(every)} checks"
+    failed = f"FAILED: {found['failed']} of {len(every)} checks"
     lines = [
-        f"{head}:" if found["passed"] else head,
+        "passed: every value agrees" if found["passed"] else failed,
         *(
             f"  {count['values']} values of {count['variables']} variables {RULES[rule]}"
             for rule, count in counts.items()
