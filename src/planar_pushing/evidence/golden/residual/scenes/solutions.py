@@ -36,17 +36,22 @@ def solutions(dataset: xr.Dataset, scene: Scene) -> Iterable[Finding]:
     yield Finding("twist", np.broadcast_to(error[:, None], twist.shape), size[:, None])
     ratio = np.divide(spin, pace, out=np.zeros_like(spin), where=pace > 0)
     yield _near(dataset, "spin_ratio", ratio, MOTION * EPSILON * np.abs(ratio))
+    yield _force(dataset, scene, velocity, spin, k)
+    yield from _places(dataset, scene, velocity, spin, k)
+
+
+def _force(dataset: xr.Dataset, scene: Scene, velocity: Floats, spin: Floats, k: Floats) -> Finding:
+    """The force is along the centre's motion, and carries the torque of friction and inertia."""
+    pace, lever = np.hypot(*velocity.T), dataset["ring_center"].values / scene.radius
     force, torque = _resistance(scene, pace, k)
     heading = velocity / np.where(pace > 0, pace, 1.0)[:, None]
-    wanted = force[:, None] * heading * (pace > 0)[:, None]
     found = dataset["force"].values
-    error = np.abs(found - wanted).max(axis=1)
-    arm = found[:, 0] * lever[1] - found[:, 1] * lever[0]
-    balance = np.where(pace > 0, np.abs(arm - torque * np.sign(spin)), 0.0)
-    allowed = MOTION * EPSILON * force * (1 + scene.length)
+    error = np.abs(found - force[:, None] * heading * (pace > 0)[:, None]).max(axis=1)
+    carried = found[:, 0] * lever[1] - found[:, 1] * lever[0]
+    balance = np.where(pace > 0, np.abs(carried - torque * np.sign(spin)), 0.0)
     both = np.maximum(error, balance)[:, None]
-    yield Finding("force", np.broadcast_to(both, found.shape), allowed[:, None])
-    yield from _places(dataset, scene, velocity, spin, k)
+    allowed = MOTION * EPSILON * force * (1 + scene.length)
+    return Finding("force", np.broadcast_to(both, found.shape), allowed[:, None])
 
 
 def _near(dataset: xr.Dataset, name: str, wanted: Any, allowed: Any) -> Finding:
