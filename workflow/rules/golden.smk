@@ -1,4 +1,5 @@
-# The golden check: every dataset and every figure's numbers against certified values.
+# The check: every value of every dataset and of what figures plot, by residual, exactly, or by computing it
+# anew, and the golden sample by enclosures.
 from pathlib import Path
 
 VERDICT = (
@@ -15,8 +16,21 @@ rule golden:
 
 rule golden_verdict:
     input:
+        study=STUDY_FILE,
+        scenes=[
+            *(push.file for push in STUDY.scenes.values()),
+            *STUDY.simulations.values(),
+        ],
         results=[
             expand("results/data/{dataset}.nc", dataset=COMPUTED),
+            expand(
+                "results/data/simulations/{simulation}.nc",
+                simulation=STUDY.simulations,
+            ),
+            expand(
+                "results/data/{name}.nc",
+                name=["hard_cases", "accuracy_errors", "evaluations"],
+            ),
             expand("results/figures/data/{figure}.nc", figure=DRAWN),
         ],
         golden=sorted(map(str, Path(STUDY.golden or ".").glob("*.nc"))),
@@ -34,11 +48,13 @@ rule golden_verdict:
     priority: FIRST
     params:
         code=code_of(
-            "evidence.golden.check", "evidence.golden.verdict", "evidence.writing"
+            "evidence.golden.check",
+            "evidence.golden.recount",
+            "evidence.golden.verdict",
+            "evidence.writing",
+            *(FIGURES[name].modules[1] for name in DRAWN),
         ),
-        golden=STUDY.golden,
-        tolerances={name: each.model_dump() for name, each in STUDY.tolerances.items()},
     message:
-        "Comparing the results with the golden data"
+        "Checking every value of the results"
     script:
         "../scripts/golden.py"

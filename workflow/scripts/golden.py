@@ -1,4 +1,4 @@
-"""Compare the results with the golden data; fail, with the verdict in the log, where they differ."""
+"""Check the results against their study; fail, with the verdict in the log, where they differ."""
 
 from planar_pushing.study.jobs import job_log
 
@@ -8,12 +8,10 @@ with job_log(snakemake.log[0]) as log:
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
     from planar_pushing.evidence.writing import json_text, write_text
-    from planar_pushing.study.files.models import Tolerance
+    from planar_pushing.study.study_file import load_study
     from planar_pushing.terms.errors import InvalidResult
 
-    given = snakemake.params.tolerances.items()
-    tolerances = {name: Tolerance.model_validate(values) for name, values in given}
-    found = verdict(check_results(Path("results"), Path(snakemake.params.golden), tolerances))
+    found = verdict(check_results(Path("results"), load_study(snakemake.input.study)))
     text = verdict_text(found)
     if not found["passed"]:
         raise InvalidResult(text)

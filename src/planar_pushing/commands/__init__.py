@@ -7,13 +7,13 @@ import json
 import sys
 from collections.abc import Sequence
 
-from planar_pushing.commands import animate, compilation, cone, draw, query, simulate, solve
+from planar_pushing.commands import animate, check, compilation, cone, draw, query, simulate, solve
 from planar_pushing.commands.arguments import check_push
 from planar_pushing.commands.text import text
 from planar_pushing.mechanics.entries import plain
 from planar_pushing.terms.errors import PlanarPushingError
 
-COMMANDS = (solve, cone, query, draw, simulate, animate, compilation)
+COMMANDS = (solve, cone, query, draw, simulate, animate, check, compilation)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -25,7 +25,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line; 0, or 2 with one message where the input is wrong."""
+    """Run the command line; 0, 1 where a check fails, or 2 with one message where the input is wrong."""
     parser = _parser()
     args, rest = parser.parse_known_args(arguments)
     if rest and args.command != "query":
@@ -38,4 +38,4 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"planar-pushing {args.command}: {error}", file=sys.stderr)
         return 2
     print(json.dumps(plain(result), indent=2) if args.json else text(result))
-    return 0
+    return getattr(args, "status", 0)

@@ -4,18 +4,15 @@ from pathlib import Path
 
 import pytest
 
-from planar_pushing.evidence.golden.check import check_results, golden_names
+from evidence.golden.studies import write_results
+from planar_pushing.evidence.golden import check
+from planar_pushing.evidence.golden.rules import RULES
 from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.figures.images import TOLERANCE, difference
-from planar_pushing.figures.render import picture, save, select
+from planar_pushing.figures.render import picture, save
 from planar_pushing.figures.style import paper_style
-from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES
-from planar_pushing.study.files.models import FigureEntry
-from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.simulations import simulate_file
-from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
@@ -27,22 +24,13 @@ GOLDEN = Path("tests/golden")
 @pytest.fixture(scope="module")
 def results(tmp_path_factory):
     """Datasets of the paper's study, and the numbers of its figures."""
-    folder = tmp_path_factory.mktemp("results")
-    for name in DATASETS:
-        write_dataset(build_dataset(name, study_slice(STUDY, name)), folder / f"data/{name}.nc")
-    for name, scene in STUDY.simulations.items():
-        log = simulate_file(load_scene_file(scene))
-        write_dataset(log, folder / f"data/simulations/{name}.nc")
-    for name in FIGURES:
-        settings = STUDY.figures.get(name, FigureEntry())
-        write_dataset(select(name, folder, settings), folder / f"figures/data/{name}.nc")
-    return folder
+    return write_results(STUDY, tmp_path_factory.mktemp("results"))
 
 
 def test_every_dataset_scene_and_figure_has_golden_data():
     scenes = {f"scenes.{name}" for name in STUDY.scenes}
     grids = set(DATASETS) - {"scenes"}
-    assert set(golden_names(GOLDEN)) == grids | scenes | set(FIGURES)
+    assert set(check.golden_names(GOLDEN)) == grids | scenes | set(FIGURES)
 
 
 def test_every_variable_of_a_dataset_has_golden_data(results):
@@ -53,15 +41,31 @@ def test_every_variable_of_a_dataset_has_golden_data(results):
 
 def test_every_tolerance_is_of_a_golden_variable():
     variables = {
-        name for each in golden_names(GOLDEN) for name in read_dataset(GOLDEN / f"{each}.nc")
+        name for each in check.golden_names(GOLDEN) for name in read_dataset(GOLDEN / f"{each}.nc")
     }
     assert set(STUDY.tolerances) <= variables
 
 
 def test_results_agree_with_the_golden_data(results):
-    checks = check_results(results, GOLDEN, STUDY.tolerances)
-    assert all(check.passed for check in checks), verdict_text(verdict(checks))
-    assert sum(check.count for check in checks) > 500_000
+    checks = check.check_enclosures(check.Results(results), STUDY)
+    assert all(each.passed for each in checks), verdict_text(verdict(checks))
+    assert sum(each.count for each in checks) > 500_000
+
+
+def test_every_value_is_verified(results):
+    opened, checks = check.Results(results), []
+    for name, groups in check.expectations(STUDY, opened):
+        if opened.path(name).is_file():  # the costs are built by jobs of their own
+            checks += check.check_file(name, groups, opened)
+    assert all(each.passed for each in checks), verdict_text(verdict(checks))
+    assert sum(each.count for each in checks) > 21_000_000
+
+
+def test_every_variable_of_a_dataset_has_one_rule(results):
+    for name in RULES:
+        file = {"scenes": "scenes", "simulations": "simulations/figure_15"}.get(name, name)
+        dataset = check.Results(results).dataset(file, "figure_11" if name == "scenes" else "")
+        assert set(RULES[name]) == set(dataset.data_vars)
 
 
 @pytest.mark.parametrize("name", FIGURES)
@@ -78,11 +82,12 @@ def test_golden_data_are_small():
 
 def test_a_folder_without_golden_data_is_refused(tmp_path):
     with pytest.raises(InvalidFile, match="holds no golden data; name the folder that does"):
-        golden_names(tmp_path)
+        check.golden_names(tmp_path)
 
 
 def test_a_missing_result_fails(tmp_path):
     write_dataset(read_dataset(GOLDEN / "motion_cones.nc"), tmp_path / "golden/motion_cones.nc")
-    (check,) = check_results(tmp_path / "results", tmp_path / "golden", {})
-    assert not check.passed
-    assert "cannot be compared" in check.problem
+    study = STUDY.model_copy(update={"golden": str(tmp_path / "golden")})
+    (found,) = check.check_enclosures(check.Results(tmp_path), study)
+    assert not found.passed
+    assert "cannot be compared" in found.problem

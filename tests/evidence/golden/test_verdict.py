@@ -4,7 +4,8 @@ import json
 import math
 
 from planar_pushing.evidence.golden.compare import Check
-from planar_pushing.evidence.golden.verdict import verdict, verdict_text
+from planar_pushing.evidence.golden.rules import Rule
+from planar_pushing.evidence.golden.verdict import NOTE, verdict, verdict_text
 from planar_pushing.evidence.writing import json_text
 
 AGREES = Check(file="cones", variable="left", count=100, error=4.6e-13, ulp=32.6, allowed=5e-13)
@@ -13,6 +14,7 @@ ZERO = Check(
 )
 WRONG = Check(file="cones", variable="size", count=6, failed=1, error=1.0, ulp=2e15, allowed=1e-9)
 MISSING = Check(file="scenes.one", variable="force", problem="is missing from the result")
+SOLVED = Check(file="modes", variable="spin_ratio", rule=Rule.RESIDUAL, count=3000)
 UNREADABLE = Check(file="figure_01", problem="cannot be compared: no such file")
 
 
@@ -20,20 +22,34 @@ def test_agreement_is_counted():
     found = verdict([ZERO, AGREES])
     assert (found["passed"], found["values"], found["variables"]) == (True, 107, 2)
     assert verdict_text(found).splitlines() == [
-        "passed: 107 values of 2 variables agree with the golden data",
+        "passed: every value agrees",
+        "  107 values of 2 variables enclosed by the golden data",
+        "  0 values of 0 variables verified by residual in their equations",
+        "  0 values of 0 variables compared exactly",
+        "  0 values of 0 variables computed anew",
         "",
-        "ok   cones: left: 100 agree; worst 4.6e-13 (32.6 ulp), allowed 5e-13",
-        "ok   curves: spin: 7 agree; worst 1e-14, allowed 2e-14 at a=1",
+        NOTE,
+        "",
+        "ok   cones: left (enclosure): 100 agree; worst 4.6e-13 (32.6 ulp), allowed 5e-13",
+        "ok   curves: spin (enclosure): 7 agree; worst 1e-14, allowed 2e-14 at a=1",
     ]
+
+
+def test_rules_are_counted_apart():
+    found = verdict([AGREES, SOLVED])
+    assert (found["values"], found["variables"]) == (100, 1)
+    assert found["rules"]["residual"] == {"values": 3000, "variables": 1}
+    assert [each["file"] for each in found["verified"]] == ["modes"]
+    assert "  3000 values of 1 variables verified by residual" in verdict_text(found)
 
 
 def test_the_worst_stands_first():
     lines = verdict_text(verdict([AGREES, WRONG, MISSING, UNREADABLE])).splitlines()
-    assert lines[0] == "FAILED: 3 of 4 variables differ from the golden data"
-    assert lines[2] == "FAIL figure_01 cannot be compared: no such file"
-    assert lines[3] == "FAIL scenes.one: force is missing from the result"
-    assert lines[4].startswith("FAIL cones: size: 1 of 6 differ; worst 1 (")
-    assert lines[5].startswith("ok   cones: left: 100 agree")
+    assert lines[0] == "FAILED: 3 of 4 checks"
+    assert lines[8] == "FAIL figure_01 cannot be compared: no such file"
+    assert lines[9] == "FAIL scenes.one: force is missing from the result"
+    assert lines[10].startswith("FAIL cones: size (enclosure): 1 of 6 differ; worst 1 (")
+    assert lines[11].startswith("ok   cones: left (enclosure): 100 agree")
 
 
 def test_the_data_are_json_and_hold_every_check():

@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
+from planar_pushing.evidence.golden.rules import Rule
 from planar_pushing.study.files.models import Tolerance
 
 Floats = npt.NDArray[np.float64]
@@ -26,24 +28,27 @@ MARKS = ("units", "flag_meanings")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Check:
-    """Comparison of one variable, or the reason why there was none.
+    """Comparison of one variable by its rule, or the reason why there was none.
 
     Attributes
     ----------
     file, variable : str
-        The golden file, and the variable in it; empty where the whole result could not be read.
+        The dataset, and the variable in it; empty where the dataset as a whole is compared.
+    rule : Rule
+        How the values are verified.
     count, failed : int
         Values compared, and how many of them differ by more than is allowed.
     error, ulp, allowed : float
         Of the worst value: its difference, the same in units in the last place, and what is allowed.
     where : str
-        Coordinates, computed and golden value of the worst.
+        Coordinates and value of the worst, and the golden value.
     problem : str
         Why the variable could not be compared; empty where it was.
     """
 
     file: str
     variable: str = ""
+    rule: Rule = Rule.ENCLOSURE
     count: int = 0
     failed: int = 0
     error: float = 0.0
@@ -116,6 +121,7 @@ def _compare_variable(
         wrong = computed != middle
         failed = int(wrong.sum())
         return replace(check, count=computed.size, failed=failed, error=float(wrong.any()))
+    computed = np.where(_absent(name, computed, golden), middle, computed)
     if np.isnan(computed.astype(float)).any():
         return replace(check, problem=f"has {int(np.isnan(computed).sum())} NaN")
     low, radius = (
@@ -126,6 +132,14 @@ def _compare_variable(
     finite = np.where(np.isfinite(middle), np.abs(middle), 0.0)
     allowed = tolerance.ulp * np.spacing(finite) + tolerance.absolute + radius
     return _worst(check, wanted, computed, error, allowed)
+
+
+def _absent(name: str, computed: Floats, golden: xr.Dataset) -> npt.NDArray[np.bool_]:
+    """Where a mode has no solution: the result may hold NaN, whatever stands in the golden data."""
+    counts = golden.get("consistent")
+    if counts is None or counts.dims != golden[name].dims:
+        return np.zeros(computed.shape, bool)
+    return np.asarray(np.isnan(computed) & (counts.values == 0))
 
 
 def _difference(computed: Floats, middle: Floats, low: Floats) -> Floats:
@@ -139,22 +153,40 @@ def _difference(computed: Floats, middle: Floats, low: Floats) -> Floats:
 def _worst(
     check: Check, wanted: xr.DataArray, computed: Floats, error: Floats, allowed: Floats
 ) -> Check:
-    failed = error > allowed
+    found = judged(check, wanted.copy(data=computed), error, allowed)
+    at = worst(error, allowed)
+    middle = wanted.values[at]
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        ulp = float(error[at] / np.spacing(np.abs(middle.astype(float)))) if found.error else 0.0
+    return replace(found, ulp=ulp, where=f"{found.where}, golden {middle!s}")
+
+
+def worst(error: Floats, allowed: Floats) -> tuple[int, ...]:
+    """Place of the largest error against what is allowed."""
+    if not error.size:
+        return ()
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         ratio = np.where(error == 0, 0.0, error / allowed)
-        ulps = np.where(error == 0, 0.0, error / np.spacing(np.abs(wanted.values.astype(float))))
-    at = np.unravel_index(int(np.argmax(ratio)), error.shape) if error.size else ()
-    middle = wanted.values[at]
+    flat = int(np.argmax(np.where(np.isnan(ratio), np.inf, ratio)))
+    return tuple(int(i) for i in np.unravel_index(flat, error.shape))
+
+
+def judged(check: Check, values: xr.DataArray, error: Any, allowed: Any) -> Check:
+    """The check with the errors of all values; an error that is no number fails."""
+    error, allowed = (np.broadcast_to(each, values.shape) for each in (error, allowed))
+    failed = ~(error <= allowed)
+    if not values.size:
+        return check
+    at = worst(error, allowed)
     coordinates = ", ".join(
-        f"{dim}={wanted[dim].values[i] if dim in wanted.coords else i}"
-        for dim, i in zip(wanted.dims, at, strict=True)
+        f"{dim}={values[dim].values[i] if dim in values.coords else i}"
+        for dim, i in zip(values.dims, at, strict=True)
     )
     return replace(
         check,
-        count=error.size,
+        count=values.size,
         failed=int(failed.sum()),
         error=float(error[at]),
-        ulp=float(ulps[at]),
         allowed=float(allowed[at]),
-        where=f"{coordinates}: computed {computed[at]!s}, golden {middle!s}".lstrip(": "),
+        where=f"{coordinates}: computed {values.values[at]!s}".lstrip(": "),
     )

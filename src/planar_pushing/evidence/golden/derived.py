@@ -1,0 +1,49 @@
+"""Datasets that are computed anew: what figures plot, hard cases, and the counts of their cost."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import pkgutil
+import subprocess
+import sys
+from collections.abc import Mapping
+from typing import Any
+
+import xarray as xr
+
+from planar_pushing.study.figures import ALL
+from planar_pushing.study.files.models import FigureEntry, StudyFile
+
+
+def figure(name: str, study: StudyFile, sources: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    """What a figure plots, from datasets that are verified themselves."""
+    # By its name: only a process that draws imports what draws.
+    drawing: Any = pkgutil.resolve_name(f"planar_pushing.{ALL[name].drawing}")
+    found: xr.Dataset = drawing.select(sources, study.figures.get(name, FigureEntry()))
+    return found
+
+
+def hard_cases() -> xr.Dataset:
+    """The hard cases against their certified references."""
+    from planar_pushing.evidence.hard_cases.dataset import build
+
+    return build()
+
+
+def accuracy_errors() -> dict[str, xr.Dataset]:
+    """Errors of every method against certified values."""
+    from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
+
+    return {"wrench": wrench_errors(), "cone": cone_errors()}
+
+
+def evaluations(study: StudyFile) -> xr.Dataset:
+    """Counts of evaluations, in a process without the compiler: compiled code cannot be counted."""
+    command = [sys.executable, "-m", "planar_pushing.evidence.golden.recount"]
+    environment = os.environ | {"NUMBA_DISABLE_JIT": "1"}
+    done = subprocess.run(
+        command, input=pickle.dumps(study), env=environment, check=True, stdout=subprocess.PIPE
+    )
+    found: xr.Dataset = pickle.loads(done.stdout)
+    return found

@@ -1,0 +1,24 @@
+"""Results of a study, written without the workflow."""
+
+from planar_pushing.figures.render import select
+from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.figures import FIGURES
+from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.simulations import simulate_file
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import write_dataset
+
+
+def write_results(study, folder):
+    """Write the datasets of a study, and the numbers of its figures."""
+    for name in DATASETS:
+        write_dataset(build_dataset(name, study_slice(study, name)), folder / f"data/{name}.nc")
+    for name, scene in study.simulations.items():
+        log = simulate_file(load_scene_file(scene))
+        write_dataset(log, folder / f"data/simulations/{name}.nc")
+    for name in FIGURES:
+        settings = study.figures.get(name, FigureEntry())
+        write_dataset(select(name, folder, settings), folder / f"figures/data/{name}.nc")
+    return folder
