@@ -23,7 +23,8 @@ from .mechanics.contact import (
 from .mechanics.effects import Inertia, RingFriction
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
-from .mechanics.solve import Solution, SolutionArrays, Solutions, solve
+from .mechanics.solutions import Solution, SolutionArrays, Solutions
+from .mechanics.solve import solve
 from .mechanics.wrench import potential, wrench
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher

@@ -23,10 +23,11 @@ from planar_pushing.mechanics.numerics.arrays import (
     elementwise,
     is_labelled,
     mapped,
+    same,
 )
 from planar_pushing.mechanics.plane import Array, direction, rod, toward
 from planar_pushing.mechanics.reduced.base import limit_motion
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
 
 OUTPUTS = (
@@ -57,6 +58,9 @@ class LimitCurve:
     magnitude: Number
     spin_ratio: Number
     motion_angle: Number
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def force(self) -> Array:
@@ -99,7 +103,7 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     LimitCurve, or xarray.Dataset
         A dataset where an argument is a DataArray.
     """
-    angle = required("force_angle", force_angle)
+    scene, angle = required_scene(scene), required("force_angle", force_angle)
     arguments = [*_forces(scene), *rod_columns(scene), angle]
     found = elementwise(
         lambda *given: mapped(_curve, scene.kinds, given, OUTPUTS), arguments, OUTPUTS

@@ -45,8 +45,10 @@ def simulate_batch(
 
     Parameters
     ----------
-    rod_length, rod_angle, duration, radius, gap : array_like, shape (scenes,) or ()
+    rod_length, duration, radius, gap : array_like, shape (scenes,) or ()
         As in `Slider` and `simulate`. All arrays are broadcast against one another.
+    rod_angle : array_like, shape (scenes,) or ()
+        psi between the fence and the rod, radians, in (0, pi), at time 0.
     velocity : array_like, shape (scenes, 2) or (2,), or Pusher
         Velocity of the fence, length per time; or one motion of the fence for every scene. Scenes under a
         fence that is a function of time run one by one.
@@ -57,7 +59,8 @@ def simulate_batch(
     effects : sequence of effects
         Their parameters may be arrays.
     twist : (v_x, v_y, omega)
-        Initial twist at the ring centre, for scenes with inertia; numbers or arrays.
+        Initial twist at the ring centre, omega in radians per time, for scenes with inertia; numbers or
+        arrays.
     rtol : float
         Relative tolerance of the motion.
     on_ambiguity : {"keep-contact", "separate", "stay-in-mode"}

@@ -12,11 +12,12 @@ from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.contact.laws import friction_coefficient as coefficient_of
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.simulation.problem import no_twist
+from planar_pushing.simulation.problem import TWIST, no_twist
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.systems.setup import LEFT, RIGHT, columns
-from planar_pushing.terms.domain import required
+from planar_pushing.terms.domain import SPEEDS, required
 from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.options import SAMPLES
 
 
 class Scenes(NamedTuple):
@@ -46,19 +47,20 @@ class Scenes(NamedTuple):
 
 def scenes_of(
     rod_length: Any, rod_angle: Any, radius: Any, friction_coefficient: Any, contact: Any,
-    effects: Sequence[Any], velocity: Any, duration: Any, twist: Sequence[Any], gap: Any,
+    effects: Any, velocity: Any, duration: Any, twist: Sequence[Any], gap: Any,
 ) -> Scenes:  # fmt: skip
     """The scenes of the arguments of `simulate_batch`; errors as there."""
     mu = _coefficients(friction_coefficient, contact)
     law = Coulomb(np.where(np.isinf(mu), 0.0, mu)) if contact is None else contact
     slider = Slider(rod_length=_array(rod_length), rod_angle=_array(rod_angle), radius=radius)
-    scene = Scene(slider=slider, contact=law, effects=tuple(effects))
+    scene = Scene(slider=slider, contact=law, effects=effects)
     ends = np.atleast_1d(duration)
     required("duration", ends)
     required("gap", gap)
+    spins = _twist(twist)
     if not scene.stores_energy:
         no_twist(twist)
-    numbers = columns(scene, tuple(map(np.asarray, twist)), np.asarray(gap))
+    numbers = columns(scene, spins, np.asarray(gap))
     if contact is None:
         numbers[RIGHT] = np.where(np.isinf(mu), 0.0, numbers[RIGHT])
         numbers[LEFT] = np.where(np.isinf(mu), math.pi, numbers[LEFT])
@@ -82,9 +84,17 @@ def scenes_of(
 def _array(given: Any) -> Any:
     """Numbers as an array, what is none as it is given."""
     try:
-        return np.asarray(given, dtype=float) if np.ndim(given) else given
-    except (TypeError, ValueError):
-        return given
+        return np.asarray(given) if np.ndim(given) else given
+    except (TypeError, ValueError):  # lists of several lengths
+        return None
+
+
+def _numbers(name: str, given: Any) -> Array:
+    """Numbers as an array of floats, or `InvalidValue`."""
+    found = np.asarray(_array(given))
+    if found.dtype.kind not in "iuf":
+        raise InvalidValue(name, given, "numbers", "give one for each scene")
+    return found.astype(float)
 
 
 def _coefficients(given: Any, contact: Any) -> Array:
@@ -97,20 +107,13 @@ def _coefficients(given: Any, contact: Any) -> Array:
     if contact is not None:
         laws = np.asarray(contact, dtype=object)
         return np.array([coefficient_of(law) for law in laws.ravel()]).reshape(laws.shape)
-    try:
-        mu = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        required("friction_coefficient", given)
-        raise
+    mu = _numbers("friction_coefficient", given)
     required("friction_coefficient", np.atleast_1d(np.where(mu == np.inf, 0.0, mu)))
     return mu
 
 
 def _velocities(given: Any) -> Array:
-    try:
-        moves = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        moves = np.empty(0)
+    moves = _numbers("velocity", given)
     if moves.ndim not in (1, 2) or moves.shape[-1] != 2:
         raise InvalidValue(
             "velocity", moves.shape, "shape (2,) or (scenes, 2), or a Pusher",
@@ -119,7 +122,15 @@ def _velocities(given: Any) -> Array:
     wrong = moves[~np.isfinite(moves)]
     if wrong.size:
         raise InvalidValue("velocity", float(wrong[0]), "finite numbers", "give length per time")
+    required("velocity", np.hypot(moves[..., 0], moves[..., 1]))
     return moves
+
+
+def _twist(given: Any) -> list[Array]:
+    twist = [_numbers("twist", each) for each in given] if hasattr(given, "__len__") else []
+    if len(twist) != 3 or not all((np.abs(each) <= SPEEDS[1]).all() for each in twist):
+        raise InvalidValue("twist", given, TWIST, "give (v_x, v_y, omega)")
+    return twist
 
 
 def _shape(shapes: list[tuple[int, ...]]) -> tuple[int]:
@@ -152,7 +163,7 @@ def parts_of(samples: int | None) -> Array:
     if samples is None:
         return np.ones(1)
     count = require_number(
-        "samples", samples, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
+        "samples", samples, lambda n: SAMPLES.holds(n) and n == int(n), SAMPLES.allowed,
         "ask at least for the first and the last instant, or leave it out",
     )  # fmt: skip
     return np.linspace(0.0, 1.0, int(count))

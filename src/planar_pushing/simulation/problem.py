@@ -8,18 +8,27 @@ lies along the fence or under it, and a simulation stops there.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.terms.domain import required
-from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.domain import SPEEDS, required
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    as_floats,
+    require_kind,
+    require_number,
+    require_option,
+)
 from planar_pushing.terms.options import TOLERANCE, Policy
+
+#: What an initial twist may be.
+TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,7 +43,7 @@ class Problem:
     duration : float
         > 0.
     twist : (v_x, v_y, omega)
-        Initial twist at the ring centre, where inertia is an effect.
+        Initial twist at the ring centre, omega in radians per time, where inertia is an effect.
     gap : float
         Initial height of the contact point above the fence, >= 0.
     on_ambiguity : str or Policy
@@ -56,11 +65,12 @@ class Problem:
     rtol: float = 1e-10
 
     def __post_init__(self) -> None:
-        for name, kind in (("scene", Scene), ("pusher", Pusher)):
-            if not isinstance(getattr(self, name), kind):
-                raise InvalidValue(name, getattr(self, name), f"a {kind.__name__}", "construct one")
-        required("duration", self.duration)
-        required("gap", self.gap)
+        required_single(required_scene(self.scene))
+        require_kind("pusher", self.pusher, Pusher)
+        for name in ("duration", "gap"):
+            require_number(
+                name, required(name, getattr(self, name)), isfinite, "one number", "give one"
+            )
         object.__setattr__(self, "rtol", tolerance(self.rtol))
         object.__setattr__(self, "twist", _twist(self.twist))
         object.__setattr__(self, "on_ambiguity", policy(self.on_ambiguity))
@@ -78,12 +88,7 @@ def tolerance(given: object) -> float:
 
 def policy(given: object) -> Policy:
     """A policy from its name, or `InvalidValue`."""
-    try:
-        return Policy(str(given))
-    except ValueError:
-        raise InvalidValue(
-            "on_ambiguity", given, ", ".join(Policy), "name one of these policies"
-        ) from None
+    return require_option("on_ambiguity", given, Policy, "name one of these policies")
 
 
 def no_twist(twist: Sequence[Any]) -> None:
@@ -96,10 +101,7 @@ def no_twist(twist: Sequence[Any]) -> None:
 
 
 def _twist(given: object) -> tuple[float, float, float]:
-    try:
-        twist = tuple(float(each) for each in given)  # type: ignore[attr-defined]
-    except (TypeError, ValueError):
-        twist = ()
-    if len(twist) != 3 or not all(map(math.isfinite, twist)):
-        raise InvalidValue("twist", given, "three finite numbers", "give (v_x, v_y, omega)")
+    twist = as_floats(given)
+    if len(twist) != 3 or not all(abs(each) <= SPEEDS[1] for each in twist):
+        raise InvalidValue("twist", given, TWIST, "give (v_x, v_y, omega)")
     return twist

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, cast
 
@@ -18,8 +17,13 @@ from planar_pushing.simulation.log.variables import dataset
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.steps.integrate import TimeStepping
-from planar_pushing.terms.errors import InvalidValue, require_number
-from planar_pushing.terms.options import Method, Policy
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    require_number,
+    require_option,
+    require_path,
+)
+from planar_pushing.terms.options import SAMPLES, Method, Policy
 
 
 def simulate(
@@ -56,7 +60,7 @@ def simulate(
         Which mode is taken where several are consistent: the contact that sticks before one that slips
         before none; none first; or the mode so far, as long as it is consistent.
     twist : (v_x, v_y, omega)
-        Initial twist at the ring centre, for a scene with inertia.
+        Initial twist at the ring centre, omega in radians per time, for a scene with inertia.
     gap : float
         Initial height of the contact above the fence.
     samples : int
@@ -86,10 +90,11 @@ def simulate(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=cast(Policy, on_ambiguity), rtol=rtol,
     )  # fmt: skip
-    if method not in list(Method):
-        raise InvalidValue("method", method, ", ".join(Method), "name one of these methods")
+    if path is not None:
+        require_path("path", path)
+    require_option("method", method, Method, "name one of these methods")
     count = require_number(
-        "samples", samples, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
+        "samples", samples, lambda n: SAMPLES.holds(n) and n == int(n), SAMPLES.allowed,
         "ask at least for the first and the last instant",
     )  # fmt: skip
     run = _run(problem, method, np.linspace(0.0, duration, int(count)), step)

@@ -23,6 +23,8 @@ LONGEST, GYRATION = 1e6, (1e-4, 1e4)
 ROUGHEST = 1e9
 #: Range of s = m |a| / W for a push from rest with friction and inertia.
 SHARES = (1e-12, 1e12)
+#: Range of speeds over time: their squares are doubles.
+SPEEDS = (1e-150, 1e150)
 
 
 class Range(NamedTuple):
@@ -55,6 +57,7 @@ RANGES = {
     "mass": _positive("leave the effect out of the scene if the slider has no inertia"),
     "gyration_radius": _positive("leave the effect out of the scene if the slider has no inertia"),
     "force_angle": Range(np.isfinite, "a finite number of radians", "give the angle of a force"),
+    "angle": Range(np.isfinite, "a finite number of radians", "give the angle of a direction"),
     "pusher_angle": Range(np.isfinite, "a finite number of radians", "give one angle"),
     "pusher_magnitude": Range(
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
@@ -62,6 +65,11 @@ RANGES = {
     ),
     "inertia_share": Range(
         lambda x: (x >= 0) & (x <= 1), "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
+    ),
+    "twist": Range(np.isfinite, "finite numbers", "give (v_x, v_y, omega) at the ring centre"),
+    "velocity": Range(
+        lambda speed: (speed == 0) | ((speed >= SPEEDS[0]) & (speed <= SPEEDS[1])),
+        f"a speed of 0, or in [{SPEEDS[0]:g}, {SPEEDS[1]:g}]", "choose another unit of length or time",
     ),
     "duration": _positive("give the time to simulate"),
     "gap": Range(
@@ -93,7 +101,7 @@ RATIOS = {
 
 def is_lazy(value: object) -> bool:
     """Whether a value is a DataArray whose numbers are computed later."""
-    return hasattr(value, "dims") and getattr(value, "chunks", None) is not None
+    return hasattr(value, "dims") and isinstance(getattr(value, "chunks", None), tuple)
 
 
 def required(name: str, given: Number) -> Number:
@@ -125,7 +133,7 @@ def _required(name: str, given: Number, allowed: Range) -> Number:
         return given.copy(data=blocks)
     try:
         numbers = np.asarray(given)
-    except ValueError:  # lists of several lengths
+    except (TypeError, ValueError):  # a whole dataset, or lists of several lengths
         numbers = np.array(math.nan)
     if numbers.dtype.kind not in "iuf":
         numbers = np.array(math.nan)

@@ -16,8 +16,8 @@ from planar_pushing.simulation.steps.driver import CLOCK, Plan, advance, begin, 
 from planar_pushing.simulation.steps.trials import INCREMENTS
 from planar_pushing.simulation.systems.base import Inertial, QuasiStatic
 from planar_pushing.simulation.systems.setup import ANGLE, GAP, V_X, row_of, system_of
-from planar_pushing.terms.errors import require_positive
-from planar_pushing.terms.options import Policy
+from planar_pushing.terms.errors import InvalidValue, require_positive
+from planar_pushing.terms.options import MOST_STEPS, Policy
 
 INCREMENTS.update({QuasiStatic: friction, Inertial: inertia})
 #: Steps of a run whose step is not given.
@@ -60,6 +60,8 @@ class TimeStepping:
             "step", duration / STEPS if step is None else step,
             "give the length of a step in the unit of the duration",
         )  # fmt: skip
+        if duration / MOST_STEPS > size:
+            raise InvalidValue("step", step, f"at most {MOST_STEPS:g} steps", "take longer steps")
         self.radius = float(problem.scene.slider.radius)
         fence = problem.pusher.fence(duration, self.radius)
         row = row_of(problem.scene, problem.twist, problem.gap)
