@@ -37,6 +37,8 @@ from .terms.errors import (
     PlanarPushingError,
 )
 
+__version__: str
+
 __all__ = [
     "AngleInterval",
     "ContactMode",
@@ -56,6 +58,7 @@ __all__ = [
     "Solution",
     "SolutionArrays",
     "Solutions",
+    "__version__",
     "can_pull",
     "conservative_motion_cone",
     "friction_cone",

@@ -13,11 +13,17 @@ from planar_pushing.terms.errors import InvalidFile
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Turn the log of a simulation into an animated picture."
-    sub = command(commands, "animate", animated, about)
-    sub.add_argument("log", type=Path, metavar="LOG.nc")
-    add_output(sub, "MOTION.gif")
-    sub.add_argument("--frames", type=int, default=75, metavar="NUMBER")
-    sub.add_argument("--frames-per-second", type=float, default=25.0, metavar="NUMBER")
+    sub = command(commands, "animate", animated, about, "log.nc -o motion.gif --frames 50")
+    sub.add_argument("log", type=Path, metavar="LOG.nc", help="log that simulate wrote")
+    add_output(sub, "MOTION.gif", "picture to write; its name ends in .gif")
+    sub.add_argument(
+        "--frames", type=int, default=75, metavar="NUMBER",
+        help="pictures, at even intervals of time, a whole number from 2 to 1000 (default: 75)",
+    )  # fmt: skip
+    sub.add_argument(
+        "--frames-per-second", type=float, default=25.0, metavar="NUMBER",
+        help="pictures shown in a second, a number in (0, 50] (default: 25)",
+    )  # fmt: skip
 
 
 def animated(args: argparse.Namespace) -> dict[str, Any]:
@@ -25,6 +31,8 @@ def animated(args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.figures.motion.animation import animate
     from planar_pushing.study.store import read_dataset
 
+    if not args.log.exists():
+        raise InvalidFile(f"{args.log}: no such file; give the log that simulate wrote")
     log, rate = read_dataset(args.log), args.frames_per_second
     try:
         frames = animate(log, args.output, frames=args.frames, rate=rate)

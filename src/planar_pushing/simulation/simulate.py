@@ -12,7 +12,8 @@ from tqdm import tqdm
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.events.integrate import EventDriven
-from planar_pushing.simulation.log.stream import PathLike, streaming
+from planar_pushing.simulation.log.disk import PathLike
+from planar_pushing.simulation.log.stream import streaming
 from planar_pushing.simulation.log.variables import dataset
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.options import SPEED
 
 #: A number, a numpy array or a DataArray.
 Number = Any
@@ -23,8 +24,8 @@ LONGEST, GYRATION = 1e6, (1e-4, 1e4)
 ROUGHEST = 1e9
 #: Range of s = m |a| / W for a push from rest with friction and inertia.
 SHARES = (1e-12, 1e12)
-#: Range of speeds over time: their squares are doubles.
-SPEEDS = (1e-150, 1e150)
+#: Range of speeds over time.
+SPEEDS = SPEED.least, SPEED.most
 
 
 class Range(NamedTuple):
@@ -69,7 +70,7 @@ RANGES = {
     "twist": Range(np.isfinite, "finite numbers", "give (v_x, v_y, omega) at the ring centre"),
     "velocity": Range(
         lambda speed: (speed == 0) | ((speed >= SPEEDS[0]) & (speed <= SPEEDS[1])),
-        f"a speed of 0, or in [{SPEEDS[0]:g}, {SPEEDS[1]:g}]", "choose another unit of length or time",
+        f"a speed of {SPEED.allowed}", "choose another unit of length or time",
     ),
     "duration": _positive("give the time to simulate"),
     "gap": Range(

@@ -6,10 +6,8 @@ leaves what it has logged so far, with the attribute `finished` at 0.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import h5netcdf
@@ -17,10 +15,9 @@ import h5py
 
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.log import variables as log
+from planar_pushing.simulation.log.disk import Disk, PathLike, new_file
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.terms.errors import InvalidFile
 
-PathLike = str | os.PathLike[str]
 #: Instants in a chunk of the file.
 CHUNK = 256
 
@@ -28,8 +25,8 @@ CHUNK = 256
 class Stream:
     """An open log; `append` writes a batch and flushes it."""
 
-    def __init__(self, file: h5netcdf.File, disk: h5py.File, scene: Scene) -> None:
-        self.file, self.disk, self.length, self.scene = file, disk, 0, scene
+    def __init__(self, file: h5netcdf.File, hdf: h5py.File, disk: Disk, scene: Scene) -> None:
+        self.file, self.hdf, self.disk, self.length, self.scene = file, hdf, disk, 0, scene
         self._flush()
 
     def append(self, rows: Any) -> None:
@@ -44,7 +41,8 @@ class Stream:
     def _flush(self) -> None:
         """What netCDF adds goes to the file, and the file to the disk."""
         self.file.flush()
-        self.disk.flush()
+        self.hdf.flush()
+        self.disk.check()
 
     def end(self, stopped: str, time: float) -> None:
         """Note that the run has ended, when, and why before its time."""
@@ -60,16 +58,14 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
     InvalidFile
         Where the file cannot be written.
     """
-    target = Path(path)
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        # netCDF readers want the order of creation kept.
-        disk = h5py.File(target, "w", track_order=True)
-    except OSError as error:
-        raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
-    with disk, h5netcdf.File(disk, "r+") as file:
+    # netCDF readers want the order of creation kept.
+    with (
+        new_file(path) as disk,
+        h5py.File(disk, "w", track_order=True) as hdf,
+        h5netcdf.File(hdf, "r+") as file,
+    ):
         _define(file, problem, method)
-        yield Stream(file, disk, problem.scene)
+        yield Stream(file, hdf, disk, problem.scene)
 
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
