@@ -58,7 +58,6 @@ __all__ = [
     "Solution",
     "SolutionArrays",
     "Solutions",
-    "__version__",
     "can_pull",
     "conservative_motion_cone",
     "friction_cone",

@@ -29,14 +29,16 @@ def add(commands: Commands) -> None:
 def animated(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the frames of the log into one file."""
     from planar_pushing.figures.motion.animation import animate
+    from planar_pushing.figures.motion.timeline import plotted
     from planar_pushing.study.store import read_dataset
 
     if not args.log.exists():
         raise InvalidFile(f"{args.log}: no such file; give the log that simulate wrote")
-    log, rate = read_dataset(args.log), args.frames_per_second
+    log = read_dataset(args.log)
     try:
-        frames = animate(log, args.output, frames=args.frames, rate=rate)
+        plotted(log)
     except InvalidFile as error:
         raise InvalidFile(f"{args.log}: {error}") from None
+    frames = animate(log, args.output, frames=args.frames, rate=args.frames_per_second)
     size = args.output.stat().st_size
     return {"written": str(args.output), "frames": frames, "bytes": size}

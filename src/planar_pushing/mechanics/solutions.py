@@ -135,6 +135,7 @@ class SolutionArrays:
         Values of `ContactMode`, in their order; -1 behind the last solution, where the rest is NaN.
     force, contact_motion, center : ndarray, shape S + (solutions, 2)
     twist : ndarray, shape S + (solutions, 3)
+        omega in radians per unit of time.
     spin_ratio : ndarray, shape S + (solutions,)
         As in `Solution`.
     """

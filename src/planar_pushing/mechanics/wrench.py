@@ -72,7 +72,15 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
 def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
     """Potential of twists of shape S + (3,), shape S: friction's power, or the kinetic energy.
 
-    Parameters are those of `wrench`. A potential of degree d is the power of its wrench over d.
+    A potential of degree d is the power of its wrench over d.
+
+    Parameters
+    ----------
+    effect : RingFriction or Inertia
+    twist : array_like, shape S + (3,)
+        (v_x, v_y, omega) at the ring centre, omega in radians per unit of time.
+    slider : Slider, optional
+        As in `wrench`.
     """
     force = wrench(effect, twist, slider)
     return np.asarray((np.asarray(twist, dtype=float) * force).sum(axis=-1) / effect.degree)
