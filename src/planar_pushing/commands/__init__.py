@@ -64,14 +64,14 @@ def _run(arguments: Sequence[str] | None) -> int:
     args, rest = found.parse_known_args(arguments)
     if rest and args.command != "query":
         found.error(f"unrecognized arguments: {' '.join(rest)}")
-    args.where = rest
+    args.where, args.status = rest, 0  # which a command may set, as one that finds differences
     try:
         check_push(args)
         _print(args.action(args), args.json)
     except PlanarPushingError as error:
         print(f"planar-pushing {args.command}: {error}", file=sys.stderr)
         return INVALID
-    return 0
+    return int(args.status)
 
 
 def _print(result: dict[str, object], as_json: bool) -> None:
