@@ -25,6 +25,7 @@ lint: $(READY)
 	$(BIN)/snakefmt --check --diff Snakefile workflow
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
+	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
 bench: $(COMPILED) ## print how fast the mechanics and simulations are, as ratios in one run
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds

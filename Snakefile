@@ -4,9 +4,6 @@
 # Another study: snakemake --config study=workflow/config/smoke.yaml
 
 
-container: "docker://python:3.13-slim"
-
-
 report: "workflow/report/workflow.rst"
 
 

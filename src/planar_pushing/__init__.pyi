@@ -23,7 +23,8 @@ from .mechanics.contact import (
 from .mechanics.effects import Inertia, RingFriction, SupportFriction
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
-from .mechanics.solve import Solution, SolutionArrays, Solutions, solve
+from .mechanics.solutions import Solution, SolutionArrays, Solutions
+from .mechanics.solve import solve
 from .mechanics.supports import (
     Annulus,
     Composite,
@@ -47,6 +48,8 @@ from .terms.errors import (
     InvalidValue,
     PlanarPushingError,
 )
+
+__version__: str
 
 __all__ = [
     "AngleInterval",

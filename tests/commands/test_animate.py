@@ -26,7 +26,7 @@ def test_animate(run, log, tmp_path):
 
 WRONG = [
     (["animate", "none.nc", "-o", "motion.gif"],
-     "none.nc: no such dataset"),
+     "none.nc: no such file; give the log that simulate wrote"),
     (["animate", "LOG", "-o", "motion.mp4"],
      "output: 'motion.mp4' given; allowed: a name ending in .gif; rename the file"),
     (["animate", "LOG", "--frames", "1", "-o", "motion.gif"],

@@ -1,20 +1,98 @@
-"""The command line as a whole."""
+"""The command line as a whole: help, version, completion, and one line for whatever goes wrong."""
 
+import argparse
+import re
+import shlex
 import subprocess
 import sys
 
 import pytest
 
-from planar_pushing.commands import main
+import planar_pushing as pp
+from planar_pushing.commands import main, parser
 
 SCENE = "workflow/scenes/figure_03.yaml"
+HEAVY = ("numpy", "numba", "xarray", "scipy", "pandas", "pydantic", "h5py", "matplotlib")
+LIGHT = """
+import sys
+from planar_pushing.commands import main
+try:
+    main(sys.argv[1:])
+finally:
+    print([name for name in {heavy} if name in sys.modules], file=sys.stderr)
+"""
 
 
-def test_unknown_option(capsys):
+def subcommands():
+    (action,) = (each for each in parser()._actions if hasattr(each, "choices") and each.choices)
+    return action.choices
+
+
+COMMANDS = subcommands()
+OPTIONS = [
+    pytest.param(name, action, id=f"{name} {'/'.join(action.option_strings) or action.dest}")
+    for name, command in COMMANDS.items() for action in command._actions
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("arguments", [
+    ["--help"], ["--version"], ["solve", "--help"], ["query", "--help"], ["completion", "bash"],
+    ["solve", "--pusher-angle"], ["solf"],
+], ids=" ".join)  # fmt: skip
+def test_help_version_and_completion_import_nothing_heavy(arguments):
+    ended = subprocess.run(
+        [sys.executable, "-c", LIGHT.format(heavy=HEAVY), *arguments],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert ended.stderr.endswith("[]\n")
+
+
+def test_version(capsys):
     with pytest.raises(SystemExit) as caught:
-        main(["cone", SCENE, "--rod-length", "2"])
+        main(["--version"])
+    assert caught.value.code == 0
+    assert capsys.readouterr().out == f"planar-pushing {pp.__version__}\n"
+
+
+@pytest.mark.parametrize(("name", "action"), OPTIONS)
+def test_every_option_says_what_it_does_its_range_and_its_default(name, action):
+    said = action.help
+    assert len(said) >= len("bash or zsh")
+    if action.type in (int, float):
+        assert re.search(r"degrees|units|unit |per time|pictures|instants|tolerance", said)
+        assert re.search(
+            r"> 0|\[|\(0, 50\]|finite number|whole number|within the friction cone", said
+        )
+        assert action.required or "default" in said or "instead of" in said
+    if action.default and action.default != argparse.SUPPRESS:
+        assert "default" in said
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_has_an_example_that_it_takes(name):
+    example = COMMANDS[name].epilog.splitlines()[-1]
+    assert example.startswith(f"example: planar-pushing {name}")
+    words = shlex.split(example.partition("planar-pushing ")[2].partition(" > ")[0])
+    args, rest = parser().parse_known_args(words)
+    assert args.command == name
+    assert not rest or name == "query"
+
+
+@pytest.mark.parametrize(("arguments", "said"), [
+    (["cone", SCENE, "--rod-length", "2"], "unrecognized arguments: --rod-length 2"),
+    (["cone"], "cone: the following arguments are required: SCENE.yaml; see planar-pushing cone --help"),
+    (["solve", SCENE, "--pusher-angle", "east"], "argument --pusher-angle: invalid float value: 'east'"),
+    (["animate", "log.nc", "-o", "a.gif", "--frames", "1.5"], "invalid int value: '1.5'"),
+    (["solf"], "argument command: invalid choice: 'solf'"),
+    ([], "the following arguments are required: command; see planar-pushing --help"),
+], ids=str)  # fmt: skip
+def test_arguments_that_are_none_are_refused_in_one_line(capsys, arguments, said):
+    with pytest.raises(SystemExit) as caught:
+        main(arguments)
+    err = capsys.readouterr().err
     assert caught.value.code == 2
-    assert "unrecognized arguments: --rod-length 2" in capsys.readouterr().err
+    assert said in err
+    assert err.count("\n") == 1
 
 
 def test_installed_command():
@@ -22,4 +100,4 @@ def test_installed_command():
         [sys.executable, "-m", "planar_pushing.commands", "--help"],
         capture_output=True, text=True, check=True,
     )  # fmt: skip
-    assert "solve" in done.stdout
+    assert all(name in done.stdout for name in COMMANDS)

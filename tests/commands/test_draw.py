@@ -1,8 +1,16 @@
 """The command `draw`, with right and with wrong input."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
+import planar_pushing as pp
+from planar_pushing.figures import scene_picture
+from planar_pushing.mechanics.contact import ContactMode
+
 SCENE = "workflow/scenes/figure_03.yaml"
+BOTH = "workflow/scenes/figure_12.yaml"
 
 
 def test_draw(run, tmp_path):
@@ -10,6 +18,25 @@ def test_draw(run, tmp_path):
     code, out, _ = run("draw", SCENE, "--pusher-angle", "-20", "-o", str(path))
     assert (code, out) == (0, f"written: {path}\n")
     assert path.read_text(encoding="utf-8").lstrip().startswith("<?xml")
+
+
+@pytest.mark.parametrize("angle", [27.0, 90.0, 153.0, 150.0 - 360.0])
+def test_the_force_that_is_asked_for_is_drawn(run, tmp_path, monkeypatch, angle):
+    drawn = {}
+    monkeypatch.setattr(scene_picture, "draw_to_files", lambda *given: drawn.update(data=given[2]))
+    code, _, _ = run("draw", SCENE, "--force-angle", str(angle), "-o", str(tmp_path / "scene.svg"))
+    data = drawn["data"]
+    (force,) = data.force.values[data["mode"].values == ContactMode.STICK]
+    assert code == 0
+    assert (np.rad2deg(np.arctan2(*force[::-1])) - angle) % 360 % 360 == pytest.approx(0, abs=1e-9)
+
+
+def test_a_perfectly_rough_contact_transmits_every_force(run, tmp_path):
+    scene = pp.load_scene(SCENE)
+    path = tmp_path / "rough.yaml"
+    pp.save_scene(replace(scene, contact=pp.PerfectlyRough()), path)
+    code, _, _ = run("draw", str(path), "--force-angle", "200", "-o", str(tmp_path / "scene.svg"))
+    assert code == 0
 
 
 @pytest.mark.parametrize(
@@ -21,6 +48,13 @@ def test_draw(run, tmp_path):
          "pusher_magnitude: 0.0 given; allowed: a finite number > 0"),
         (["draw", SCENE, "-o", "/dev/null/scene.svg"],
          "/dev/null/scene.svg: cannot be written"),
+        (["draw", SCENE, "--force-angle", "200", "-o", "scene.svg"],
+         "force_angle: 200.0 given; allowed: degrees in the friction cone, [26.56505118, 153.4349488]; "
+         "give a force that the contact transmits"),
+        (["draw", SCENE, "--force-angle", "-20", "-o", "scene.svg"],
+         "force_angle: -20.0 given; allowed: degrees in the friction cone"),
+        (["draw", BOTH, "--force-angle", "90", "-o", "scene.svg"],
+         "force_angle: 90.0 given; allowed: a scene with one effect"),
         (["draw", SCENE, "-o", "scene.doc"],
          "output: 'scene.doc' given; allowed: a name ending in .svg"),
         (["draw", SCENE, "--pusher-angle", "1", "--force-angle", "2", "-o", "scene.svg"],

@@ -4,6 +4,9 @@ import json
 
 import pytest
 
+from planar_pushing.commands import main
+from planar_pushing.study.catalog import DIMS
+
 
 def test_query(run, results):
     words = [
@@ -43,6 +46,49 @@ def test_query_json(run, results):
     assert code == 0
     assert told["dims"] == {"effects": 3, "rod_angle": 2}
     assert told["coords"]["friction_coefficient"]["data"] == "inf"
+
+
+def test_query_lists_the_axes_and_their_values(run, results):
+    code, out, _ = run("query", "motion_cones", "--results", results, "--axes")
+    assert code == 0
+    assert [line.partition(":")[0] for line in out.splitlines()] == [
+        "--effects", "--friction-coefficient", "--rod-angle", "--rod-length",
+    ]  # fmt: skip
+    assert "--rod-length: 0, 1, 2, 5" in out
+    _, out, _ = run("query", "motion_cones", "--results", results, "--axes", "--rod-length", "2")
+    assert "--rod-length" not in out
+
+
+def test_help_lists_the_axes_of_every_dataset(capsys):
+    with pytest.raises(SystemExit):
+        main(["query", "--help"])
+    said = capsys.readouterr().out
+    for name, dims in DIMS.items():
+        assert f"{name}: {' '.join('--' + dim.replace('_', '-') for dim in dims)}\n" in said
+
+
+@pytest.mark.parametrize(
+    ("folder", "said"),
+    [
+        (
+            "nowhere",
+            "nowhere: no such folder; name the folder of the results, or build them with make",
+        ),
+        (
+            "src",
+            "src: holds no folder data; name the folder of the results, or build them with make",
+        ),
+    ],
+)
+def test_a_wrong_folder_is_named(refused, folder, said):
+    refused(["query", "motion_cones", "--results", folder], said)
+
+
+def test_a_dataset_that_is_not_built(refused, results):
+    refused(
+        ["query", "limit_curves", "--results", results],
+        f"{results}/data/limit_curves.nc: no such dataset; build it with make or snakemake",
+    )
 
 
 @pytest.mark.parametrize(

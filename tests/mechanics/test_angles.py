@@ -65,3 +65,55 @@ def test_interval_of_arrays_has_one_answer_each():
     assert np.array_equal(interval.span, [1.0, 2.0])
     with pytest.raises(pp.InvalidValue):
         pp.AngleInterval(np.array([0.0, 3.0]), np.array([1.0, 2.0]))
+
+
+def test_in_tells_of_one_direction():
+    interval = pp.AngleInterval(-0.5, 1.0)
+    assert 0.5 in interval
+    assert 1.0 + 2 * np.pi in interval
+    assert 2.0 not in interval
+    assert np.float32(0.5) in interval
+
+
+@pytest.mark.parametrize(
+    "given", ["east", None, np.nan, np.inf, True, [0.5], np.zeros(2)], ids=repr
+)
+def test_in_takes_one_angle(given):
+    with pytest.raises(pp.InvalidValue) as caught:
+        given in pp.AngleInterval(-0.5, 1.0)  # noqa: B015
+    assert caught.value.name == "angle"
+
+
+def test_of_many_intervals_none_has_one_answer():
+    intervals = pp.AngleInterval(np.zeros(2), np.ones(2))
+    with pytest.raises(pp.InvalidValue, match="call contains for more"):
+        0.5 in intervals  # noqa: B015
+
+
+def test_contains_refuses_what_is_no_angle():
+    for given in ("east", [0.0, np.nan], None):
+        with pytest.raises(pp.InvalidValue, match=r"angle: .* a finite number of radians"):
+            pp.AngleInterval(-0.5, 1.0).contains(given)
+
+
+def test_degrees():
+    right, left = pp.AngleInterval(-np.pi / 4, np.pi).degrees
+    assert (right, left, type(right)) == (-45.0, 180.0, float)
+    right, left = pp.AngleInterval(np.zeros(2), np.array([np.pi, 2 * np.pi])).degrees
+    assert np.array_equal(left, [180.0, 360.0])
+
+
+def test_intervals_are_equal_where_their_edges_are():
+    one, other = pp.AngleInterval(0.0, 1.0), pp.AngleInterval(0.0, 1.0, closed=False)
+    assert one == pp.AngleInterval(0.0, 1.0)
+    assert hash(one) == hash(pp.AngleInterval(0.0, 1.0))
+    assert one != other
+    many = pp.AngleInterval(np.zeros(2), np.ones(2))
+    assert many == pp.AngleInterval(np.zeros(2), np.ones(2))
+    assert many != one
+
+
+@pytest.mark.parametrize("edges", [("a", "b"), (None, 1.0), (0.0, True)], ids=repr)
+def test_edges_are_numbers(edges):
+    with pytest.raises(pp.InvalidValue, match="allowed: numbers of radians; give both edges"):
+        pp.AngleInterval(*edges)

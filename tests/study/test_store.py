@@ -148,7 +148,17 @@ def test_open_part_of_a_dataset_that_has_none(results):
         pp.open_dataset("contact_modes/force", results)
 
 
+@pytest.mark.parametrize(("folder", "said"), [
+    ("nowhere", "nowhere: no such folder; name the folder of the results"),
+    (".", "holds no folder data; name the folder of the results, or build them with make"),
+])  # fmt: skip
+def test_a_folder_without_results_is_named(tmp_path, folder, said):
+    with pytest.raises(pp.InvalidFile, match=said):
+        pp.open_dataset("motion_cones", tmp_path / folder)
+
+
 def test_open_dataset_that_is_not_built(tmp_path):
+    (tmp_path / "data").mkdir()
     with pytest.raises(pp.InvalidFile, match="no such dataset; build it with make or snakemake"):
         pp.open_dataset("motion_cones", tmp_path)
 

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import numpy as np
 import pytest
+import xarray as xr
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, FRICTION, INERTIA, PSI, make_scene
 
-NOT_NUMBERS = ["2", None, True, float("nan"), 1j, ["1.0"], [[1.0], [2.0, 3.0]]]
+NOT_NUMBERS = [
+    "2", b"2", None, True, np.True_, float("nan"), 1j, Decimal(1), ["1.0"], [[1.0], [2.0, 3.0]],
+]  # fmt: skip
 FINITE_POSITIVE = "a finite number > 0"
 FINITE = "a finite number >= 0"
 NO_FRICTION = "leave the effect out of the scene if the support is frictionless"
@@ -77,6 +82,11 @@ def test_pusher_angle(given):
     )  # fmt: skip
 
 
+def test_a_whole_dataset_is_no_number():
+    with pytest.raises(pp.InvalidValue, match=r"rod_length: <xarray\.Dataset> .* given"):
+        pp.Slider(rod_length=xr.Dataset({"length": ("scene", [1.0, 2.0])}), rod_angle=PSI)
+
+
 def test_an_integer_beyond_the_floats_is_not_a_finite_number():
     with pytest.raises(pp.InvalidValue, match="allowed: a finite number >= 0"):
         pp.Slider(rod_length=10**400, rod_angle=PSI)
@@ -119,7 +129,9 @@ def test_effects(given):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("given", [None, 2.0, "infinite"], ids=repr)
+@pytest.mark.parametrize(
+    "given", [None, 2.0, "infinite", [], [pp.Coulomb(1.0), [pp.Coulomb(1.0)] * 2]], ids=repr
+)
 def test_contact(given):
     slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
     check(

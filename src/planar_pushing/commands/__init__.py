@@ -2,40 +2,89 @@
 
 from __future__ import annotations
 
-import argparse
 import json
+import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 
-from planar_pushing.commands import animate, check, compilation, cone, draw, query, simulate, solve
-from planar_pushing.commands.arguments import check_push
+from planar_pushing import __version__
+from planar_pushing.commands import (
+    animate,
+    check,
+    compilation,
+    completion,
+    cone,
+    draw,
+    query,
+    simulate,
+    solve,
+)
+from planar_pushing.commands.arguments import Parser, check_push
 from planar_pushing.commands.text import text
-from planar_pushing.mechanics.entries import plain
 from planar_pushing.terms.errors import PlanarPushingError
 
-COMMANDS = (solve, cone, query, draw, simulate, animate, check, compilation)
+#: Help, version and completion import these modules, so none imports numpy before its command runs.
+COMMANDS = (solve, cone, query, draw, simulate, animate, check, compilation, completion)
+#: Exit codes besides 0: input that cannot be used, Ctrl-C, and a reader that has gone, as shells count.
+INVALID, INTERRUPTED, UNREAD = 2, 130, 141
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="planar-pushing", description=__doc__)
-    commands = parser.add_subparsers(dest="command", required=True, metavar="command")
+def parser() -> Parser:
+    """The parser of all commands."""
+    found = Parser(prog="planar-pushing", description=__doc__, allow_abbrev=False)
+    found.add_argument("--version", action="version", version=f"planar-pushing {__version__}")
+    commands = found.add_subparsers(dest="command", required=True, metavar="command")
     for command in COMMANDS:
         command.add(commands)
-    return parser
+    return found
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; 0, 1 where a check fails, or 2 with one message where the input is wrong."""
-    parser = _parser()
-    args, rest = parser.parse_known_args(arguments)
+    try:
+        try:
+            return _run(arguments)
+        finally:
+            sys.stdout.flush()
+    except KeyboardInterrupt:
+        print("planar-pushing: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        _discard_output()
+        return UNREAD
+    except OSError as error:
+        _discard_output()
+        place = f"{error.filename}: " if error.filename else ""
+        print(f"planar-pushing: {place}{error.strerror or error}", file=sys.stderr)
+        return INVALID
+
+
+def _run(arguments: Sequence[str] | None) -> int:
+    found = parser()
+    args, rest = found.parse_known_args(arguments)
     if rest and args.command != "query":
-        parser.error(f"unrecognized arguments: {' '.join(rest)}")
-    args.where = rest
+        found.error(f"unrecognized arguments: {' '.join(rest)}")
+    args.where, args.status = rest, 0  # which a command may set, as one that finds differences
     try:
         check_push(args)
-        result = args.action(args)
+        _print(args.action(args), args.json)
     except PlanarPushingError as error:
         print(f"planar-pushing {args.command}: {error}", file=sys.stderr)
-        return 2
-    print(json.dumps(plain(result), indent=2) if args.json else text(result))
-    return getattr(args, "status", 0)
+        return INVALID
+    return int(args.status)
+
+
+def _print(result: dict[str, object], as_json: bool) -> None:
+    if as_json:
+        from planar_pushing.mechanics.entries import plain
+
+        print(json.dumps(plain(result), indent=2))
+    else:
+        print(text(result))
+
+
+def _discard_output() -> None:
+    """Send what is left to print nowhere: Python would try to write it once more as it ends."""
+    with suppress(OSError):  # an output without a file
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

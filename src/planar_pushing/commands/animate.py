@@ -13,22 +13,32 @@ from planar_pushing.terms.errors import InvalidFile
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Turn the log of a simulation into an animated picture."
-    sub = command(commands, "animate", animated, about)
-    sub.add_argument("log", type=Path, metavar="LOG.nc")
-    add_output(sub, "MOTION.gif")
-    sub.add_argument("--frames", type=int, default=75, metavar="NUMBER")
-    sub.add_argument("--frames-per-second", type=float, default=25.0, metavar="NUMBER")
+    sub = command(commands, "animate", animated, about, "log.nc -o motion.gif --frames 50")
+    sub.add_argument("log", type=Path, metavar="LOG.nc", help="log that simulate wrote")
+    add_output(sub, "MOTION.gif", "picture to write; its name ends in .gif")
+    sub.add_argument(
+        "--frames", type=int, default=75, metavar="NUMBER",
+        help="pictures, at even intervals of time, a whole number from 2 to 1000 (default: 75)",
+    )  # fmt: skip
+    sub.add_argument(
+        "--frames-per-second", type=float, default=25.0, metavar="NUMBER",
+        help="pictures shown in a second, a number in (0, 50] (default: 25)",
+    )  # fmt: skip
 
 
 def animated(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the frames of the log into one file."""
     from planar_pushing.figures.motion.animation import animate
+    from planar_pushing.figures.motion.timeline import plotted
     from planar_pushing.study.store import read_dataset
 
-    log, rate = read_dataset(args.log), args.frames_per_second
+    if not args.log.exists():
+        raise InvalidFile(f"{args.log}: no such file; give the log that simulate wrote")
+    log = read_dataset(args.log)
     try:
-        frames = animate(log, args.output, frames=args.frames, rate=rate)
+        plotted(log)
     except InvalidFile as error:
         raise InvalidFile(f"{args.log}: {error}") from None
+    frames = animate(log, args.output, frames=args.frames, rate=args.frames_per_second)
     size = args.output.stat().st_size
     return {"written": str(args.output), "frames": frames, "bytes": size}

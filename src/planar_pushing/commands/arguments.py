@@ -6,7 +6,7 @@ import argparse
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from planar_pushing.terms.errors import require_number, require_positive
 
@@ -15,31 +15,55 @@ Commands = Any
 #: What a command does with its arguments: it returns what is printed.
 Action = Callable[[argparse.Namespace], dict[str, Any]]
 
+DIRECTION = (
+    "degrees counter-clockwise from the fence, any finite number; 90 is ahead, into the slider"
+)
 
-def command(commands: Commands, name: str, action: Action, about: str) -> argparse.ArgumentParser:
-    """Add a command, whose results are printed as text or as JSON."""
+
+class Parser(argparse.ArgumentParser):
+    """A parser that says in one line what is wrong with the arguments."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+
+def command(
+    commands: Commands, name: str, action: Action, about: str, example: str = ""
+) -> argparse.ArgumentParser:
+    """Add a command, whose results are printed as text or as JSON, with an example of its use."""
     sub: argparse.ArgumentParser = commands.add_parser(
-        name, help=about, description=about, allow_abbrev=False
-    )
+        name, help=about, description=about, allow_abbrev=False,
+        epilog=f"example: planar-pushing {name} {example}".rstrip(),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )  # fmt: skip
     sub.set_defaults(action=action)
-    sub.add_argument("--json", action="store_true", help="print JSON")
+    sub.add_argument("--json", action="store_true", help="print JSON instead of text")
     return sub
 
 
 def add_scene(sub: argparse.ArgumentParser) -> None:
     """Add the path of a scene file."""
-    sub.add_argument("scene", type=Path, metavar="SCENE.yaml")
+    about = "scene file: the slider, the contact's law and what resists the motion"
+    sub.add_argument("scene", type=Path, metavar="SCENE.yaml", help=about)
 
 
-def add_output(sub: argparse.ArgumentParser, example: str) -> None:
+def add_output(sub: argparse.ArgumentParser, example: str, about: str) -> None:
     """Add the path of the file that is written."""
-    sub.add_argument("-o", "--output", type=Path, required=True, metavar=example)
+    sub.add_argument("-o", "--output", type=Path, required=True, metavar=example, help=about)
 
 
 def add_push(sub: argparse.ArgumentParser, required: bool) -> None:
     """Add the fence's motion."""
-    sub.add_argument("--pusher-angle", type=float, required=required, metavar="DEGREES")
-    sub.add_argument("--pusher-magnitude", type=float, default=1.0, metavar="NUMBER")
+    default = "required" if required else "default: 90, or what --force-angle makes it"
+    sub.add_argument(
+        "--pusher-angle", type=float, required=required, metavar="DEGREES",
+        help=f"direction of the fence's motion, {DIRECTION} ({default})",
+    )  # fmt: skip
+    sub.add_argument(
+        "--pusher-magnitude", type=float, default=1.0, metavar="NUMBER",
+        help="size of the fence's velocity, or with inertia of its acceleration from rest, in the "
+        "scene's units, a finite number > 0 (default: 1)",
+    )  # fmt: skip
 
 
 def check_push(args: argparse.Namespace) -> None:

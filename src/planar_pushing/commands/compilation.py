@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import multiprocessing
+import signal
 import time
-from concurrent.futures import ProcessPoolExecutor
 from typing import Any
 
 from planar_pushing.commands.arguments import Commands, command
@@ -20,10 +19,17 @@ def add(commands: Commands) -> None:
 
 def compile_core(args: argparse.Namespace) -> dict[str, Any]:
     """Call every compiled function once; what is compiled is kept beside the sources."""
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+
     from planar_pushing.mechanics.compiled import CACHE
 
     start = time.perf_counter()
-    with ProcessPoolExecutor(mp_context=multiprocessing.get_context("spawn")) as pool:
+    # Ctrl-C ends the processes without a traceback each.
+    with ProcessPoolExecutor(
+        mp_context=multiprocessing.get_context("spawn"),
+        initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_DFL),
+    ) as pool:  # fmt: skip
         for _ in pool.map(call_all, reversed(EffectSet)):  # the longest first
             pass
     return {"compiled": CACHE, "seconds": round(time.perf_counter() - start, 1)}

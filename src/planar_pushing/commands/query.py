@@ -5,29 +5,57 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
-
-import xarray as xr
+from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.arguments import Commands, command
-from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.query import select
-from planar_pushing.study.store import open_dataset
+from planar_pushing.study.catalog import DATASETS, DIMS
 from planar_pushing.terms.errors import InvalidValue
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Print a part of a dataset: --axis-name value picks a value."
-    sub = command(commands, "query", part, about)
-    sub.usage = "planar-pushing query DATASET [--AXIS VALUE ...] [--results FOLDER] [--json]"
-    sub.add_argument("dataset", metavar="DATASET", help=", ".join(DATASETS))
-    sub.add_argument("--results", type=Path, default=Path("results"), help="folder of the results")
+    about = (
+        "Print a part of a dataset: --AXIS VALUE picks a value along an axis, angles in degrees."
+    )
+    example = "motion_cones --effects inertia --rod-length 2"
+    sub = command(commands, "query", part, about, example)
+    sub.usage = (
+        "planar-pushing query DATASET [--AXIS VALUE ...] [--axes] [--results FOLDER] [--json]"
+    )
+    sub.epilog = f"{_axes_of_datasets()}\n\n{sub.epilog}"
+    known = f"{', '.join(DATASETS)}; a scene as scenes/NAME, a log as simulations/NAME"
+    sub.add_argument("dataset", metavar="DATASET", help=known)
+    sub.add_argument(
+        "--axes", action="store_true", help="list the axes of the dataset and their values instead"
+    )
+    sub.add_argument(
+        "--results", type=Path, default=Path("results"), metavar="FOLDER",
+        help="folder that the pipeline has filled (default: results)",
+    )  # fmt: skip
+
+
+def _axes_of_datasets() -> str:
+    """A line for each dataset with axes."""
+    lines = (f"  {name}: {' '.join(map(option, dims))}" for name, dims in DIMS.items())
+    return "\n".join(["axes:", *lines])
+
+
+def option(axis: str) -> str:
+    """The option that picks a value along an axis."""
+    return f"--{axis.replace('_', '-')}"
 
 
 def part(args: argparse.Namespace) -> dict[str, Any]:
-    """Part of the dataset where its axes have the given values."""
+    """Part of the dataset where its axes have the given values, or its axes."""
+    from planar_pushing.study.query import axis_names, listed, select
+    from planar_pushing.study.store import open_dataset
+
     found = select(open_dataset(args.dataset, args.results), _pairs(args.where))
+    if args.axes:
+        return {option(name): listed(found.coords[name]) for name in axis_names(found)}
     return dict(found.to_dict()) if args.json else {"": _table(found)}
 
 

@@ -4,42 +4,81 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import xarray as xr
-from pydantic import ValidationError
-
-from planar_pushing.commands.arguments import Commands, add_output, add_scene, command
-from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.study.files.scene_model import SceneFile
-from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.files.simulate_model import SimulateEntry
+from planar_pushing.commands.arguments import DIRECTION, Commands, add_output, add_scene, command
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.options import Method, Policy
+from planar_pushing.terms.options import SAMPLES, SPEED, TOLERANCE, Method, Policy
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from pydantic import ValidationError
+
+    from planar_pushing.study.files.scene_model import SceneFile
+    from planar_pushing.study.files.simulate_model import SimulateEntry
 
 ENDINGS = (".nc", ".h5")
+#: Options in place of the section simulate of the scene file: type, word for the value, and help.
+OPTIONS: dict[str, tuple[type, str, str]] = {
+    "pusher-angle": (
+        float, "DEGREES",
+        f"direction of the fence's velocity, {DIRECTION} (default: the scene file's motion)",
+    ),
+    "pusher-speed": (
+        float, "NUMBER",
+        f"speed of the fence, in the scene's length per time, {SPEED.allowed} (default: the scene file's, "
+        "or 1)",
+    ),
+    "duration": (
+        float, "NUMBER",
+        "time to simulate, in the unit of time of the speed, > 0 (default: the scene file's)",
+    ),
+    "rtol": (
+        float, "NUMBER",
+        f"relative tolerance of the event-driven method, {TOLERANCE.allowed} (default: the scene file's, "
+        "or 1e-10)",
+    ),
+    "step": (
+        float, "NUMBER",
+        "greatest step of the time-stepping method, in the unit of the duration, > 0 (default: the scene "
+        "file's, or a thousandth of the duration)",
+    ),
+    "samples": (
+        int, "NUMBER",
+        f"instants in the log, at even intervals of time, {SAMPLES.allowed} (default: the scene file's, "
+        "or 101); events are logged besides",
+    ),
+    "method": (
+        str, "NAME",
+        f"{' or '.join(Method)}: from event to event to the tolerance, or equal steps of first order "
+        f"(default: the scene file's, or {Method.EVENT_DRIVEN})",
+    ),
+    "on-ambiguity": (
+        str, "NAME",
+        f"{', '.join(Policy)}: which contact mode is taken where several are consistent "
+        f"(default: the scene file's, or {Policy.KEEP_CONTACT})",
+    ),
+}  # fmt: skip
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Simulate a scene over time and write the log."
-    sub = command(commands, "simulate", simulated, about)
+    example = "scene.yaml --pusher-angle 165 --duration 3 -o log.nc"
+    sub = command(commands, "simulate", simulated, about, example)
     add_scene(sub)
-    add_output(sub, "LOG.nc")
-    sub.add_argument("--pusher-angle", type=float, metavar="DEGREES")
-    for name in ("pusher-speed", "duration", "rtol", "step"):
-        sub.add_argument(f"--{name}", type=float, metavar="NUMBER")
-    sub.add_argument("--samples", type=int, metavar="NUMBER")
-    sub.add_argument("--method", metavar="NAME", help=", ".join(Method))
-    sub.add_argument("--on-ambiguity", metavar="NAME", help=", ".join(Policy))
+    add_output(sub, "LOG.nc", f"log to write; its name ends in {' or '.join(ENDINGS)}")
+    for name, (kind, metavar, about) in OPTIONS.items():
+        sub.add_argument(f"--{name}", type=kind, metavar=metavar, help=about)
     sub.add_argument(
-        "--progress", action=argparse.BooleanOptionalAction, default=sys.stderr.isatty()
-    )
+        "--progress", action=argparse.BooleanOptionalAction, default=sys.stderr.isatty(),
+        help="show a progress bar (default: on a terminal only)",
+    )  # fmt: skip
 
 
 def simulated(args: argparse.Namespace) -> dict[str, Any]:
     """Simulate the scene, and tell how it went."""
+    from planar_pushing.study.files.scenes import load_scene_file
     from planar_pushing.study.simulations import simulate_file
 
     if args.output.suffix.lower() not in ENDINGS:
@@ -53,8 +92,12 @@ def simulated(args: argparse.Namespace) -> dict[str, Any]:
 
 def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
     """The file's section, with what the options say in its place."""
-    names = ("pusher_angle", "pusher_speed", "duration", "method", "rtol", "on_ambiguity")
-    given = {name: getattr(args, name) for name in (*names, "samples", "step")}
+    from pydantic import ValidationError
+
+    from planar_pushing.study.files.simulate_model import SimulateEntry
+
+    names = (name.replace("-", "_") for name in OPTIONS)
+    given = {name: getattr(args, name) for name in names}
     section: dict[str, Any] = file.simulate.model_dump(exclude_none=True) if file.simulate else {}
     if given["pusher_angle"] is not None:
         section.pop("pusher", None)
@@ -96,6 +139,10 @@ def summary(log: xr.Dataset) -> dict[str, Any]:
 
 def _changes(log: xr.Dataset) -> list[tuple[float, str, int]]:
     """Times at which the mode or the number of consistent solutions changed, and both."""
+    import numpy as np
+
+    from planar_pushing.mechanics.contact import ContactMode
+
     modes, counts = log["mode"].values.astype(int), log["solutions"].values
     changed = (np.diff(modes) != 0) | (np.diff(counts) != 0)
     rows = np.flatnonzero(np.concatenate([[True], changed]))

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import argparse
+from math import radians
 from typing import Any
-
-import numpy as np
 
 from planar_pushing.commands.arguments import Commands, add_push, add_scene, command
 from planar_pushing.commands.text import numbers
-from planar_pushing.study.files.scenes import load_scene
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Print every consistent solution of a pushing problem."
-    sub = command(commands, "solve", solutions, about)
+    sub = command(commands, "solve", solutions, about, "scene.yaml --pusher-angle 165")
     add_scene(sub)
     add_push(sub, required=True)
 
@@ -23,8 +21,9 @@ def add(commands: Commands) -> None:
 def solutions(args: argparse.Namespace) -> dict[str, Any]:
     """Outcome and solutions of the scene under the fence's motion."""
     from planar_pushing.mechanics.solve import solve
+    from planar_pushing.study.files.scenes import load_scene
 
-    found = solve(load_scene(args.scene), np.deg2rad(args.pusher_angle), args.pusher_magnitude)
+    found = solve(load_scene(args.scene), radians(args.pusher_angle), args.pusher_magnitude)
     return {
         "outcome": found.outcome.name,
         "solutions": [

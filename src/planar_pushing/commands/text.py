@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
-import numpy as np
 
-
-def numbers(values: Any) -> list[float]:
+def numbers(values: Iterable[Any]) -> list[float]:
     """Plain numbers of a vector, without negative zeros."""
-    return [float(value) + 0.0 for value in np.atleast_1d(values)]
+    return [float(value) + 0.0 for value in values]
 
 
 def text(value: Any, indent: int = 0) -> str:
@@ -21,7 +20,8 @@ def text(value: Any, indent: int = 0) -> str:
         return "\n".join(blocks)
     if isinstance(value, dict):
         return "\n".join(_line(str(key), each, indent) for key, each in value.items())
-    return " ".join(f"{v:.12g}" if isinstance(v, float) else str(v) for v in np.atleast_1d(value))
+    entries = value if isinstance(value, list) else [value]
+    return " ".join(f"{v:.12g}" if isinstance(v, float) else str(v) for v in entries)
 
 
 def _nested(value: Any) -> bool:

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.numerics.arrays import dataset, is_labelled, named
+from planar_pushing.mechanics.numerics.arrays import dataset, is_labelled, named, same
 from planar_pushing.mechanics.numerics.root import EPSILON
-from planar_pushing.terms.domain import Number, is_lazy
+from planar_pushing.terms.domain import Number, is_lazy, required
 from planar_pushing.terms.errors import InvalidValue
 
 #: Directions closer than this (radians) are one direction: a few ulp of pi.
@@ -21,10 +21,12 @@ RESOLUTION = 8 * EPSILON
 class AngleInterval:
     """Directions from `right` counter-clockwise to `left`, radians, unwrapped: right <= left.
 
+    ``angle in interval`` tells whether one direction lies in it, `contains` whether each of an array does.
+
     Parameters
     ----------
     right, left : float or array
-        The edges as seen when looking along the interval's middle.
+        The edges in radians, as seen when looking along the interval's middle.
     closed : bool or array
         Whether the edges belong to the interval.
     """
@@ -34,10 +36,27 @@ class AngleInterval:
     closed: Number = True
 
     def __post_init__(self) -> None:
+        edges = self.right, self.left
+        if not all(map(_are_numbers, edges)):
+            raise InvalidValue("AngleInterval", edges, "numbers of radians", "give both edges")
         if not (is_lazy(self.right) or np.all(self.right <= self.left)):
+            raise InvalidValue("AngleInterval", edges, "right <= left", "unwrap the edges first")
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
+    def __contains__(self, angle: object) -> bool:
+        inside = self.contains(required("angle", angle))
+        if inside.ndim:
             raise InvalidValue(
-                "AngleInterval", (self.right, self.left), "right <= left", "unwrap the edges first"
+                "angle", angle, "one angle, and one interval", "call contains for more"
             )
+        return bool(inside)
+
+    @property
+    def degrees(self) -> tuple[Number, Number]:
+        """The edges `right` and `left` in degrees."""
+        return _in_degrees(self.right), _in_degrees(self.left)
 
     @property
     def span(self) -> Number:
@@ -45,14 +64,27 @@ class AngleInterval:
         return self.left - self.right
 
     def contains(self, angle: npt.ArrayLike) -> npt.NDArray[np.bool_]:
-        """Whether each angle, taken modulo a full turn, lies in the interval.
+        """Whether each direction lies in the interval, whose edges count as reached within `RESOLUTION`.
 
-        An edge counts as reached within `RESOLUTION`.
+        Parameters
+        ----------
+        angle : float or array
+            Radians, taken modulo a full turn.
         """
         middle = (self.right + self.left) / 2
-        offset = np.abs(np.remainder(np.subtract(angle, middle) + np.pi, 2 * np.pi) - np.pi)
+        off = np.subtract(required("angle", angle), middle)
+        offset = np.abs(np.remainder(off + np.pi, 2 * np.pi) - np.pi)
         margin = np.where(self.closed, RESOLUTION, -RESOLUTION)
         return np.asarray(offset <= self.span / 2 + margin)
+
+
+def _are_numbers(edge: Number) -> bool:
+    return is_lazy(edge) or np.asarray(edge).dtype.kind in "iuf"
+
+
+def _in_degrees(edge: Number) -> Number:
+    degrees = np.rad2deg(edge)
+    return degrees if np.ndim(degrees) else float(degrees)
 
 
 def interval(right: Number, left: Number, closed: Number) -> Any:

@@ -28,9 +28,9 @@ from planar_pushing.mechanics.plane import (
     toward,
 )
 from planar_pushing.mechanics.reduced import base
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required, required_ratio
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, require_option
 
 #: Column behind those of `cones`: the rod's length from the origin of the centres.
 REACH = SECOND + 1
@@ -66,10 +66,20 @@ def motion_centers(
 ) -> Number:
     """Motion centres, shape S + (2,), in the unit of the slider's lengths.
 
-    Parameters and errors are those of `spin_ratio`, and `origin`, to which the centres are relative; a
-    translation has its centre at infinity. For inertia alone the centres lie on one line, the dual of
+    A translation has its centre at infinity. For inertia alone the centres lie on one line, the dual of
     the contact (Fig. 9).
+
+    Parameters
+    ----------
+    scene : Scene
+    force_angle : float or array, shape S
+        phi, radians.
+    inertia_share : float or array, optional
+        As in `spin_ratio`, whose errors are those of this function.
+    origin : {"contact", "ring-center"}
+        The point to which the centres are relative.
     """
+    origin = require_option("origin", origin, Origin, "name one of these points")
     angle = required("force_angle", force_angle)
     shares = effect_columns(scene, require_share(scene, inertia_share))
     reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
@@ -141,7 +151,7 @@ def conservative_motion_cone(scene: Scene) -> Any:
         Where an effect does not turn the slider about a point of the ring under a tangent force, as
         facts 5-7 of Sec. 4 presume: with inertia the radius of gyration must be the ring's radius.
     """
-    if not scene.isotropic:
+    if not required_scene(scene).isotropic:
         raise InvalidValue(
             "effects", scene.effects, "effects that are isotropic about the slider's centre",
             "use motion_cone, which is exact for every support",

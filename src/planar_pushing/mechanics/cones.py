@@ -14,7 +14,7 @@ from planar_pushing.mechanics.effects.base import COLUMNS, made
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.plane import rod, toward
 from planar_pushing.mechanics.reduced import base
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
 
@@ -31,7 +31,7 @@ def friction_cone(scene: Scene) -> Any:
     AngleInterval, or xarray.Dataset
         A dataset with the variables `right`, `left` and `closed` where an argument is a DataArray.
     """
-    law = scene.law
+    law = required_scene(scene).law
     return interval(law.right, law.left, law.closed)
 
 
@@ -50,7 +50,7 @@ def rod_columns(scene: Scene) -> list[Number]:
 
 def require_share(scene: Scene, inertia_share: Number | None) -> Number:
     """The share of inertia where the effects leave it open."""
-    if not (scene.friction and scene.masses):
+    if not (required_scene(scene).friction and scene.masses):
         if inertia_share is not None:
             raise InvalidValue(
                 "inertia_share", inertia_share, "None for a scene whose effects are of one kind",
@@ -128,7 +128,18 @@ def motion_angle(
 ) -> Number:
     """Angle of the contact's motion for each force angle, radians, unwrapped and increasing.
 
-    Parameters, errors and equations are those of `spin_ratio`.
+    Parameters
+    ----------
+    scene : Scene
+    force_angle : float or array
+        phi, radians.
+    inertia_share : float or array, optional
+        As in `spin_ratio`, whose errors and equations are those of this function.
+
+    Returns
+    -------
+    float, ndarray or DataArray
+        As the arguments are.
     """
     return _under_forces(_motion_angles, "motion_angle", scene, force_angle, inertia_share)
 
@@ -154,7 +165,7 @@ def motion_cone(scene: Scene) -> Any:
     which they differ is approached and never reached: the cone is open. What is returned is as for
     `friction_cone`.
     """
-    law = scene.law
+    law = required_scene(scene).law
     columns = [*effect_columns(scene), *rod_columns(scene), law.right, law.left]
     right, left, reached = evaluated(_motion_cones, scene.kinds, columns, CONE)
     return interval(right, left, law.closed & reached)
@@ -177,4 +188,5 @@ def omits_pushes(cone: AngleInterval) -> Any:
 
 def slips_while_pushing(scene: Scene) -> Any:
     """Whether some pusher motion into the slider makes the contact slip (Sec. 3.2)."""
-    return named("slips_while_pushing", scene.law.slips & omits_pushes(motion_cone(scene)))
+    omits = omits_pushes(motion_cone(scene))
+    return named("slips_while_pushing", scene.law.slips & omits)

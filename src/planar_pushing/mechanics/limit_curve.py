@@ -17,10 +17,16 @@ import numpy.typing as npt
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.cones import ANGLE, FIRST, LENGTH, rod_columns
 from planar_pushing.mechanics.effects.base import made
-from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labelled
+from planar_pushing.mechanics.numerics.arrays import (
+    Output,
+    dataset,
+    evaluated,
+    is_labelled,
+    same,
+)
 from planar_pushing.mechanics.plane import Array, direction, rod, toward
 from planar_pushing.mechanics.reduced.base import limit_motion
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
 
 OUTPUTS = (
@@ -51,6 +57,9 @@ class LimitCurve:
     magnitude: Number
     spin_ratio: Number
     motion_angle: Number
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def force(self) -> Array:
@@ -87,9 +96,9 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     LimitCurve, or xarray.Dataset
         A dataset where an argument is a DataArray.
     """
+    scene, angle = required_scene(scene), required("force_angle", force_angle)
     # Force of each effect in a unit translation; 1 for one that is not there.
     forces = [scene.weight, *scene.inertia, *scene.placement]
-    angle = required("force_angle", force_angle)
     found = evaluated(_curve, scene.kinds, [*forces, *rod_columns(scene), angle], OUTPUTS)
     if any(map(is_labelled, found)):
         return dataset(found[1:])

@@ -18,7 +18,7 @@ from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.pressure.table import Table, table_of
 from planar_pushing.terms.domain import Number, require_fields, required_ratio
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, require_kind
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,7 +87,8 @@ class Scene:
     effects: tuple[Effect, ...]
 
     def __post_init__(self) -> None:
-        laws = [self.contact] if np.ndim(self.contact) == 0 else np.ravel(self.contact)
+        require_kind("slider", self.slider, Slider)
+        laws = np.ravel(np.asarray(self.contact, dtype=object))
         if not len(laws) or not all(map(is_law, laws)):
             raise InvalidValue(
                 "contact", self.contact, "Coulomb, InfiniteFriction or PerfectlyRough",
@@ -234,3 +235,21 @@ def _table(support: Any) -> Table:
 @lru_cache(maxsize=16)
 def _cached_table(supports: tuple[Any, ...]) -> Table:
     return table_of(supports)
+
+
+def required_scene(given: object) -> Scene:
+    """The scene that was given, or `InvalidValue`."""
+    return require_kind("scene", given, Scene, "read a file with load_scene, or construct one")
+
+
+def required_single(scene: Scene) -> Scene:
+    """The scene if its parameters are numbers, or `InvalidValue`."""
+    slider = scene.slider
+    rod = slider.rod_length, slider.rod_angle, slider.radius
+    numbers = *rod, scene.weight, *scene.inertia, *scene.placement, *scene.law
+    if any(map(np.ndim, numbers)):
+        raise InvalidValue(
+            "scene", "an array of scenes", "one scene, whose parameters are numbers",
+            "take the scenes one by one, or call simulate_batch",
+        )  # fmt: skip
+    return scene

@@ -15,6 +15,8 @@ from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.supports.ring import ring_spin_ratio, ring_wrench
+from planar_pushing.terms.domain import required
+from planar_pushing.terms.errors import InvalidValue
 
 V_X, V_Y, SPIN = range(COLUMNS, COLUMNS + 3)
 WRENCH = (Output("wrench", (("wrench_component", 3),)),)
@@ -37,7 +39,7 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     ----------
     effect : SupportFriction, RingFriction or Inertia
     twist : array_like, shape S + (3,)
-        (v_x, v_y, omega) at the slider's centre, in the body frame.
+        (v_x, v_y, omega) at the slider's centre, in the body frame, omega in radians per unit of time.
     slider : Slider, optional
         Gives the ring its radius, 1 without.
 
@@ -49,7 +51,9 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     own = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
     scene = Scene(slider=own, contact=PerfectlyRough(), effects=(effect,))
     radius = scene.slider.radius
-    twists = np.asarray(twist, dtype=float)
+    twists = np.asarray(required("twist", twist), dtype=float)
+    if twists.shape[-1:] != (3,):
+        raise InvalidValue("twist", twist, "shape S + (3,)", "give (v_x, v_y, omega)")
     columns = [
         scene.weight,
         *scene.inertia,
@@ -66,10 +70,18 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
 def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
     """Potential of twists of shape S + (3,), shape S: friction's power, or the kinetic energy.
 
-    Parameters are those of `wrench`. A potential of degree d is the power of its wrench over d.
+    A potential of degree d is the power of its wrench over d.
+
+    Parameters
+    ----------
+    effect : RingFriction or Inertia
+    twist : array_like, shape S + (3,)
+        (v_x, v_y, omega) at the ring centre, omega in radians per unit of time.
+    slider : Slider, optional
+        As in `wrench`.
     """
-    power = (np.asarray(twist, dtype=float) * wrench(effect, twist, slider)).sum(axis=-1)
-    return np.asarray(power / effect.degree)
+    force = wrench(effect, twist, slider)
+    return np.asarray((np.asarray(twist, dtype=float) * force).sum(axis=-1) / effect.degree)
 
 
 @compiled

@@ -1,1 +1,5 @@
 """The report: its numbers and tables, read from the results, and its setting as a PDF."""
+
+from planar_pushing.terms.extras import require_extra
+
+require_extra("report")

@@ -48,8 +48,10 @@ def simulate_batch(
 
     Parameters
     ----------
-    rod_length, rod_angle, duration, radius, gap : array_like, shape (scenes,) or ()
+    rod_length, duration, radius, gap : array_like, shape (scenes,) or ()
         As in `Slider` and `simulate`. All arrays are broadcast against one another.
+    rod_angle : array_like, shape (scenes,) or ()
+        psi between the fence and the rod, radians, in (0, pi), at time 0.
     velocity : array_like, shape (scenes, 2) or (2,), or Pusher
         Velocity of the fence, length per time; or one motion of the fence for every scene. Scenes under a
         fence that is a function of time run one by one.
@@ -59,8 +61,10 @@ def simulate_batch(
         Instead of a coefficient.
     effects : sequence of effects
         Their parameters may be arrays.
-    twist, rtol, on_ambiguity
-        As in `simulate`; the entries of the twist may be arrays.
+    twist : (v_x, v_y, omega)
+        As in `simulate`, omega in radians per time; numbers or arrays.
+    rtol, on_ambiguity
+        As in `simulate`.
     samples : int, optional
         Number of evenly spaced instants, the first and the last included; without it only the last.
 
@@ -79,7 +83,7 @@ def simulate_batch(
     law = Coulomb(np.where(np.isinf(mu), 0.0, mu)) if contact is None else contact
     slider = Slider(rod_length=rod_length, rod_angle=rod_angle, radius=radius)
     problem = Problem(
-        scene=Scene(slider=slider, contact=law, effects=tuple(effects)),
+        scene=Scene(slider=slider, contact=law, effects=cast(Any, effects)),
         pusher=velocity if isinstance(velocity, Pusher) else velocities(velocity),
         duration=np.atleast_1d(duration), twist=twist, gap=gap, rtol=rtol,
         on_ambiguity=cast(Policy, on_ambiguity),

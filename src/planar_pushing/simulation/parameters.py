@@ -30,6 +30,17 @@ class Scenes(NamedTuple):
     fences: Fences
 
 
+def numbers_of(name: str, given: Any) -> Array:
+    """Numbers as an array of floats, or `InvalidValue`."""
+    try:
+        found = np.asarray(given)
+    except (TypeError, ValueError):  # lists of several lengths
+        found = np.asarray(None)
+    if found.dtype.kind not in "iuf":
+        raise InvalidValue(name, given, "numbers", "give one for each scene")
+    return found.astype(float)
+
+
 def coefficients(given: Any, contact: Any) -> Array:
     """Coefficients of friction, infinite where there is none, from one of the two arguments."""
     if (given is None) == (contact is None):
@@ -40,21 +51,14 @@ def coefficients(given: Any, contact: Any) -> Array:
     if contact is not None:
         laws = np.asarray(contact, dtype=object)
         return np.array([coefficient_of(law) for law in laws.ravel()]).reshape(laws.shape)
-    try:
-        mu = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        required("friction_coefficient", given)
-        raise
+    mu = numbers_of("friction_coefficient", given)
     required("friction_coefficient", np.atleast_1d(np.where(mu == np.inf, 0.0, mu)))
     return mu
 
 
 def velocities(given: Any) -> Array:
     """Velocities of many fences, shape (2,) or (scenes, 2), or `InvalidValue`."""
-    try:
-        moves = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        moves = np.empty(0)
+    moves = numbers_of("velocity", given)
     if moves.ndim not in (1, 2) or moves.shape[-1] != 2:
         raise InvalidValue(
             "velocity", moves.shape, "shape (2,) or (scenes, 2), or a Pusher",
@@ -63,6 +67,7 @@ def velocities(given: Any) -> Array:
     wrong = moves[~np.isfinite(moves)]
     if wrong.size:
         raise InvalidValue("velocity", float(wrong[0]), "finite numbers", "give length per time")
+    required("velocity", np.hypot(moves[..., 0], moves[..., 1]))
     return moves
 
 

@@ -16,9 +16,12 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.terms.domain import Number, require_fields
-from planar_pushing.terms.errors import InvalidValue, require_number
-from planar_pushing.terms.options import TOLERANCE, Policy
+from planar_pushing.terms.domain import SPEEDS, Number, require_fields
+from planar_pushing.terms.errors import InvalidValue, require_number, require_option
+from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy
+
+#: What an initial twist may be.
+TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,7 +52,10 @@ class Problem:
         )  # fmt: skip
         object.__setattr__(self, "rtol", rtol)
         object.__setattr__(self, "twist", _twist(self.twist, self.scene))
-        object.__setattr__(self, "on_ambiguity", _policy(self.on_ambiguity))
+        chosen = require_option(
+            "on_ambiguity", self.on_ambiguity, Policy, "name one of these policies"
+        )
+        object.__setattr__(self, "on_ambiguity", chosen)
 
     @property
     def policy(self) -> int:
@@ -57,23 +63,11 @@ class Problem:
         return list(Policy).index(self.on_ambiguity)
 
 
-def _policy(given: object) -> Policy:
-    try:
-        return Policy(str(given))
-    except ValueError:
-        raise InvalidValue(
-            "on_ambiguity", given, ", ".join(Policy), "name one of these policies"
-        ) from None
-
-
 def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
     """An initial twist, which is zero for a scene without inertia."""
-    try:
-        twist = tuple(np.asarray(each, float)[()] for each in given)
-    except (TypeError, ValueError):
-        twist = ()
-    if len(twist) != 3 or not all(np.isfinite(each).all() for each in twist):
-        raise InvalidValue("twist", given, "three finite numbers", "give (v_x, v_y, omega)")
+    twist = tuple(map(_numbers, given)) if hasattr(given, "__len__") else ()
+    if len(twist) != 3 or not all((np.abs(each) <= SPEEDS[1]).all() for each in twist):
+        raise InvalidValue("twist", given, TWIST, "give (v_x, v_y, omega)")
     if not scene.stores_energy and any(np.any(each != 0) for each in twist):
         raise InvalidValue(
             "twist", given, "(0, 0, 0) for a scene without inertia",
@@ -82,10 +76,19 @@ def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
     return twist
 
 
+def _numbers(given: Any) -> Number:
+    """Numbers as floats, NaN for what is none."""
+    try:
+        found = np.asarray(given)
+    except (TypeError, ValueError):  # lists of several lengths
+        found = np.asarray(None)
+    return found.astype(float)[()] if found.dtype.kind in "iuf" else np.float64(math.nan)
+
+
 def sample_count(given: object) -> int:
     """A number of samples, the first and the last instant included, or `InvalidValue`."""
     count = require_number(
-        "samples", given, lambda n: 2 <= n < math.inf and n == int(n), "a whole number >= 2",
+        "samples", given, lambda n: SAMPLES.holds(n) and n == int(n), SAMPLES.allowed,
         "ask at least for the first and the last instant",
     )  # fmt: skip
     return int(count)

@@ -15,7 +15,8 @@ from planar_pushing.simulation import chebyshev
 from planar_pushing.simulation.chebyshev import Piece, pieces_of
 from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.domain import SPEEDS, required
+from planar_pushing.terms.errors import InvalidValue, as_floats, require_number
 
 Vector = tuple[float, float]
 Motion = Callable[[float], Vector]
@@ -27,14 +28,13 @@ REMEDY = "give the fence's velocity as finite numbers in the scene's units"
 
 
 def vector(given: object) -> Vector:
-    """Two finite numbers as floats, or `InvalidValue`."""
-    try:
-        x, y = (float(each) for each in given)  # type: ignore[attr-defined]
-    except (TypeError, ValueError):
-        x, y = math.nan, math.nan
-    if not (math.isfinite(x) and math.isfinite(y)):
+    """Two numbers as floats, whose size a square can hold, or `InvalidValue`."""
+    numbers = as_floats(given)
+    if len(numbers) != 2 or not all(map(math.isfinite, numbers)):
         raise InvalidValue("velocity", given, ALLOWED, REMEDY)
-    return x, y
+    if math.hypot(*numbers) > SPEEDS[1]:
+        required("velocity", math.hypot(*numbers))
+    return numbers
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,10 +65,11 @@ class Pusher:
     def __post_init__(self) -> None:
         if not callable(self.velocity):
             object.__setattr__(self, "pieces", _pieces(self.velocity))
-        times = tuple(map(_time, self.breakpoints))
-        if any(b <= a for a, b in itertools.pairwise(times)):
+        times = as_floats(self.breakpoints)
+        increase = all(a < b for a, b in itertools.pairwise([*times, math.inf]))
+        if not (hasattr(self.breakpoints, "__len__") and increase and all(t >= 0 for t in times)):
             raise InvalidValue(
-                "breakpoints", self.breakpoints, "increasing times", "put them in order"
+                "breakpoints", self.breakpoints, "increasing times >= 0", "put them in order"
             )
         object.__setattr__(self, "breakpoints", times)
 
@@ -137,26 +138,30 @@ def _fence(spans: Sequence[Sequence[Piece]], radius: float) -> Any:
     return fence
 
 
+def _constant(given: object) -> Vector:
+    """The velocity of a piece, which may be at rest."""
+    found = vector(given)
+    required("velocity", math.hypot(*found))
+    return found
+
+
 def _time(given: object) -> float:
-    try:
-        time = float(given)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        time = math.nan
-    if not 0 <= time < math.inf:
-        raise InvalidValue("velocity", given, "times >= 0", "start the first piece at time 0")
-    return time
+    return require_number(
+        "velocity", given, lambda t: 0 <= t < math.inf, "times >= 0",
+        "start the first piece at time 0",
+    )  # fmt: skip
 
 
-def _pieces(given: object) -> tuple[tuple[float, Vector], ...]:
+def _pieces(given: Any) -> tuple[tuple[float, Vector], ...]:
     """Start times and velocities; one velocity alone holds from 0."""
-    items = list(given) if isinstance(given, Iterable) else []
+    items = list(given) if hasattr(given, "__len__") else []
     if not any(isinstance(each, Iterable) for each in items):
-        return ((0.0, vector(given)),)
+        return ((0.0, _constant(given)),)
     pieces = []
     for item in items:
         if not isinstance(item, Sequence) or len(item) != 2:
             raise InvalidValue("velocity", given, ALLOWED, REMEDY)
-        pieces.append((_time(item[0]), vector(item[1])))
+        pieces.append((_time(item[0]), _constant(item[1])))
     times = [piece[0] for piece in pieces]
     if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
         raise InvalidValue(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, cast
 
@@ -10,14 +11,22 @@ import xarray as xr
 from tqdm import tqdm
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.simulation.events.integrate import EventDriven
-from planar_pushing.simulation.log.stream import PathLike, streaming
+from planar_pushing.simulation.log.disk import PathLike
+from planar_pushing.simulation.log.stream import streaming
 from planar_pushing.simulation.log.variables import dataset, ending
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.steps.integrate import TimeStepping
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.domain import required
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    require_kind,
+    require_number,
+    require_option,
+    require_path,
+)
 from planar_pushing.terms.options import Method, Policy
 
 
@@ -55,7 +64,7 @@ def simulate(
         Which mode is taken where several are consistent: the contact that sticks before one that slips
         before none; none first; or the mode so far, as long as it is consistent.
     twist : (v_x, v_y, omega)
-        Initial twist at the ring centre, for a scene with inertia.
+        Initial twist at the ring centre, omega in radians per time, for a scene with inertia.
     gap : float
         Initial height of the contact above the fence.
     samples : int
@@ -81,15 +90,17 @@ def simulate(
     InvalidFile
         Where `path` cannot be written.
     """
-    for name, given, kind in (("scene", scene, Scene), ("pusher", pusher, Pusher)):
-        if not isinstance(given, kind):
-            raise InvalidValue(name, given, f"a {kind.__name__}", "construct one")
+    required_single(required_scene(scene))
+    require_kind("pusher", pusher, Pusher)
+    for name, given in (("duration", duration), ("gap", gap)):
+        require_number(name, required(name, given), math.isfinite, "one number", "give one")
     problem = Problem(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=cast(Policy, on_ambiguity), rtol=rtol,
     )  # fmt: skip
-    if method not in list(Method):
-        raise InvalidValue("method", method, ", ".join(Method), "name one of these methods")
+    if path is not None:
+        require_path("path", path)
+    require_option("method", method, Method, "name one of these methods")
     run = _run(problem, method, np.linspace(0.0, duration, sample_count(samples)), step)
     if path is None:
         rows = np.concatenate(list(_shown(run, duration, progress)))

@@ -9,16 +9,22 @@ from __future__ import annotations
 import hashlib
 from functools import cache
 from pathlib import Path
-
-import grimp
+from typing import TYPE_CHECKING
 
 import planar_pushing
+from planar_pushing.terms.extras import require_extra
+
+if TYPE_CHECKING:
+    import grimp
 
 PACKAGE = "planar_pushing"
 
 
 @cache
 def _imports() -> grimp.ImportGraph:
+    require_extra("workflow")
+    import grimp
+
     return grimp.build_graph(PACKAGE, cache_dir=None)
 
 

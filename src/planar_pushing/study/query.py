@@ -30,7 +30,7 @@ def select(dataset: xr.Dataset, wanted: dict[str, str]) -> xr.Dataset:
         value = _parse(name, text) if coord.dtype.kind == "f" else text
         found = np.flatnonzero(coord.values == value)
         if not found.size:
-            raise InvalidValue(name, text, _listed(coord), "choose a value of the study's grid")
+            raise InvalidValue(name, text, listed(coord), "choose a value of the study's grid")
         dataset = dataset.isel({coord.dims[0]: found[0] if found.size == 1 else found})
     return dataset
 
@@ -42,7 +42,8 @@ def _parse(name: str, text: str) -> float:
         raise InvalidValue(name, text, "a number, or inf", "give one number") from None
 
 
-def _listed(coord: xr.DataArray, most: int = 12) -> str:
+def listed(coord: xr.DataArray, most: int = 12) -> str:
+    """The values of an axis as text, not all of a long one."""
     label = number_label if coord.dtype.kind == "f" else str
     values = list(dict.fromkeys(label(value) for value in coord.values))
     if len(values) > most:

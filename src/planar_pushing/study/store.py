@@ -13,7 +13,7 @@ import xarray as xr
 
 from planar_pushing.study.catalog import DATASETS, SIMULATIONS, dataset_file
 from planar_pushing.study.files.replacing import PathLike, replacing
-from planar_pushing.terms.errors import InvalidFile, InvalidValue
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
 #: A variable of fewer bytes, a page, gains nothing from compression.
@@ -88,6 +88,16 @@ def _readable(path: PathLike) -> Iterator[None]:
         raise InvalidFile(f"{path}: is not a netCDF4 file{reason}; build it anew") from None
 
 
+def _filled(folder: Path) -> Path:
+    """The folder of results, or `InvalidFile` where it is not one that the pipeline has filled."""
+    if not (folder / "data").is_dir():
+        place = (
+            f"{folder}: holds no folder data" if folder.is_dir() else f"{folder}: no such folder"
+        )
+        raise InvalidFile(f"{place}; name the folder of the results, or build them with make")
+    return folder
+
+
 def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
     """Open a dataset of the study by name.
 
@@ -109,15 +119,16 @@ def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
     InvalidValue
         Where there is no dataset of this name.
     InvalidFile
-        Where the dataset has not been built.
+        Where the folder is not one of results, or the dataset has not been built.
     """
-    stem, _, group = name.partition("/")
+    folder = Path(require_path("results", results))
+    stem, _, group = name.partition("/") if isinstance(name, str) else ("", "", "")
     if stem == SIMULATIONS and group:
-        return read_dataset(Path(results) / dataset_file(name))
+        return read_dataset(_filled(folder) / dataset_file(name))
     if stem not in DATASETS:
         allowed = ", ".join([*DATASETS, f"{SIMULATIONS}/NAME"])
         raise InvalidValue("name", name, allowed, "name one of these datasets")
-    path = Path(results) / dataset_file(name)
+    path = _filled(folder) / dataset_file(name)
     if (group or stem == "scenes") and path.is_file():
         parts = [f"{stem}/{each}" for each in group_names(path)] or [stem]
         if name not in parts:

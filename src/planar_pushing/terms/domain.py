@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.options import SPEED
 
 #: A number, a numpy array or a DataArray.
 Number = Any
@@ -23,6 +24,8 @@ LONGEST, GYRATION = 1e6, (1e-4, 1e4)
 ROUGHEST = 1e9
 #: Range of s = m |a| / W for a push from rest with friction and inertia.
 SHARES = (1e-12, 1e12)
+#: Range of speeds over time.
+SPEEDS = SPEED.least, SPEED.most
 
 
 class Range(NamedTuple):
@@ -58,6 +61,7 @@ RANGES = {
     "mass": _positive("leave the effect out of the scene if the slider has no inertia"),
     "gyration_radius": _positive("leave the effect out of the scene if the slider has no inertia"),
     "force_angle": Range(np.isfinite, "a finite number of radians", "give the angle of a force"),
+    "angle": Range(np.isfinite, "a finite number of radians", "give the angle of a direction"),
     "pusher_angle": Range(np.isfinite, "a finite number of radians", "give one angle"),
     "pusher_magnitude": Range(
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
@@ -65,6 +69,11 @@ RANGES = {
     ),
     "inertia_share": Range(
         lambda x: (x >= 0) & (x <= 1), "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
+    ),
+    "twist": Range(np.isfinite, "finite numbers", "give (v_x, v_y, omega) at the ring centre"),
+    "velocity": Range(
+        lambda speed: (speed == 0) | ((speed >= SPEEDS[0]) & (speed <= SPEEDS[1])),
+        f"a speed of {SPEED.allowed}", "choose another unit of length or time",
     ),
     "duration": _positive("give the time to simulate"),
     "gap": Range(
@@ -96,7 +105,7 @@ RATIOS = {
 
 def is_lazy(value: object) -> bool:
     """Whether a value is a DataArray whose numbers are computed later."""
-    return hasattr(value, "dims") and getattr(value, "chunks", None) is not None
+    return hasattr(value, "dims") and isinstance(getattr(value, "chunks", None), tuple)
 
 
 def required(name: str, given: Number) -> Number:
@@ -128,7 +137,7 @@ def _required(name: str, given: Number, allowed: Range) -> Number:
         return given.copy(data=blocks)
     try:
         numbers = np.asarray(given)
-    except ValueError:  # lists of several lengths
+    except (TypeError, ValueError):  # a whole dataset, or lists of several lengths
         numbers = np.array(math.nan)
     if numbers.dtype.kind not in "iuf":
         numbers = np.array(math.nan)

@@ -1,11 +1,24 @@
-"""The one exception family: what was given, what is allowed, what to do."""
+"""The one exception family: what was given, what is allowed, what to do.
+
+The command line imports it to print its help, so it imports no numpy.
+"""
 
 from __future__ import annotations
 
 import math
+import os
+import reprlib
 from collections.abc import Callable
+from enum import StrEnum
+from typing import Any, TypeVar
 
-import numpy as np
+Kind = TypeVar("Kind")
+Option = TypeVar("Option", bound=StrEnum)
+
+#: Most characters, entries and levels of a value that a message shows.
+SHORT = reprlib.Repr()
+SHORT.maxstring = SHORT.maxother = 120
+SHORT.maxlist = SHORT.maxtuple = SHORT.maxdict = SHORT.maxset = 8
 
 
 class PlanarPushingError(Exception):
@@ -32,7 +45,7 @@ class InvalidValue(PlanarPushingError, ValueError):
         self.name, self.given, self.allowed, self.remedy = name, given, allowed, remedy
 
     def __str__(self) -> str:
-        return f"{self.name}: {self.given!r} given; allowed: {self.allowed}; {self.remedy}"
+        return f"{self.name}: {shown(self.given)} given; allowed: {self.allowed}; {self.remedy}"
 
 
 class InvalidFile(PlanarPushingError):
@@ -43,19 +56,70 @@ class InvalidResult(PlanarPushingError):
     """Results that differ from the golden data; the message is the verdict."""
 
 
+class MissingExtra(PlanarPushingError, ImportError):
+    """A part of the package whose dependencies are not installed; the message names the extra."""
+
+
+def shown(given: object) -> str:
+    """A value as a message shows it, in a line; what is too long is cut."""
+    try:
+        text = SHORT.repr(given)
+    except ValueError:  # Python refuses to print an integer of thousands of digits
+        text = "an integer of thousands of digits"
+    return " ".join(text.splitlines())
+
+
+def as_float(given: object) -> float:
+    """A real number as a float; NaN for texts, truth values, decimals, arrays and what else is none."""
+    plain = isinstance(given, (int, float)) and not isinstance(given, bool)
+    single = getattr(getattr(given, "dtype", None), "kind", "") in ("i", "u", "f")
+    if not plain and not (single and getattr(given, "ndim", 1) == 0):
+        return math.nan
+    try:
+        return float(given)  # type: ignore[arg-type]
+    except OverflowError:
+        return math.nan
+
+
+def as_floats(given: Any) -> tuple[float, ...]:
+    """The entries of a sequence as floats; none for what is no sequence."""
+    return tuple(map(as_float, given)) if hasattr(given, "__len__") else ()
+
+
 def require_number(
     name: str, given: object, allows: Callable[[float], bool], allowed: str, remedy: str
 ) -> float:
     """Return `given` as a float, or raise `InvalidValue` when `allows` refuses it."""
-    try:
-        number = math.nan if isinstance(given, (str, bool)) else float(given)  # type: ignore[arg-type]
-    except (TypeError, ValueError, OverflowError):
-        number = math.nan
+    number = as_float(given)
     if math.isnan(number) or not allows(number):
-        raise InvalidValue(name, number if isinstance(given, np.number) else given, allowed, remedy)
+        plain = math.isnan(number) and not isinstance(given, float)
+        raise InvalidValue(
+            name, given if plain or isinstance(given, int) else number, allowed, remedy
+        )
     return number
 
 
 def require_positive(name: str, given: object, remedy: str) -> float:
     """Return `given` as a positive finite float, or raise `InvalidValue`."""
     return require_number(name, given, lambda x: 0 < x < math.inf, "a finite number > 0", remedy)
+
+
+def require_kind(name: str, given: object, kind: type[Kind], remedy: str = "construct one") -> Kind:
+    """Return `given` if it is an instance of `kind`, or raise `InvalidValue`."""
+    if not isinstance(given, kind):
+        raise InvalidValue(name, given, f"a {kind.__name__}", remedy)
+    return given
+
+
+def require_path(name: str, given: Any) -> Any:
+    """Return the path that was given, or raise `InvalidValue`."""
+    if not isinstance(given, (str, os.PathLike)) or "\0" in str(given):
+        raise InvalidValue(name, given, "the path of a file", "give it as text or as a Path")
+    return given
+
+
+def require_option(name: str, given: Any, options: type[Option], remedy: str) -> Option:
+    """Return the option that `given` is or names, or raise `InvalidValue`."""
+    if not isinstance(given, str) or given not in list(options):
+        raise InvalidValue(name, given, ", ".join(options), remedy)
+    return options(given)

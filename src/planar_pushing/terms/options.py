@@ -64,5 +64,10 @@ class Range(NamedTuple):
         return self.least <= number <= self.most
 
 
+#: Speeds over time other than 0: the square of one, in units of the least tolerance, is a double.
+SPEED = Range(1e-140, 1e140, "0, or a number in [1e-140, 1e140]")
+#: Entries of a log at even intervals, and steps of equal length: what a run can hold, and do in hours.
+SAMPLES = Range(2, 1e7, "a whole number >= 2, at most 1e7")
+MOST_STEPS = 1e9
 #: Relative tolerance of a motion over time: what double precision can hold.
 TOLERANCE = Range(1e-13, 1e-2, "a number in [1e-13, 1e-2]")

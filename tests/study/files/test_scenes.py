@@ -162,3 +162,24 @@ def test_not_text(tmp_path):
     path.write_bytes(b"\xff\xfe\x00")
     with pytest.raises(InvalidFile, match=r"cannot be read .* give a YAML text file"):
         load_scene(path)
+
+
+@pytest.mark.parametrize(("name", "given"), [
+    ("title", 5), ("title", None), ("title", b"pull"), ("path", 5), ("path", None), ("path", "a\0b"),
+    ("scene", "scene.yaml"), ("scene", "array"),
+], ids=str)  # fmt: skip
+def test_what_cannot_be_saved_is_refused_and_nothing_written(tmp_path, name, given):
+    slider = pp.Slider(rod_length=np.array([1.0, 2.0]) if given == "array" else 2.0, rod_angle=1.0)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(pp.Inertia(),))
+    values = {"scene": scene, "path": tmp_path / "scene.yaml", "title": "pull"}
+    values |= {} if given == "array" else {name: given}
+    with pytest.raises(pp.InvalidValue) as caught:
+        pp.save_scene(**values)
+    assert caught.value.name == name
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("given", [5, None, b"scene.yaml"])
+def test_a_scene_is_loaded_from_a_path(given):
+    with pytest.raises(pp.InvalidValue, match=r"path: .* given; allowed: the path of a file"):
+        load_scene(given)

@@ -1,1 +1,5 @@
 """What accuracy and each effect cost: errors, counts of evaluations, and times."""
+
+from planar_pushing.terms.extras import require_extra
+
+require_extra("golden")

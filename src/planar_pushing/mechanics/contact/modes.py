@@ -5,6 +5,17 @@ from __future__ import annotations
 from enum import IntEnum
 
 
+def _name(member: IntEnum) -> str:
+    """What is printed for a member: its name; `int` gives its number."""
+    return member.name
+
+
+def _formatted(member: IntEnum, format_spec: str) -> str:
+    """A member in a formatted text: its name, or its number in the format d."""
+    number = format_spec.endswith("d")
+    return format(int(member) if number else member.name, format_spec)
+
+
 class ContactMode(IntEnum):
     """What the contact does; the slider slips over the fence to the right or to the left."""
 
@@ -13,6 +24,9 @@ class ContactMode(IntEnum):
     SLIP_RIGHT = 2
     SLIP_LEFT = 3
 
+    __str__ = _name
+    __format__ = _formatted
+
 
 class Outcome(IntEnum):
     """How many solutions are consistent: none, one, or several."""
@@ -20,3 +34,6 @@ class Outcome(IntEnum):
     INCONSISTENT = 0
     UNIQUE = 1
     AMBIGUOUS = 2
+
+    __str__ = _name
+    __format__ = _formatted

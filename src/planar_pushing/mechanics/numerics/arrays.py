@@ -10,6 +10,7 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields
 from typing import Any, NamedTuple
 
 import numba
@@ -161,6 +162,14 @@ def named(name: str, value: Any) -> Any:
         if is_labelled(value)
         else value
     )
+
+
+def same(one: Any, other: Any) -> Any:
+    """Whether two values of one dataclass hold the same numbers: one answer for whole arrays."""
+    if type(one) is not type(other):
+        return NotImplemented
+    pairs = ((getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
+    return all(np.array_equal(a, b, equal_nan=np.asarray(a).dtype.kind == "f") for a, b in pairs)
 
 
 def dataset(arrays: Sequence[Any]) -> Any:

@@ -22,4 +22,16 @@ SHAPES = {
     "segment": Segment,
 }
 
-__all__ = ["SHAPES", "EllipsoidFit", "fit_ellipsoid", *(kind.__name__ for kind in SHAPES.values())]
+__all__ = [
+    "SHAPES",
+    "Annulus",
+    "Composite",
+    "Disc",
+    "EllipsoidFit",
+    "Points",
+    "Polygon",
+    "PressureMap",
+    "Ring",
+    "Segment",
+    "fit_ellipsoid",
+]

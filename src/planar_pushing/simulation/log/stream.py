@@ -6,10 +6,8 @@ leaves what it has logged so far, with the attribute `finished` at 0.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import h5netcdf
@@ -17,11 +15,9 @@ import h5py
 
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.log import variables as log
+from planar_pushing.simulation.log.disk import Disk, PathLike, new_file
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import ROW, records
-from planar_pushing.terms.errors import InvalidFile
 
-PathLike = str | os.PathLike[str]
 #: Instants in a chunk of the file.
 CHUNK = 256
 
@@ -29,8 +25,8 @@ CHUNK = 256
 class Stream:
     """An open log; `append` writes a batch and flushes it."""
 
-    def __init__(self, file: h5netcdf.File, disk: h5py.File, scene: Scene) -> None:
-        self.file, self.disk, self.length, self.scene = file, disk, 0, scene
+    def __init__(self, file: h5netcdf.File, hdf: h5py.File, disk: Disk, scene: Scene) -> None:
+        self.file, self.hdf, self.disk, self.length, self.scene = file, hdf, disk, 0, scene
 
     def append(self, rows: Any) -> None:
         """Write rows to the end of the log."""
@@ -40,7 +36,8 @@ class Stream:
             self.file.variables[name][start : self.length] = value
         # What netCDF adds goes to the file, and the file to the disk.
         self.file.flush()
-        self.disk.flush()
+        self.hdf.flush()
+        self.disk.check()
 
     def end(self, stopped: str, time: float) -> None:
         """Note that the run has ended, when, and why before its time."""
@@ -56,17 +53,27 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
     InvalidFile
         Where the file cannot be written.
     """
-    empty = log.dataset(problem, method, records(ROW, 0)).assign_attrs(finished=0)
-    chunks = {
-        name: {"chunksizes": (CHUNK, *variable.shape[1:])}
-        for name, variable in empty.variables.items()
-        if "time" in variable.dims
-    }
-    try:
-        Path(path).parent.mkdir(parents=True, exist_ok=True)
-        empty.to_netcdf(path, engine="h5netcdf", unlimited_dims=["time"], encoding=chunks)
-        disk = h5py.File(path, "r+")
-    except OSError as error:
-        raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
-    with disk, h5netcdf.File(disk, "r+") as file:
-        yield Stream(file, disk, problem.scene)
+    # netCDF readers want the order of creation kept.
+    with (
+        new_file(path) as disk,
+        h5py.File(disk, "w", track_order=True) as hdf,
+        h5netcdf.File(hdf, "r+") as file,
+    ):
+        _define(file, problem, method)
+        yield Stream(file, hdf, disk, problem.scene)
+
+
+def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
+    coordinates = log.coordinates(problem.scene)
+    file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
+    file.attrs.update(log.attributes(problem, method) | {"finished": 0})
+    time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
+    time.attrs.update(log.variable_attributes("time"))
+    for name, labels in coordinates.items():
+        label = file.create_variable(name, (name,), h5py.string_dtype())
+        label[:] = labels
+        label.attrs.update(log.variable_attributes(name))
+    for name, (dims, dtype) in log.VARIABLES.items():
+        chunks = CHUNK, *(len(coordinates[dim]) for dim in dims)
+        created = file.create_variable(name, ("time", *dims), dtype, chunks=chunks)
+        created.attrs.update(log.variable_attributes(name))

@@ -15,8 +15,8 @@ from planar_pushing.simulation.steps import friction, inertia
 from planar_pushing.simulation.steps.driver import CLOCK, Plan, advance, ended
 from planar_pushing.simulation.steps.trials import INCREMENTS
 from planar_pushing.simulation.systems import base, setup
-from planar_pushing.terms.errors import require_positive
-from planar_pushing.terms.options import Policy
+from planar_pushing.terms.errors import InvalidValue, require_positive
+from planar_pushing.terms.options import MOST_STEPS, Policy
 
 INCREMENTS.update({base.QuasiStatic: friction, base.Inertial: inertia})
 #: Steps of a run whose step is not given.
@@ -53,6 +53,8 @@ class TimeStepping:
             "step", duration / STEPS if step is None else step,
             "give the length of a step in the unit of the duration",
         )  # fmt: skip
+        if duration / MOST_STEPS > size:
+            raise InvalidValue("step", step, f"at most {MOST_STEPS:g} steps", "take longer steps")
         self.radius = float(problem.scene.slider.radius)
         fence = problem.pusher.fence(duration, self.radius)
         row = setup.row_of(problem.scene, problem.twist, problem.gap)

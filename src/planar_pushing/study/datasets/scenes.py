@@ -13,7 +13,8 @@ from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_c
 from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.solve import Solutions, solve
+from planar_pushing.mechanics.solutions import Solutions
+from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import PushEntry, StudyFile
 from planar_pushing.study.files.scene_model import SceneFile

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from planar_pushing.terms.errors import InvalidFile
@@ -23,10 +23,16 @@ def replacing(path: PathLike) -> Iterator[Path]:
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         temporary.write_bytes(b"")
-    except OSError as error:
-        raise InvalidFile(f"{path}: cannot be written ({error}); name another file") from None
-    try:
         yield temporary
         temporary.replace(target)
+    except OSError as error:
+        reason = error.strerror or error
+        raise InvalidFile(f"{path}: cannot be written ({reason}); name another file") from None
     finally:
-        temporary.unlink(missing_ok=True)
+        _forget(temporary)
+
+
+def _forget(path: Path) -> None:
+    """Remove a file that may not be there, nor its folder be one."""
+    with suppress(OSError):
+        path.unlink(missing_ok=True)

@@ -12,11 +12,11 @@ from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
 from planar_pushing.mechanics.entries import scene_entry
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.study.files.fields import FileModel
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.study.files.scene_model import SceneFile
-from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
 
 Model = TypeVar("Model", bound=FileModel)
 
@@ -47,7 +47,10 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     InvalidValue
         Where the scene has a law or an effect that scene files have no name for.
     """
-    save_scene_file(SceneFile.model_validate(scene_entry(scene, title)), path)
+    if not isinstance(title, str):
+        raise InvalidValue("title", title, "text", "name the scene")
+    entry = scene_entry(required_single(required_scene(scene)), title)
+    save_scene_file(SceneFile.model_validate(entry), require_path("path", path))
 
 
 def save_scene_file(file: SceneFile, path: PathLike) -> None:
@@ -61,7 +64,7 @@ def save_scene_file(file: SceneFile, path: PathLike) -> None:
 
 def load_model(path: PathLike, model: type[Model]) -> Model:
     """Read a YAML file as a model of its content; errors as in `load_scene`."""
-    path = Path(path)
+    path = Path(require_path("path", path))
     try:
         content = YAML(typ="safe", pure=True).load(path.read_text(encoding="utf-8"))
     except FileNotFoundError:

@@ -22,7 +22,8 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.mechanics.solve import SolutionArrays, solve
+from planar_pushing.mechanics.solutions import SolutionArrays
+from planar_pushing.mechanics.solve import solve
 from planar_pushing.mechanics.wrench import wrench
 from planar_pushing.terms.domain import SHARES
 from planar_pushing.terms.options import EffectSet

@@ -1,0 +1,25 @@
+"""Optional dependencies: what brings each, so that a missing one is named where it is needed."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+
+from planar_pushing.terms.errors import MissingExtra
+
+#: Extras of the package, as `pip install` names them, and what a part of the package imports of each.
+EXTRAS = {
+    "workflow": ("grimp",),
+    "figures": ("matplotlib", "PIL"),
+    "report": ("typst", "PIL"),
+    "golden": ("flint",),
+}
+
+
+def require_extra(extra: str) -> None:
+    """Raise `MissingExtra` where a dependency of an extra is not installed; it imports none."""
+    missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
+    if missing:
+        raise MissingExtra(
+            f"{', '.join(missing)}: not installed; install the extra {extra}: "
+            f"pip install 'planar-pushing[{extra}]'"
+        )

@@ -1,0 +1,56 @@
+"""The command `completion`: what a shell completes with the script."""
+
+import shutil
+import subprocess
+
+import pytest
+
+BASH = shutil.which("bash")
+TRIED = """
+COMP_WORDS=({words})
+COMP_CWORD={last}
+_planar_pushing
+echo "${{COMPREPLY[@]}}"
+"""
+
+
+@pytest.fixture
+def completed(run):
+    """Words that bash completes at the end of some words."""
+    _, script, _ = run("completion", "bash")
+
+    def call(*words):
+        quoted = " ".join(f"'{word}'" for word in words)
+        body = script + TRIED.format(words=quoted, last=len(words) - 1)
+        done = subprocess.run([BASH, "-c", body], capture_output=True, text=True, check=True)
+        return done.stdout.split()
+
+    return call
+
+
+@pytest.mark.skipif(BASH is None, reason="needs bash")
+@pytest.mark.parametrize(("words", "expected"), [
+    (["s"], ["solve", "simulate"]),
+    (["--v"], ["--version"]),
+    (["solve", "--p"], ["--pusher-angle", "--pusher-magnitude"]),
+    (["simulate", "scene.yaml", "--method", ""], ["event-driven", "time-stepping"]),
+    (["simulate", "scene.yaml", "--on-ambiguity", "s"], ["separate", "stay-in-mode"]),
+    (["query", "motion_cones", "--rod"], ["--rod-angle", "--rod-length"]),
+    (["query", "mot"], ["motion_cones"]),
+    (["solve", "scene"], []),
+], ids=str)  # fmt: skip
+def test_bash(completed, words, expected):
+    assert completed("planar-pushing", *words) == expected
+
+
+def test_zsh_runs_the_function_of_bash(run):
+    _, bash, _ = run("completion", "bash")
+    _, zsh, _ = run("completion", "zsh")
+    assert zsh.endswith(bash)
+    assert "bashcompinit" in zsh.removesuffix(bash)
+
+
+def test_another_shell(refused):
+    refused(
+        ["completion", "csh"], "shell: 'csh' given; allowed: bash, zsh; name one of these shells"
+    )

@@ -1,0 +1,100 @@
+"""How a command ends that cannot go on: a full disk, Ctrl-C, a reader that has gone."""
+
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+import xarray as xr
+
+SCENE = "workflow/scenes/figure_14a.yaml"
+COMMAND = [sys.executable, "-m", "planar_pushing.commands"]
+#: A limit on the size of files stands for a full disk: every write beyond it fails.
+SMALL = 8192
+
+
+def ended(arguments, limit=None, **options):
+    def limited():
+        if limit:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+    return subprocess.run(
+        [*COMMAND, *map(str, arguments)], stderr=subprocess.PIPE, text=True, check=False,
+        preexec_fn=limited, **options,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("command", "name"), [
+    (["simulate", SCENE], "log.nc"),
+    (["draw", SCENE], "scene.svg"),
+    (["draw", SCENE], "scene.png"),
+    (["animate", "LOG", "--frames", "20"], "motion.gif"),
+], ids=str)  # fmt: skip
+def test_a_full_disk_is_one_line_and_leaves_no_file(log, tmp_path, command, name):
+    path = tmp_path / name
+    words = [log if word == "LOG" else word for word in command]
+    found = ended([*words, "-o", path], SMALL, stdout=subprocess.PIPE)
+    assert (found.returncode, found.stdout) == (2, ""), found.stderr
+    said = f"planar-pushing {command[0]}: {path}: cannot be written (File too large); name another file"
+    assert found.stderr == said + "\n"
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_full_disk_behind_the_output_is_one_line(tmp_path):
+    with (tmp_path / "out").open("w") as out:
+        found = ended(["solve", SCENE, "--pusher-angle", "1", "--json"], 64, stdout=out)
+    assert (found.returncode, found.stderr) == (2, "planar-pushing: File too large\n")
+
+
+@pytest.mark.parametrize("arguments", [
+    ["--help"], ["completion", "bash"], ["solve", SCENE, "--pusher-angle", "1"],
+], ids=str)  # fmt: skip
+def test_a_reader_that_has_gone_ends_the_command_in_silence(arguments):
+    buffered = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
+    process = subprocess.Popen(
+        [*COMMAND, *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=buffered,
+    )
+    process.stdout.close()
+    said = process.stderr.read()
+    process.stderr.close()
+    assert (process.wait(), said) == (141, "")
+
+
+def test_ctrl_c_is_one_line_and_leaves_what_was_logged(tmp_path):
+    path = tmp_path / "log.nc"
+    words = ["simulate", SCENE, "-o", str(path), "--samples", "3000000"]
+    process = subprocess.Popen([*COMMAND, *words], stderr=subprocess.PIPE, text=True)
+    while not path.is_file() or path.stat().st_size < 200_000:
+        assert process.poll() is None
+        time.sleep(0.02)
+    process.send_signal(signal.SIGINT)
+    said = process.communicate()[1]
+    assert (process.returncode, said) == (130, "planar-pushing: interrupted\n")
+    with xr.open_dataset(path, engine="h5netcdf") as found:
+        assert (found.attrs["finished"], found.sizes["time"] > 0) == (0, True)
+
+
+def test_what_is_written_takes_the_place_of_what_is_there_whole_or_not_at_all(tmp_path):
+    path = tmp_path / "scene.svg"
+    path.write_text("old", encoding="utf-8")
+    assert ended(["draw", SCENE, "-o", path], SMALL, stdout=subprocess.PIPE).returncode == 2
+    assert [each.name for each in tmp_path.iterdir()] == ["scene.svg"]
+    assert path.read_text(encoding="utf-8") == "old"
+
+
+def test_a_folder_is_no_file_to_write(tmp_path):
+    path = tmp_path / "scene.svg"
+    path.mkdir()
+    found = ended(["draw", SCENE, "-o", path], stdout=subprocess.PIPE)
+    assert (found.returncode, found.stdout) == (2, "")
+    assert found.stderr.startswith(
+        f"planar-pushing draw: {path}: cannot be written (Is a directory)"
+    )
+    assert found.stderr.count("\n") == 1

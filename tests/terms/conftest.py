@@ -1,0 +1,17 @@
+"""Results to query."""
+
+import pytest
+
+from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
+
+
+@pytest.fixture(scope="session")
+def cones(tmp_path_factory):
+    """A folder of results with the motion cones of the small study."""
+    folder = tmp_path_factory.mktemp("results")
+    values = study_slice(load_study("workflow/config/smoke.yaml"), "motion_cones")
+    write_dataset(build_dataset("motion_cones", values), folder / "data/motion_cones.nc")
+    return str(folder)

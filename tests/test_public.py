@@ -1,0 +1,95 @@
+"""The library as its users see it: names, version, types, and what its documentation says of angles."""
+
+import inspect
+import re
+import subprocess
+import sys
+from importlib.metadata import version
+from importlib.resources import files
+
+import pytest
+
+import planar_pushing as pp
+
+#: Parameters that are angles, or hold one.
+ANGLES = re.compile(r".*angle$|right|left|twist")
+
+
+def _is_exception(public):
+    return inspect.isclass(public) and issubclass(public, Exception)
+
+
+def documented():
+    """Public functions, classes, and the public methods of classes."""
+    for name in pp.__all__:
+        public = getattr(pp, name)
+        if callable(public) and not _is_exception(public):
+            yield name, public
+        if inspect.isclass(public):
+            for method, function in inspect.getmembers(public, inspect.isfunction):
+                if not method.startswith("_"):
+                    yield f"{name}.{method}", function
+
+
+def described(document):
+    """First line of the description of each parameter or attribute in a numpydoc text."""
+    found = {}
+    for names, line in re.findall(r"^(\w[\w, ]*) : .*\n    (.*)", document, re.MULTILINE):
+        found |= dict.fromkeys(names.split(", "), line.lower())
+    return found
+
+
+def parameters_that_are_angles():
+    return [
+        pytest.param(function, parameter, id=f"{name}({parameter})")
+        for name, function in documented()
+        for parameter in inspect.signature(function).parameters
+        if ANGLES.fullmatch(parameter)
+    ]
+
+
+@pytest.mark.parametrize(("function", "parameter"), parameters_that_are_angles())
+def test_an_angle_says_radians_in_its_first_line(function, parameter):
+    assert "radians" in described(inspect.getdoc(function))[parameter]
+
+
+def test_the_angles_are_found():
+    names = {each.id for each in parameters_that_are_angles()}
+    assert names > {
+        "Slider(rod_angle)", "solve(pusher_angle)", "limit_curve(force_angle)", "simulate(twist)",
+        "motion_angle(force_angle)", "simulate_batch(rod_angle)", "AngleInterval.contains(angle)",
+        "motion_centers(force_angle)", "spin_ratio(force_angle)", "AngleInterval(right)", "wrench(twist)",
+    }  # fmt: skip
+
+
+def test_version():
+    assert pp.__version__ == version("planar-pushing")
+
+
+def test_the_types_are_for_users_too():
+    assert files("planar_pushing").joinpath("py.typed").is_file()
+
+
+USE = """
+import planar_pushing as pp
+scene = pp.load_scene("scene.yaml")
+reveal_type(pp.__version__)
+reveal_type(pp.solve)
+reveal_type(pp.ContactMode.STICK)
+reveal_type(pp.AngleInterval(0.0, 1.0).degrees)
+pp.Slider(rod_length=1.0)
+"""
+
+
+def test_a_type_checker_knows_the_public_names(tmp_path):
+    (tmp_path / "use.py").write_text(USE, encoding="utf-8")
+    ended = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--config-file=", "--cache-dir", str(tmp_path),
+         "--follow-imports=silent", str(tmp_path / "use.py")],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    said = ended.stdout
+    assert 'Revealed type is "str"' in said
+    assert "planar_pushing.mechanics.scene.Scene" in said
+    assert 'Missing named argument "rod_angle" for "Slider"' in said
+    assert "untyped" not in said
