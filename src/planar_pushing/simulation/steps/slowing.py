@@ -85,7 +85,8 @@ def _slowed_by_friction(effects, speed, spin, size):
         return 0.0, 0.0
     slow, fast = atan(ratio), atan2(spin, speed)
     of = Braked(effects, speed, turn, size)
-    angle = root(of, min(slow, fast), max(slow, fast), (slow + fast) / 2)[0]
+    # A short step takes little: inertia's own direction is near.
+    angle = root(of, min(slow, fast), max(slow, fast), fast)[0]
     c, s, left, over, _ = _left(of, angle)
     size = (c * left + s * over) / (c * c + gyration * s * s)
     return size * c, size * s
