@@ -10,24 +10,30 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.commands.arguments import Commands, command
-from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.catalog import DATASETS, EVIDENCE
 from planar_pushing.study.query import select
 from planar_pushing.study.store import open_dataset
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.quantities import unit_of
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Print a part of a dataset: --axis-name value picks a value."
     sub = command(commands, "query", part, about)
-    sub.usage = "planar-pushing query DATASET [--AXIS VALUE ...] [--results FOLDER] [--json]"
-    sub.add_argument("dataset", metavar="DATASET", help=", ".join(DATASETS))
+    sub.usage = (
+        "planar-pushing query DATASET [--AXIS VALUE ...] [--study NAME] [--results FOLDER] [--json]"
+    )
+    sub.add_argument("dataset", metavar="DATASET", help=", ".join([*DATASETS, *EVIDENCE]))
     sub.add_argument("--results", type=Path, default=Path("results"), help="folder of the results")
+    sub.add_argument("--study", metavar="NAME", help="another study than the paper's, by its name")
 
 
 def part(args: argparse.Namespace) -> dict[str, Any]:
     """Part of the dataset where its axes have the given values."""
-    found = select(open_dataset(args.dataset, args.results), _pairs(args.where))
+    found = select(
+        open_dataset(args.dataset, args.results, study=args.study), _pairs(args.where)
+    )
     return dict(found.to_dict()) if args.json else {"": _table(found)}
 
 
@@ -50,7 +56,7 @@ def _table(found: xr.Dataset) -> str:
     """Chosen values in one line, then single values in lines, and a table for each set of axes."""
     marks = {}
     for name, variable in found.variables.items():
-        unit = variable.attrs.get("units", "1")
+        unit = unit_of(variable.attrs)
         marks[name] = str(name) if unit == "1" else f"{name} [{unit}]"
     chosen = [name for name, coord in found.coords.items() if not coord.ndim]
     rest = found.drop_vars(chosen)

@@ -21,7 +21,7 @@ Floats = npt.NDArray[np.float64]
 #: A variable that no tolerance names must agree exactly.
 EXACT = Tolerance()
 #: Attributes that must be the same.
-MARKS = ("units", "flag_meanings")
+MARKS = ("units", "quantity", "flag_meanings")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,8 +116,9 @@ def _compare_variable(
         wrong = computed != middle
         failed = int(wrong.sum())
         return replace(check, count=computed.size, failed=failed, error=float(wrong.any()))
-    if np.isnan(computed.astype(float)).any():
-        return replace(check, problem=f"has {int(np.isnan(computed).sum())} NaN")
+    absent = np.isnan(computed.astype(float)) != np.isnan(middle.astype(float))
+    if absent.any():
+        return replace(check, problem=f"has NaN, or none, at {int(absent.sum())} points")
     low, radius = (
         golden[f"{name}{part}"].values if f"{name}{part}" in golden else np.zeros(middle.shape)
         for part in ("_low", "_radius")
@@ -129,8 +130,8 @@ def _compare_variable(
 
 
 def _difference(computed: Floats, middle: Floats, low: Floats) -> Floats:
-    """Absolute difference from ``middle + low``; 0 where both are the same infinity."""
-    same = computed == middle
+    """Absolute difference from ``middle + low``; 0 where both are the same infinity, or both NaN."""
+    same = (computed == middle) | (np.isnan(computed) & np.isnan(middle))
     with np.errstate(invalid="ignore"):
         gap = np.abs((np.asarray(computed, float) - middle) - low)
     return np.where(same & ~np.isfinite(middle), 0.0, np.where(np.isnan(gap), np.inf, gap))

@@ -38,7 +38,8 @@ class Stream:
         start, self.length = self.length, self.length + len(rows)
         self.file.resize_dimension("time", self.length)
         for name, value in values.items():
-            self.file.variables[name][start : self.length] = value
+            stored = value.view("i1") if value.dtype == bool else value
+            self.file.variables[name][start : self.length] = stored
         self._flush()
 
     def _flush(self) -> None:
@@ -85,5 +86,7 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     for name, variable in log.VARIABLES.items():
         dims = "time", *variable.dims
         chunks = CHUNK, *(len(coordinates[dim]) for dim in variable.dims)
-        created = file.create_variable(name, dims, variable.dtype, chunks=chunks)
-        created.attrs.update(log.variable_attributes(name))
+        # netCDF has no truth values: xarray stores them as bytes with this attribute, and so do we.
+        truth = variable.dtype == "?"
+        created = file.create_variable(name, dims, "i1" if truth else variable.dtype, chunks=chunks)
+        created.attrs.update(log.variable_attributes(name) | ({"dtype": "bool"} if truth else {}))

@@ -35,7 +35,7 @@ VARIABLES = {
     "mode": Variable((), "i1"),
     "outcome": Variable((), "i1"),
     "solutions": Variable((), "i1"),
-    "adhesive": Variable((), "i1"),
+    "adhesive": Variable((), "?"),
     "spin_ratio": Variable((), "f8"),
     "dissipated": Variable(("effect",), "f8"),
     "contact_dissipated": Variable((), "f8"),
@@ -94,8 +94,8 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
     pusher = problem.pusher
     return {
         "title": "motion of the pushed slider",
-        "source": "Lynch and Mason, Pulling by Pushing, Slip with Infinite Friction, "
-        "and Perfectly Rough Surfaces, Secs. 2-5, over time",
+        "source": f"{quantities.PAPER}, Secs. 2-5, over time",
+        **quantities.GLOBAL,
         "scene": to_json(scene_entry(problem.scene)),
         "pusher": to_json(pusher.pieces) if pusher.pieces else "function of time",
         "duration": problem.duration,
