@@ -4,13 +4,16 @@
 # Another study: snakemake --config study=workflow/config/smoke.yaml
 
 
-container: "docker://python:3.13-slim"
-
-
 report: "workflow/report/workflow.rst"
 
 
 include: "workflow/rules/common.smk"
+
+
+pathvars:
+    results=RESULTS,
+
+
 include: "workflow/rules/data.smk"
 include: "workflow/rules/simulations.smk"
 include: "workflow/rules/figures.smk"

@@ -13,7 +13,9 @@ with job_log(snakemake.log[0]) as log:
 
     given = snakemake.params.tolerances.items()
     tolerances = {name: Tolerance.model_validate(values) for name, values in given}
-    found = verdict(check_results(Path("results"), Path(snakemake.params.golden), tolerances))
+    found = verdict(
+        check_results(Path(snakemake.params.results), Path(snakemake.params.golden), tolerances)
+    )
     text = verdict_text(found)
     if not found["passed"]:
         raise InvalidResult(text)

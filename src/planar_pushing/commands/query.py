@@ -31,9 +31,7 @@ def add(commands: Commands) -> None:
 
 def part(args: argparse.Namespace) -> dict[str, Any]:
     """Part of the dataset where its axes have the given values."""
-    found = select(
-        open_dataset(args.dataset, args.results, study=args.study), _pairs(args.where)
-    )
+    found = select(open_dataset(args.dataset, args.results, study=args.study), _pairs(args.where))
     return dict(found.to_dict()) if args.json else {"": _table(found)}
 
 

@@ -11,7 +11,7 @@ from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.terms.errors import InvalidFile
 
 
-def compiled(source: PathLike, root: PathLike) -> bytes:
+def compiled(source: PathLike, root: PathLike, results: str = "results") -> bytes:
     """Set a source as a PDF, with the fonts that Typst ships.
 
     Parameters
@@ -20,6 +20,8 @@ def compiled(source: PathLike, root: PathLike) -> bytes:
         The Typst file.
     root : path
         The folder that holds all that it reads.
+    results : str
+        The folder of the results, from `root`.
 
     Raises
     ------
@@ -28,7 +30,12 @@ def compiled(source: PathLike, root: PathLike) -> bytes:
     """
     if not Path(source).is_file():
         raise InvalidFile(f"{source}: no such file; give the path of a Typst source")
-    compiler = typst.Compiler(input=str(source), root=str(root), ignore_system_fonts=True)
+    compiler = typst.Compiler(
+        input=str(source),
+        root=str(root),
+        ignore_system_fonts=True,
+        sys_inputs={"results": f"/{results}"},
+    )
     try:
         pdf, warnings = compiler.compile_with_warnings(format="pdf", timestamp=0)
     except typst.TypstError as error:
@@ -47,8 +54,8 @@ def _explain(source: PathLike, fault: typst.TypstError | typst.TypstWarning) -> 
     return "; ".join([f"{places[-1] if places else source}: cannot be set: {said}", *fault.hints])
 
 
-def typeset(source: PathLike, root: PathLike, output: PathLike) -> None:
+def typeset(source: PathLike, root: PathLike, output: PathLike, results: str = "results") -> None:
     """Write the PDF of a source, whole or not at all; errors as in `compiled`."""
-    pdf = compiled(source, root)
+    pdf = compiled(source, root, results)
     with replacing(output) as temporary:
         temporary.write_bytes(pdf)

@@ -76,7 +76,11 @@ def dataset_place(name: str) -> tuple[str, str | None]:
     stem, slash, part = name.partition("/") if isinstance(name, str) else ("", "", "")
     whole = DATASETS | EVIDENCE | TIMES
     if (stem in whole or (stem in FOLDERS and slash)) and (not slash or NAME.fullmatch(part)):
-        return (f"{FOLDERS[stem]}/{part}.nc", None) if stem in FOLDERS else (f"data/{stem}.nc", part or None)
+        return (
+            (f"{FOLDERS[stem]}/{part}.nc", None)
+            if stem in FOLDERS
+            else (f"data/{stem}.nc", part or None)
+        )
     allowed = ", ".join([*whole, *(f"{folder}/NAME" for folder in FOLDERS)])
     raise InvalidValue("name", name, allowed, "name one of these datasets")
 

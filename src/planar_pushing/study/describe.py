@@ -9,6 +9,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.entries import to_json, versions
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, TIMES
 from planar_pushing.terms.quantities import DATASET, GLOBAL, NOTES, PAPER, attributes
 
 FLAGS = {"mode": ContactMode, "outcome": Outcome}
@@ -34,7 +35,7 @@ def describe(dataset: xr.Dataset, *, title: str, source: str, parameters: object
 
 
 def of_study(
-    built: xr.Dataset | dict[str, xr.Dataset], title: str, study: Mapping[str, str]
+    built: xr.Dataset | dict[str, xr.Dataset], name: str, study: Mapping[str, str]
 ) -> xr.Dataset | dict[str, xr.Dataset]:
     """Name the study and the conventions in a dataset, or in every group and above them.
 
@@ -42,16 +43,17 @@ def of_study(
     ----------
     built : xarray.Dataset or dict of them
         A dataset, or one for each group.
-    title : str
-        Title of the whole, for a dataset that has none.
+    name : str
+        Name of the dataset: what it holds becomes the title of what has none.
     study : mapping
         Name of the study and digest of its file, as `provenance` gives them.
     """
     marks = {**GLOBAL, **study}
+    title = (DATASETS | EVIDENCE | TIMES).get(name, name)
     if isinstance(built, xr.Dataset):
         return built.assign_attrs({"title": title} | built.attrs | marks)
     groups = {
-        name: each.assign_attrs({"title": f"{title}: {name}"} | each.attrs | marks)
-        for name, each in built.items()
+        part: each.assign_attrs({"title": f"{title}: {part}"} | each.attrs | marks)
+        for part, each in built.items()
     }
     return {"/": xr.Dataset(attrs={"title": title} | marks)} | groups

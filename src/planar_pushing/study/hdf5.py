@@ -6,8 +6,12 @@ What a damaged or a foreign file declares is looked at before it is read.
 from __future__ import annotations
 
 import os
+import re
+import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
+from mmap import ACCESS_READ, mmap
+from pathlib import Path
 
 import h5py
 
@@ -18,6 +22,9 @@ from planar_pushing.terms.errors import InvalidFile, PlanarPushingError
 OBJECTS = 10**4
 #: Most bytes that a byte of a file can stand for: what deflate reaches, by its manual.
 EXPANSION = 1032
+#: A global heap: its mark, its version, three zeros and its size; its objects' index and size.
+HEAP = re.compile(rb"GCOL\x01\0\0\0.{8}", re.DOTALL)
+SIZE, OBJECT, HEADER = struct.Struct("<Q"), struct.Struct("<H6xQ"), 16
 
 
 @contextmanager
@@ -42,6 +49,7 @@ def readable(path: PathLike) -> Iterator[None]:
 
 def _look(path: PathLike) -> None:
     """Refuse a file that refers to others, or declares more than it can hold."""
+    _walk_heaps(path)
     declared = 0
     with h5py.File(path, "r") as file:
         for count, variable in enumerate(_variables(file)):
@@ -50,6 +58,27 @@ def _look(path: PathLike) -> None:
                 raise InvalidFile(f"{path}: {variable.name} is stored elsewhere; build it anew")
             if count > OBJECTS or declared > EXPANSION * os.path.getsize(path):
                 raise InvalidFile(f"{path}: declares more than it holds; build it anew")
+
+
+def _walk_heaps(path: PathLike) -> None:
+    """Refuse a file in whose global heaps, which hold text and references, a size is wrong.
+
+    The HDF5 library goes round in one for ever where an object's size overflows (section III.E of the
+    format: a header of 16 bytes with the size of the collection; objects of an index, a size and data).
+    """
+    if not Path(path).stat().st_size:
+        return
+    with Path(path).open("rb") as file, mmap(file.fileno(), 0, access=ACCESS_READ) as content:
+        for heap in HEAP.finditer(content):
+            (whole,) = SIZE.unpack_from(heap[0], 8)
+            place, end = heap.end(), min(heap.start() + whole, len(content))
+            while place + HEADER <= end:
+                index, size = OBJECT.unpack_from(content, place)
+                # The size of free space, index 0, includes its header.
+                step = HEADER + -(-size // 8) * 8 if index else size
+                if not HEADER <= step <= end - place:
+                    raise InvalidFile(f"{path}: has a damaged heap; build it anew")
+                place += step
 
 
 def _variables(file: h5py.File) -> Iterator[h5py.Dataset]:

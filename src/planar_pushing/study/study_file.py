@@ -41,9 +41,7 @@ def _located(study: StudyFile, folder: Path) -> StudyFile:
     }
     simulations = {name: from_here(file) for name, file in study.simulations.items()}
     golden = study.golden and from_here(study.golden)
-    return study.model_copy(
-        update={"scenes": scenes, "simulations": simulations, "golden": golden}
-    )
+    return study.model_copy(update={"scenes": scenes, "simulations": simulations, "golden": golden})
 
 
 def _study_problems(study: StudyFile) -> Iterator[str]:

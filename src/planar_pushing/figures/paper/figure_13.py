@@ -97,7 +97,10 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
         edge = cones[f"motion_cone_{side}"]
         data[f"motion_cone_{side}"] = edge.drop_vars(["friction_coefficient", "friction_angle"])
     data["cone_friction_angle"] = named(
-        "friction_coefficient", cones.friction_angle.values, "degree", "angle of friction of the motion cone"
+        "friction_coefficient",
+        cones.friction_angle.values,
+        "degree",
+        "angle of friction of the motion cone",
     )
     return titled(data, "Contact modes over friction and the direction of the pusher", sources)
 

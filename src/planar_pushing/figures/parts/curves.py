@@ -50,7 +50,9 @@ def rod_angle(dataset: xr.Dataset) -> float:
 
 def radius(dataset: xr.Dataset) -> xr.Variable:
     """Radius of the ring that a dataset over the grid was computed for."""
-    return named((), float(_parameters(dataset, "slider")["radius"]), "length", "radius of the ring")
+    return named(
+        (), float(_parameters(dataset, "slider")["radius"]), "length", "radius of the ring"
+    )
 
 
 def named(dims: Iterable[str] | str, values: object, units: str, long_name: str) -> xr.Variable:

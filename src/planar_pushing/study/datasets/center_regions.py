@@ -37,9 +37,7 @@ def _bound(length: float, angle: float, force_angle: float) -> Array:
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study: ends of both regions along every line of force."""
     slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
-    scene = Scene(
-        slider=slider, contact=InfiniteFriction(), effects=study.effects(EffectSet.BOTH)
-    )
+    scene = Scene(slider=slider, contact=InfiniteFriction(), effects=study.effects(EffectSet.BOTH))
     phi = half_turn(axis(study, "force_angle"))
     bound = slider.radius * xr.apply_ufunc(
         np.vectorize(_bound, signature="(),(),()->(e,c)"),

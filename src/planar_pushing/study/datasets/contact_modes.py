@@ -21,14 +21,22 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study import catalog
-from planar_pushing.study.datasets.base import axis, friction_angle, law_axis, over_effects, parameters
+from planar_pushing.study.datasets.base import (
+    axis,
+    friction_angle,
+    law_axis,
+    over_effects,
+    parameters,
+)
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import StudyFile
 
 INNER = ("contact", "rod_length", "pusher_magnitude", "pusher_angle")
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
 #: What a value of a mode without a solution is.
-COMMENT = "NaN where the mode is not consistent, and for SEPARATE, in which nothing moves or is pushed"
+COMMENT = (
+    "NaN where the mode is not consistent, and for SEPARATE, in which nothing moves or is pushed"
+)
 Found = npt.NDArray[np.bool_]
 
 

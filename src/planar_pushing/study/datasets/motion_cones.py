@@ -15,7 +15,13 @@ from planar_pushing.mechanics.cones import (
 )
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.datasets.base import axis, friction_angle, law_axis, over_effects, parameters
+from planar_pushing.study.datasets.base import (
+    axis,
+    friction_angle,
+    law_axis,
+    over_effects,
+    parameters,
+)
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import StudyFile, contact_law
 

@@ -180,8 +180,11 @@ RelativeTolerance = number(
     type="number", minimum=TOLERANCE.least, maximum=TOLERANCE.most,
 )  # fmt: skip
 SampleCount = number(
-    "a whole number in [2, 1000000]", lambda n: 2 <= n <= 1e6 and n == int(n),
-    type="integer", minimum=2, maximum=1000000,
+    "a whole number in [2, 1000000]",
+    lambda n: 2 <= n <= 1e6 and n == int(n),
+    type="integer",
+    minimum=2,
+    maximum=1000000,
 )
 Number = number("a number, or inf", lambda x: not math.isnan(x))
 Share = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)

@@ -117,7 +117,8 @@ def bound_ends(parameters: Parameters, length: float, angle: float, force_angle:
     side = 0 if slider.rod_length == 0 else sign(sine)
     degrees = slider.rod_angle - rational(force_angle)
     misses = sign(
-        slider.rod_length * abs(sine) - 1, lambda: side * slider.rod_length * exact_sine(degrees) - 1
+        slider.rod_length * abs(sine) - 1,
+        lambda: side * slider.rod_length * exact_sine(degrees) - 1,
     )
     inner, outer = {1: (arb.pos_inf(), arb(1)), 0: (arb(1), arb(1)), -1: (arb(1), arb(0))}[misses]
     spins = [arb(0), arb(0)] if side == 0 else [side * inner, side * outer]

@@ -20,7 +20,16 @@ FLAGS = {
 #: A name that ends in one of these words is an angle, unless a list below has it.
 DEGREES = ("angle", "right", "left", "start", "stop")
 RATIOS = {
-    *("adhesive", "bound_end", "consistent", "exact_end", "contact", "effect", "effects", "friction_coefficient"),
+    *(
+        "adhesive",
+        "bound_end",
+        "consistent",
+        "exact_end",
+        "contact",
+        "effect",
+        "effects",
+        "friction_coefficient",
+    ),
     *("inertia_share", "law", "mode", "modes", "outcome", "panel", "pulls", "sector_outside"),
     *("slips_while_pushing", "spin_ratio", "spin_ratio_fast", "twist_component", "xy"),
     *("path_mode", "path_spin_ratio", "policy"),
