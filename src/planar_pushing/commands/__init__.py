@@ -7,13 +7,13 @@ import json
 import sys
 from collections.abc import Sequence
 
-from planar_pushing.commands import animate, compilation, cone, draw, query, simulate, solve
+from planar_pushing.commands import animate, compilation, cone, draw, init, query, simulate, solve
 from planar_pushing.commands.arguments import check_push
 from planar_pushing.commands.text import text
 from planar_pushing.mechanics.entries import plain
 from planar_pushing.terms.errors import PlanarPushingError
 
-COMMANDS = (solve, cone, query, draw, simulate, animate, compilation)
+COMMANDS = (solve, cone, query, draw, simulate, animate, init, compilation)
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -35,6 +35,29 @@ TIMES = {
     "effects": "what each effect costs: times and evaluations",
 }
 
+#: The tables beside them: what each file holds.
+TABLES = {
+    "golden_verdict.json": "the comparison with the golden data, every variable",
+    "golden_verdict.txt": "the same to read, worst first",
+    "golden_summary.csv": "the same in short, by dataset",
+    "claims.json": "every claim of the ledger with its verdict, value and margin",
+    "claims.csv": "the same as a table",
+    "numbers.json": "the numbers of the report's prose, each with its unit and where it was read",
+    "figures.json": "captions and margins of the figures",
+    "infinite_friction_cones.csv": "motion cones of infinite friction by rod length, degrees",
+    "provenance.csv": "the study and the versions of what computed the results",
+    "accuracy_wrench.csv": "methods for the friction wrench: setting, calls and worst error",
+    "accuracy_cone.csv": "methods for motion cones: setting, calls and largest error",
+    "hard_places.csv": "hard cases by place, with their errors in units in the last place",
+    "hard_ill.csv": "ill-conditioned cases: condition, digits left and error",
+    "evaluations.csv": "evaluations of each effect",
+    "sweep.json": "counts of a sweep of random and adversarial inputs, by `snakemake sweep`",
+    "accuracy_numbers.json": "the numbers of the supplement on time, by `snakemake accuracy`",
+    "times_effects.csv": "times of each set of effects, by `snakemake accuracy`",
+    "times_scenes.csv": "times of each scene, by `snakemake accuracy`",
+    "times_machine.csv": "the machine that they were measured on, by `snakemake accuracy`",
+}
+
 #: The dimensions of each.
 DIMS: dict[str, tuple[str, ...]] = {
     "limit_curves": ("effects", "rod_length", "rod_angle", "force_angle"),
@@ -75,12 +98,11 @@ def dataset_place(name: str) -> tuple[str, str | None]:
     """
     stem, slash, part = name.partition("/") if isinstance(name, str) else ("", "", "")
     whole = DATASETS | EVIDENCE | TIMES
-    if (stem in whole or (stem in FOLDERS and slash)) and (not slash or NAME.fullmatch(part)):
-        return (
-            (f"{FOLDERS[stem]}/{part}.nc", None)
-            if stem in FOLDERS
-            else (f"data/{stem}.nc", part or None)
-        )
+    named = NAME.fullmatch(part) is not None
+    if stem in FOLDERS and named:
+        return f"{FOLDERS[stem]}/{part}.nc", None
+    if stem in whole and (named or not slash):
+        return f"data/{stem}.nc", part or None
     allowed = ", ".join([*whole, *(f"{folder}/NAME" for folder in FOLDERS)])
     raise InvalidValue("name", name, allowed, "name one of these datasets")
 

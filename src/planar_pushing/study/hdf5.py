@@ -56,7 +56,7 @@ def _look(path: PathLike) -> None:
             declared += variable.nbytes
             if variable.external or variable.is_virtual:
                 raise InvalidFile(f"{path}: {variable.name} is stored elsewhere; build it anew")
-            if count > OBJECTS or declared > EXPANSION * os.path.getsize(path):
+            if count > OBJECTS or declared > EXPANSION * Path(path).stat().st_size:
                 raise InvalidFile(f"{path}: declares more than it holds; build it anew")
 
 

@@ -153,6 +153,6 @@ def _figure_problems(name: str, figure: FigureEntry, grid: Grid) -> Iterator[str
     for key, values, allowed in figure.grid_values(grid):
         if not set(values) <= set(allowed):
             yield (
-                f"figures.{name}.{key}: {shown(values)} given; allowed: values of the grid, {shown(allowed)}; "
-                "change it or add it to the grid"
+                f"figures.{name}.{key}: {shown(values)} given; "
+                f"allowed: values of the grid, {shown(allowed)}; change it or add it to the grid"
             )

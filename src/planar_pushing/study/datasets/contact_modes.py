@@ -33,10 +33,8 @@ from planar_pushing.study.files.models import StudyFile
 
 INNER = ("contact", "rod_length", "pusher_magnitude", "pusher_angle")
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
-#: What a value of a mode without a solution is.
-COMMENT = (
-    "NaN where the mode is not consistent, and for SEPARATE, in which nothing moves or is pushed"
-)
+#: What a value of a mode without a solution, or without a force, is.
+COMMENT = "NaN where the mode is not consistent; 0 for SEPARATE, which has neither force nor motion"
 Found = npt.NDArray[np.bool_]
 
 
@@ -67,7 +65,7 @@ def _force_angles(force: Array) -> Array:
 def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
     """How many solutions each mode has, and spin ratio and force angle of its slowest and fastest motion.
 
-    NaN where there is none, and at rest, which has no force. Shape S + (modes,).
+    NaN where there is none; zero at rest, which has no force. Shape S + (modes,).
     """
     speed = np.linalg.norm(found.twist.values * [1.0, 1.0, radius], axis=-1)
     values = {
@@ -75,7 +73,8 @@ def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
         "force_angle": _force_angles(found.force.values),
     }
     modes = [_of_mode(found.mode.values == mode, speed, values) for mode in ContactMode]
-    modes[ContactMode.SEPARATE] |= {name: np.full(speed.shape[:-1], np.nan) for name in VALUES}
+    rest = np.where(modes[ContactMode.SEPARATE]["consistent"] > 0, 0.0, np.nan)
+    modes[ContactMode.SEPARATE] |= dict.fromkeys(VALUES, rest)
     return {name: np.stack([each[name] for each in modes], axis=-1) for name in modes[0]}
 
 

@@ -75,11 +75,10 @@ def contact_mode(
     magnitude: float,
     pusher_angle: float,
 ) -> Record:
-    """Every contact mode: how many motions, the slowest and the fastest; NaN without one, and at rest."""
+    """Every contact mode: how many motions, the slowest and the fastest; NaN where there is none."""
     slider = Slider.of(length, rod_angle, **parameters)
     found = modes.contact_modes(slider, Effects(effects), laws[label], magnitude, pusher_angle)
-    moving = [[] if mode is modes.Mode.SEPARATE else motions for mode, motions in found.items()]
-    ends = [(motions or [NO_MOTION])[:: max(1, len(motions) - 1)] for motions in moving]
+    ends = [(motions or [NO_MOTION])[:: max(1, len(motions) - 1)] for motions in found.values()]
     return {
         "consistent": [len(motions) for motions in found.values()],
         "spin_ratio": [each[0].spin_ratio for each in ends],
