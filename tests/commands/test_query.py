@@ -1,6 +1,7 @@
 """The command `query`, with right and with wrong input."""
 
 import json
+import shutil
 
 import pytest
 
@@ -43,6 +44,15 @@ def test_query_json(run, results):
     assert code == 0
     assert told["dims"] == {"effects": 3, "rod_angle": 2}
     assert told["coords"]["friction_coefficient"]["data"] == "inf"
+
+
+def test_query_of_another_study(run, results, tmp_path):
+    folder = tmp_path / "results/studies/mine"
+    shutil.copytree(results, folder)
+    asked = ["--rod-length", "2", "--json"]
+    ours = run("query", "motion_cones", "--results", results, *asked)
+    theirs = ["--results", str(tmp_path / "results"), "--study", "mine"]
+    assert run("query", "motion_cones", *theirs, *asked) == ours
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,9 @@ def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Write a small study and a scene, with comments, to start from."
     sub = command(commands, "init", start, about)
-    sub.add_argument("folder", type=Path, metavar="FOLDER", help="where to; made if it is not there")
+    sub.add_argument(
+        "folder", type=Path, metavar="FOLDER", help="where to; made if it is not there"
+    )
 
 
 def start(args: argparse.Namespace) -> dict[str, Any]:
