@@ -27,7 +27,8 @@ The datasets are netCDF4 files by the CF conventions; `planar_pushing.open_datas
 one with xarray, `open_dataset(name, study="NAME")` that of another study, and `planar-pushing query` prints
 parts of it. The attributes `study` and `study_digest` name the study and give the digest of its file.
 Angles are degrees, counter-clockwise from the fence. NaN stands where there is no number; infinite
-coordinates are those of a translation's motion centre. What is true or false is stored as bytes, and comes back as `bool`.
+coordinates are those of a translation's motion centre. What is true or false is stored as
+bytes, and comes back as `bool`.
 """
 
 
@@ -97,7 +98,7 @@ def _table(datasets: Iterable[xr.Dataset]) -> Iterator[str]:
 def _row(name: object, variable: xr.DataArray) -> str:
     meaning = variable.attrs["long_name"]
     if "flag_meanings" in variable.attrs:
-        flags = variable.attrs.get("flag_values", variable.attrs.get("flag_masks"))
+        flags = variable.attrs.get("flag_values", variable.attrs.get("flag_masks", ()))
         words = variable.attrs["flag_meanings"].split()
         meaning += ": " + ", ".join(
             f"{value} {word}" for value, word in zip(flags, words, strict=True)

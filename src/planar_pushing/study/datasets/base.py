@@ -52,9 +52,11 @@ def parameters(study: StudyFile, *axes: str) -> dict[str, object]:
 
 def half_turn(degrees: xr.DataArray) -> xr.DataArray:
     """The angles, in radians, that push: those from 0 to 180 degrees."""
-    return np.deg2rad(degrees[(degrees >= 0) & (degrees <= 180)])
+    pushing = degrees[(degrees >= 0) & (degrees <= 180)]
+    return pushing.copy(data=np.deg2rad(pushing.values))
 
 
 def friction_angle(coefficients: npt.ArrayLike) -> npt.NDArray[np.float64]:
     """Angles of friction in degrees: finite where the coefficient is infinite, NaN without one."""
-    return np.rad2deg(np.arctan(np.asarray(coefficients, dtype=float)))
+    angles: npt.NDArray[np.float64] = np.arctan(np.asarray(coefficients, dtype=float))
+    return np.degrees(angles)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -21,15 +23,21 @@ BOUND_ENDS = ("inner", "outer")
 EXACT_ENDS = (str(EffectKind.SUPPORT_FRICTION), str(EffectKind.INERTIA))
 
 
+# Compiled functions have no types.
+_spin_ratios: Any = conservative_spin_ratios
+_center: Any = motion_center
+_rod: Any = rod
+
+
 def _bound(length: float, angle: float, force_angle: float) -> Array:
     """Ends of the paper's bound for one line of force, in radii from the contact, shape (end, xy)."""
     arm = length * np.sin(angle - force_angle)  # Eq. (10)
     # The sine's rounding must not push a line that touches the ring to either side of it.
     if abs(abs(arm) - 1.0) <= RESOLUTION * max(length, 1.0):
         arm = np.copysign(1.0, arm)
-    outer, inner = conservative_spin_ratios(arm)
-    own = rod(length, angle)
-    ends = np.array([motion_center(own, force_angle, ratio) for ratio in (inner, outer)])
+    outer, inner = _spin_ratios(arm)
+    own = _rod(length, angle)
+    ends = np.array([_center(own, force_angle, ratio) for ratio in (inner, outer)])
     # A translation has its centre at either end of a line; a region goes on to the one it approaches.
     return np.where(np.isinf(ends) & (arm < 0), -ends, ends)
 
