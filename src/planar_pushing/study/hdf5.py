@@ -29,12 +29,19 @@ SIZE, OBJECT, HEADER = struct.Struct("<Q"), struct.Struct("<H6xQ"), 16
 
 @contextmanager
 def readable(path: PathLike) -> Iterator[None]:
+    """Look at a file before it is read; errors as in `reading`."""
+    with reading(path):
+        _look(path)
+        yield
+
+
+@contextmanager
+def reading(path: PathLike) -> Iterator[None]:
     """Say of a file that cannot be read what is wrong with it; its values are read within.
 
     The libraries below answer damage with errors of any kind.
     """
     try:
-        _look(path)
         yield
     except PlanarPushingError:
         raise
