@@ -42,7 +42,7 @@ def test_plotted_numbers_have_no_gaps(plotted, name):
                 gaps = gaps != (plotted[name].contact.values == "perfectly_rough")
             assert not gaps.any(), key
             infinite = key == "friction_coefficient" or name in SCENES
-            assert infinite or np.isfinite(variable.values).all(), key
+            assert infinite or not np.isinf(variable.values).any(), key
 
 
 @pytest.mark.parametrize("name", ALL)
