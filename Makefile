@@ -1,6 +1,10 @@
-# make        build every dataset and figure into results/, and check them
+# make        build every dataset and figure into results/, and check them; STUDY=FILE for another study
 # make test   lint, types, import contracts and all tests
 # make help   the other targets
+
+ifneq ($(words $(CURDIR)),1)
+$(error $(CURDIR): Snakemake runs in no folder with a space; move the project)
+endif
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -10,11 +14,20 @@ CORE := $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation 
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 
+# What the user has for Python elsewhere stays out, and nothing is written to a home that is not theirs.
+unexport PYTHONPATH PYTHONHOME
+export PYTHONNOUSERSITE := 1
+ifneq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),yes)
+export HOME := $(CURDIR)/.snakemake/home
+export XDG_CACHE_HOME := $(HOME)/.cache
+$(shell mkdir -p "$(XDG_CACHE_HOME)")
+endif
+
 .PHONY: all test lint bench golden images dictionary schemas lock report clean help
 .DELETE_ON_ERROR:
 
 all: $(COMPILED)
-	$(BIN)/snakemake
+	$(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY))
 
 test: $(COMPILED) lint
 	$(BIN)/pytest
@@ -58,8 +71,15 @@ clean: ## remove everything that was generated
 help:
 	@grep -hE '^(# make|[a-z]+:.*## )' $(MAKEFILE_LIST) | sed -E 's/^# //; s/^([a-z]+):.*## /make \1\t/' | expand -t 14
 
+ifndef ALONE
+# One at a time: who has waited finds it made.
 $(READY): requirements.lock pyproject.toml
+$(COMPILED): $(READY) $(CORE)
+$(READY) $(COMPILED):
 	@test -n "$(PYTHON)" || { echo "make: needs Python 3.11 or newer on the path; or set PYTHON=/path/to/python" >&2; exit 1; }
+	@$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory ALONE=1 PYTHON=$(PYTHON) $@
+else
+$(READY): requirements.lock pyproject.toml
 	@echo "Setting up $(VENV) with $(PYTHON)"
 	rm -rf $(VENV)
 	$(PYTHON) -m venv $(VENV)
@@ -70,3 +90,4 @@ $(READY): requirements.lock pyproject.toml
 $(COMPILED): $(READY) $(CORE)
 	$(BIN)/planar-pushing compile
 	@touch $@
+endif

@@ -8,6 +8,12 @@ report: "workflow/report/workflow.rst"
 
 
 include: "workflow/rules/common.smk"
+
+
+pathvars:
+    results=RESULTS,
+
+
 include: "workflow/rules/data.smk"
 include: "workflow/rules/simulations.smk"
 include: "workflow/rules/figures.smk"

@@ -1,6 +1,7 @@
 """The command `query`, with right and with wrong input."""
 
 import json
+import shutil
 
 import pytest
 
@@ -89,6 +90,15 @@ def test_a_dataset_that_is_not_built(refused, results):
         ["query", "limit_curves", "--results", results],
         f"{results}/data/limit_curves.nc: no such dataset; build it with make or snakemake",
     )
+
+
+def test_query_of_another_study(run, results, tmp_path):
+    folder = tmp_path / "results/studies/mine"
+    shutil.copytree(results, folder)
+    asked = ["--rod-length", "2", "--json"]
+    ours = run("query", "motion_cones", "--results", results, *asked)
+    theirs = ["--results", str(tmp_path / "results"), "--study", "mine"]
+    assert run("query", "motion_cones", *theirs, *asked) == ours
 
 
 @pytest.mark.parametrize(

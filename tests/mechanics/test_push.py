@@ -11,6 +11,7 @@ import planar_pushing as pp
 from mechanics.builders import BOTH, EFFECT_SETS, FRICTION, INERTIA, make_scene
 from mechanics.test_public_arrays import BASE, VALUES, call
 from planar_pushing.mechanics.push import NO_MODE, SOLUTIONS
+from planar_pushing.terms.quantities import unit_of
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 FIELDS = ("force", "twist", "contact_motion", "spin_ratio", "center")
@@ -143,7 +144,7 @@ def test_labelled_solutions_are_a_dataset_with_units():
     assert found.xy.values.tolist() == ["x", "y"]
     assert found.twist_component.values.tolist() == ["v_x", "v_y", "omega"]
     assert found.length.values.tolist() == ["short", "long"]
-    units = {name: variable.attrs["units"] for name, variable in found.data_vars.items()}
+    units = {name: unit_of(variable.attrs) for name, variable in found.data_vars.items()}
     assert units == {
         "solutions": "1", "mode": "1", "force": "force", "twist": "motion",
         "contact_motion": "motion", "spin_ratio": "1", "center": "length", "consistent": "1",

@@ -1,23 +1,39 @@
 """Results with the datasets of the smoke study."""
 
+import shutil
+from pathlib import Path
+
 import pytest
 
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
+from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
+
+SMOKE = "workflow/config/smoke.yaml"
 
 
 @pytest.fixture(scope="session")
 def results(tmp_path_factory):
     """Folder of results with the datasets of the smoke study."""
     folder = tmp_path_factory.mktemp("results")
-    study = load_study("workflow/config/smoke.yaml")
+    study, marks = load_study(SMOKE), provenance(SMOKE)
     for name in DATASETS:
-        write_dataset(build_dataset(name, study_slice(study, name)), folder / f"data/{name}.nc")
+        built = of_study(build_dataset(name, study_slice(study, name)), name, marks)
+        write_dataset(built, folder / f"data/{name}.nc")
     log = simulate_file(load_scene_file(study.simulations["figure_15"]))
-    write_dataset(log, folder / "data/simulations/figure_15.nc")
+    write_dataset(of_study(log, "figure_15", marks), folder / "data/simulations/figure_15.nc")
     return folder
+
+
+@pytest.fixture
+def study_text(tmp_path):
+    """Text of the smoke study, and its scenes where a copy in tmp_path/config finds them."""
+    shutil.copytree("workflow/scenes", tmp_path / "scenes")
+    (tmp_path / "config").mkdir()
+    return Path(SMOKE).read_text(encoding="utf-8")

@@ -4,8 +4,10 @@ import pytest
 
 from planar_pushing.study.builders import BUILDERS, build_dataset
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.describe import of_study
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
+from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 
 
@@ -17,6 +19,7 @@ def test_every_dataset_has_its_builder():
 
 @pytest.mark.parametrize("name", DATASETS)
 def test_bytes_depend_on_the_content_alone(results, tmp_path, name):
-    study = load_study("workflow/config/smoke.yaml")
-    write_dataset(build_dataset(name, study_slice(study, name)), tmp_path / "again.nc")
+    file = "workflow/config/smoke.yaml"
+    built = build_dataset(name, study_slice(load_study(file), name))
+    write_dataset(of_study(built, name, provenance(file)), tmp_path / "again.nc")
     assert (tmp_path / "again.nc").read_bytes() == (results / f"data/{name}.nc").read_bytes()

@@ -20,6 +20,7 @@ NAMED = {
         "center_x", "center_y", "motion_angle", "conservative_cone_right",
         "conservative_cone_left", "exact_cone_right", "exact_cone_left",
     },
+    "center_regions": {"bound_x", "bound_y", "exact_x", "exact_y"},
 }  # fmt: skip
 
 
@@ -42,11 +43,64 @@ def test_scenes_have_a_group_each(results):
     assert group_names(results / "data/scenes.nc") == [f"figure_{each}" for each in figures]
 
 
+#: What has no value where a mode has no solution.
+OF_A_MODE = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
+
+
 def test_no_nan(results):
     for name, dataset in every(results):
         for key, variable in dataset.data_vars.items():
-            if variable.dtype.kind == "f":
+            if variable.dtype.kind == "f" and (name, key) not in {
+                ("contact_modes", each) for each in OF_A_MODE
+            }:
                 assert not np.isnan(variable.values).any(), f"{name}: {key}"
+
+
+@pytest.mark.parametrize("name", OF_A_MODE)
+def test_a_mode_without_a_solution_has_no_values(results, name):
+    modes = pp.open_dataset("contact_modes", results)
+    assert (modes[name].isnull() == (modes.consistent == 0)).all()
+    assert "NaN where the mode is not consistent" in modes[name].attrs["comment"]
+    rest = modes[name].sel(mode="SEPARATE")
+    assert (rest.where(rest.notnull(), 0) == 0).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "variable"),
+    [("motion_cones", "pulls"), ("motion_cones", "slips_while_pushing"), ("scenes/figure_08", "adhesive"),
+     ("simulations/figure_15", "adhesive")],
+)  # fmt: skip
+def test_what_is_true_or_false_is_bool(results, name, variable):
+    found = pp.open_dataset(name, results)[variable]
+    assert found.dtype == bool
+    assert ((~found) == np.logical_not(found)).all()
+
+
+def test_grids_have_a_finite_friction_angle(results):
+    cones = pp.open_dataset("motion_cones", results)
+    assert list(cones.friction_angle.sel(friction_coefficient=[0, np.inf])) == [0, 90]
+    assert np.isfinite(cones.friction_angle).all()
+    one = cones.motion_cone_left.isel(effects=0, rod_length=2, rod_angle=0)
+    assert one.plot(x="friction_angle")
+
+
+def test_perfect_roughness_is_no_infinite_friction(results):
+    modes = pp.open_dataset("contact_modes", results).set_index(contact="law")
+    for name in ("friction_coefficient", "friction_angle"):
+        assert np.isnan(modes[name].sel(contact="perfectly_rough"))
+    assert np.isinf(modes.friction_coefficient.sel(contact="infinite_friction")).all()
+    assert (modes.friction_angle.sel(contact="infinite_friction") == 90).all()
+
+
+def test_centres_have_one_origin(results):
+    centers = pp.open_dataset("acceleration_centers", results)
+    here = centers.sel(rod_length=5, force_angle=60, inertia_share=0.5)
+    slider = pp.Slider(rod_length=5, rod_angle=np.pi / 4)
+    scene = pp.Scene(
+        slider=slider, contact=pp.InfiniteFriction(), effects=(pp.RingFriction(), pp.Inertia())
+    )
+    expected = pp.motion_centers(scene, np.deg2rad(60), 0.5)
+    np.testing.assert_allclose([here.center_x, here.center_y], expected, rtol=1e-14)
 
 
 def test_modes_agree_with_solve(results):

@@ -2,10 +2,15 @@
 
 import json
 
+import numpy as np
+import xarray as xr
+
 import planar_pushing as pp
 from planar_pushing.study.catalog import DIMS
-from planar_pushing.study.store import group_names
-from planar_pushing.terms.quantities import DATASET
+from planar_pushing.study.describe import of_study
+from planar_pushing.study.store import group_names, read_attributes
+from planar_pushing.study.studies import provenance
+from planar_pushing.terms.quantities import DATASET, unit_of
 
 
 def every(results):
@@ -18,8 +23,52 @@ def every(results):
 def test_every_variable_has_its_unit_and_name(results):
     for name, dataset in every(results):
         for key, variable in dataset.variables.items():
-            described = variable.attrs["units"], variable.attrs["long_name"]
+            described = unit_of(variable.attrs), variable.attrs["long_name"]
             assert described == DATASET[key], f"{name}: {key}"
+
+
+def test_units_are_those_of_udunits(results):
+    """Scaled numbers have none, and say what they are scaled by."""
+    for name, dataset in every(results):
+        for key, variable in dataset.variables.items():
+            units = variable.attrs["units"]
+            assert units in {"1", "degree", "radian-1"}, f"{name}: {key}"
+            assert ("quantity" in variable.attrs) == (unit_of(variable.attrs) != units)
+
+
+def test_conventions_paper_licence_and_study(results):
+    marks = provenance("workflow/config/smoke.yaml")
+    simulation = pp.open_dataset("simulations/figure_15", results)
+    whole = read_attributes(results / "data/scenes.nc")
+    for attrs in (*(each.attrs for _, each in every(results)), simulation.attrs, whole):
+        assert attrs["Conventions"] == "CF-1.11"
+        assert attrs["license"] == "MIT"
+        assert "https://doi.org/10.1109/ROBOT.1993.292067" in attrs["references"]
+        assert {name: attrs[name] for name in marks} == marks
+        assert attrs["title"]
+
+
+def test_a_parameter_is_no_axis(results):
+    for name, dataset in every(results):
+        if name in DIMS:
+            given = json.loads(dataset.attrs["parameters"])
+            assert not set(given["slider"]) & set(dataset.dims), name
+            assert ("rod_angle" in given["slider"]) != ("rod_angle" in dataset.dims), name
+
+
+def test_angles_past_a_turn_say_that_they_are_unwrapped(results):
+    for name, dataset in every(results):
+        for key, variable in dataset.data_vars.items():
+            if variable.attrs["units"] == "degree" and np.abs(variable).max() > 360:
+                assert "unwrapped" in variable.attrs["long_name"], f"{name}: {key}"
+
+
+def test_groups_are_named_below_a_whole():
+    built = of_study(
+        {"one": xr.Dataset(), "two": xr.Dataset(attrs={"title": "own"})}, "x", {"study": "s"}
+    )
+    assert [built[name].attrs["title"] for name in ("/", "one", "two")] == ["x", "x: one", "own"]
+    assert all(each.attrs["study"] == "s" for each in built.values())
 
 
 def test_provenance(results):
@@ -33,4 +82,5 @@ def test_provenance(results):
 def test_flags_follow_cf(results):
     outcome = pp.open_dataset("contact_modes", results).outcome
     assert list(outcome.attrs["flag_values"]) == [0, 1, 2]
+    assert outcome.attrs["flag_values"].dtype == outcome.dtype
     assert outcome.attrs["flag_meanings"] == "INCONSISTENT UNIQUE AMBIGUOUS"

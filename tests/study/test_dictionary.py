@@ -1,10 +1,73 @@
-"""The data dictionary."""
+"""The data dictionary covers every file that is written, and every one is opened by its name."""
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
+import pytest
+
+import planar_pushing as pp
+from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
+from planar_pushing.evidence.hard_cases.dataset import build as hard_cases
+from planar_pushing.figures.render import select
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, TABLES, TIMES
 from planar_pushing.study.dictionary import dictionary_text
+from planar_pushing.study.figures import FIGURES
+from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.simulations import simulate_file
+from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
+
+SMOKE = "workflow/config/smoke.yaml"
+COUNT = f"""
+from planar_pushing.evidence.costs.effects import evaluations
+from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
+import sys
+write_dataset(evaluations(load_study("{SMOKE}")), sys.argv[1])
+"""
 
 
-def test_data_dictionary_is_that_of_the_datasets(results):
+@pytest.fixture(scope="module")
+def whole(results):
+    """Results with a file of every kind."""
+    study = load_study(SMOKE)
+    for name in ("figure_14a", "figure_14b"):
+        log = simulate_file(load_scene_file(study.simulations[name]))
+        write_dataset(log, results / f"data/simulations/{name}.nc")
+    for name in FIGURES:
+        data = select(name, results, study.figures.get(name, FigureEntry()))
+        write_dataset(data, results / f"figures/data/{name}.nc")
+    errors = {"wrench": wrench_errors(), "cone": cone_errors()}
+    write_dataset(errors, results / "data/accuracy_errors.nc")
+    write_dataset(hard_cases(), results / "data/hard_cases.nc")
+    counted = str(results / "data/evaluations.nc")
+    python = os.environ | {"NUMBA_DISABLE_JIT": "1"}
+    subprocess.run([sys.executable, "-c", COUNT, counted], env=python, check=True)
+    return results
+
+
+def test_data_dictionary_is_that_of_the_datasets(whole):
     stored = Path("results/README.md").read_text(encoding="utf-8")
-    assert stored == dictionary_text(str(results)), "run make dictionary"
+    assert stored == dictionary_text(str(whole)), "run make dictionary"
+
+
+def test_every_file_is_opened_by_its_name(whole):
+    for path in whole.rglob("*.nc"):
+        stem = path.relative_to(whole).with_suffix("").as_posix()
+        name = stem.replace("figures/data/", "figures/").removeprefix("data/")
+        try:
+            found = pp.open_dataset(name, whole)
+        except pp.InvalidValue as error:
+            parts = str(error).partition("allowed: ")[2].partition(";")[0].split(", ")
+            found = pp.open_dataset(parts[0], whole)
+        assert found.variables
+
+
+def test_the_dictionary_names_every_file():
+    stored = Path("results/README.md").read_text(encoding="utf-8")
+    for name in DATASETS | EVIDENCE | TIMES:
+        assert f"data/{name}.nc" in stored
+    assert all(f"tables/{name}`" in stored for name in TABLES)

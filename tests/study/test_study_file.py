@@ -1,24 +1,21 @@
 """Each mistake in a study file ends in one message: file, key, value, allowed, remedy."""
 
-from pathlib import Path
-
 import pytest
 
 from planar_pushing import InvalidFile
 from planar_pushing.study.study_file import load_study
 
-STUDY = Path("workflow/config/smoke.yaml").read_text(encoding="utf-8")
-
 AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
 
 
 def message(tmp_path, text):
-    path = tmp_path / "file.yaml"
+    path = tmp_path / "config/file.yaml"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InvalidFile) as caught:
         load_study(path)
     assert str(caught.value).startswith(f"{path}: ")
-    return str(caught.value).removeprefix(f"{path}: ")
+    told = str(caught.value).removeprefix(f"{path}: ")
+    return told.replace(f"{tmp_path / 'config'}/", "").replace(f"{tmp_path}/", "../")
 
 
 @pytest.mark.parametrize(
@@ -70,13 +67,13 @@ def message(tmp_path, text):
         ("inertia: {mass: 1, gyration_radius: 1}\n", "",
          "grid.effects: 'inertia' given; allowed: effects that the study has parameters for; "
          "add the key inertia, or remove the entry"),
-        ("workflow/scenes/figure_03.yaml, force_angle: 36", "nowhere.yaml, force_angle: 36",
+        ("../scenes/figure_03.yaml, force_angle: 36", "nowhere.yaml, force_angle: 36",
          "scenes.figure_03.file: nowhere.yaml: no such file; give the path of a YAML file"),
         ("force_angle: 62", "force_angle: 62, pusher_angle: 3",
-         "scenes.figure_02: {'file': 'workflow/scenes/figure_02.yaml', 'force_angle': 62, "
+         "scenes.figure_02: {'file': '../scenes/figure_02.yaml', 'force_angle': 62, "
          "'pusher_angle': 3} given; allowed: exactly one of pusher_angle and force_angle; "
          "change the value"),
-        ("workflow/scenes/figure_02.yaml", "none.yaml",
+        ("../scenes/figure_02.yaml", "none.yaml",
          "scenes.figure_02.file: none.yaml: no such file; give the path of a YAML file"),
         ("figure_06: {rod_length: 2", "figure_06: {rod_length: 4",
          "figures.figure_06.rod_length: (4.0,) given; allowed: values of the grid, "
@@ -92,22 +89,22 @@ def message(tmp_path, text):
         ("effects: [support_friction, inertia", "effects: [friction, inertia",
          "grid.effects[0]: 'friction' given; allowed: 'support_friction', 'inertia' or "
          "'support_friction+inertia'; change the value"),
-        ("figure_15: workflow/scenes/figure_15", "figure_15: nowhere",
+        ("figure_15: ../scenes/figure_15", "figure_15: nowhere",
          "simulations.figure_15: nowhere.yaml: no such file; give the path of a YAML file"),
-        ("figure_15: workflow/scenes/figure_15", "figure_15: workflow/scenes/figure_08",
-         "simulations.figure_15: workflow/scenes/figure_08.yaml given; allowed: scene files with the "
+        ("figure_15: ../scenes/figure_15", "figure_15: ../scenes/figure_08",
+         "simulations.figure_15: ../scenes/figure_08.yaml given; allowed: scene files with the "
          "section simulate; add it to the file"),
-        ("  figure_15: w", "  a/b: w",
+        ("  figure_15: .", "  a/b: .",
          "simulations.a/b.[key]: 'a/b' given; allowed: a name of letters, digits and underscores, "
          "which becomes a file's name; change the value"),
     ],
 )  # fmt: skip
-def test_study_error(tmp_path, written, instead, said):
-    assert written in STUDY
-    assert message(tmp_path, STUDY.replace(written, instead, 1)) == said
+def test_study_error(tmp_path, study_text, written, instead, said):
+    assert written in study_text
+    assert message(tmp_path, study_text.replace(written, instead, 1)) == said
 
 
-def test_many_errors_are_cut_short(tmp_path):
-    said = message(tmp_path, STUDY.replace("[0, 1, 2, 5]", "[a, b, c, d, e, f, g]", 1))
+def test_many_errors_are_cut_short(tmp_path, study_text):
+    said = message(tmp_path, study_text.replace("[0, 1, 2, 5]", "[a, b, c, d, e, f, g]", 1))
     assert said.count("\n") == 5
     assert said.endswith("and 2 more")

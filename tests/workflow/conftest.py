@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from planar_pushing.study.studies import study_folder
+
 PROJECT = Path(__file__).parents[2]
 PARTS = (
     "Snakefile",
@@ -31,6 +33,11 @@ class Copy:
 
     root: Path
     study: str = "workflow/config/smoke.yaml"
+
+    @property
+    def results(self) -> Path:
+        """Folder that the study fills."""
+        return study_folder(Path(self.study).stem, self.root / "results")
 
     def command(self, *arguments: str) -> list[str]:
         run = [sys.executable, "-m", "snakemake", *arguments, "--cores", "2"]
@@ -57,7 +64,7 @@ class Copy:
 
     def digests(self) -> dict[str, str]:
         """Digest of every artefact; logs and benchmarks hold times and are none."""
-        results = self.root / "results"
+        results = self.results
         files = (path for path in results.rglob("*") if path.is_file())
         names = {path.relative_to(results): path for path in files}
         return {

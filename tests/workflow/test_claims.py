@@ -3,13 +3,13 @@
 import json
 
 LEDGER = "paper/claims.yaml"
-TABLE = "results/tables/claims.json"
+TABLE = "tables/claims.json"
 
 
 def test_the_table_is_built(built):
-    table = json.loads((built.root / TABLE).read_text(encoding="utf-8"))
+    table = json.loads((built.results / TABLE).read_text(encoding="utf-8"))
     assert table["counts"]["proved"] > 0
-    assert (built.root / TABLE).with_suffix(".csv").is_file()
+    assert (built.results / TABLE).with_suffix(".csv").is_file()
 
 
 def test_a_wrong_claim_fails_the_run_and_says_why(fresh):
@@ -20,10 +20,10 @@ def test_a_wrong_claim_fails_the_run_and_says_why(fresh):
     assert "1 claims have another verdict than the ledger expects" in said
     assert "inertia-threshold: refuted, expected proved; not so: a_sy = 0 at mu = 1.4" in said
     assert "Traceback" not in said
-    assert not (fresh.root / TABLE).exists()
+    assert not (fresh.results / TABLE).exists()
     path.write_text(text, encoding="utf-8")
     fresh.snakemake("claims")
-    assert (fresh.root / TABLE).is_file()
+    assert (fresh.results / TABLE).is_file()
 
 
 def test_a_wrong_ledger_is_named(fresh):

@@ -2,16 +2,22 @@
 
 import os
 import re
+import shutil
 import signal
 import subprocess
+import sys
 import time
 from dataclasses import replace
 
 import pytest
+import xarray as xr
 
+from planar_pushing.commands import main
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_attributes, read_dataset, write_dataset
+from planar_pushing.study.studies import provenance
+from workflow.conftest import PROJECT, copy_project
 
 
 def jobs(said):
@@ -25,9 +31,9 @@ def test_everything_is_built(built):
     assert {f"data/{name}.nc" for name in DATASETS} <= set(files)
     for kind in ("svg", "pdf", "png"):
         assert {f"figures/{name}.{kind}" for name in FIGURES} <= set(files)
-    logs = {path.stem for path in (built.root / "results/logs").rglob("*.log")}
+    logs = {path.stem for path in (built.results / "logs").rglob("*.log")}
     assert set(DATASETS) | set(FIGURES) <= logs
-    benchmarks = {path.stem for path in (built.root / "results/benchmarks").rglob("*.tsv")}
+    benchmarks = {path.stem for path in (built.results / "benchmarks").rglob("*.tsv")}
     assert set(DATASETS) | set(FIGURES) <= benchmarks
 
 
@@ -36,7 +42,7 @@ def test_nothing_is_left_to_do(built):
 
 
 def test_no_artefact_names_its_folder(built):
-    for path in (built.root / "results").rglob("*"):
+    for path in built.results.rglob("*"):
         if path.is_file() and path.suffix in (".nc", ".svg", ".pdf", ".png"):
             assert str(built.root).encode() not in path.read_bytes(), path
 
@@ -92,23 +98,106 @@ def test_an_edited_module_is_rebuilt_once(built):
     assert "Nothing to be done" in built.snakemake("--dry-run")
 
 
-def test_golden_check_fails_the_run_and_says_why(built):
-    smoke = (built.root / built.study).read_text(encoding="utf-8")
-    (built.root / "golden.yaml").write_text(f"{smoke}\ngolden: golden\n", encoding="utf-8")
-    checked = replace(built, study="golden.yaml")
-    cones = read_dataset(built.root / "results/data/motion_cones.nc")
-    write_dataset(cones, built.root / "golden/motion_cones.nc")
-    costs = {"hard_cases_data": 1, "accuracy_errors": 1, "evaluations": 1}
-    assert jobs(checked.snakemake("golden")) == costs | {"golden": 1, "golden_verdict": 1}
-    passed = (built.root / "results/tables/golden_verdict.txt").read_text(encoding="utf-8")
-    assert passed.startswith("passed: ")
+def test_golden_check_fails_the_run_and_says_why(fresh):
+    smoke = fresh.root / fresh.study
+    smoke.write_text(f"{smoke.read_text(encoding='utf-8')}\ngolden: golden\n", encoding="utf-8")
+    golden = smoke.parent / "golden/motion_cones.nc"
+    write_dataset(xr.Dataset(), golden)
+    target = f"{fresh.results.relative_to(fresh.root)}/data/motion_cones.nc"
+    fresh.snakemake(target)
+    cones = read_dataset(fresh.root / target)
+    write_dataset(cones, golden)
+    assert jobs(fresh.snakemake("golden"))["golden_verdict"] == 1
+    verdict = fresh.results / "tables/golden_verdict.txt"
+    assert verdict.read_text(encoding="utf-8").startswith("passed: ")
+    assert not list((fresh.root / "results").glob("*.*"))
     cones["motion_cone_left"][0, 0, 0, 0] += 1e-9
-    write_dataset(cones, built.root / "golden/motion_cones.nc")
-    said = checked.snakemake("golden", code=1)
+    write_dataset(cones, golden)
+    said = fresh.snakemake("golden", code=1)
     assert "FAILED: 1 of " in said
     assert "FAIL motion_cones: motion_cone_left (enclosure): 1 of 96 differ; worst 1e-09" in said
     assert "effects=support_friction, rod_length=0.0, rod_angle=45.0" in said
-    assert not (built.root / "results/tables/golden_verdict.txt").exists()
+    assert not verdict.exists()
+
+
+def outputs(built):
+    """Every file that the study's jobs write, by Snakemake's own account."""
+    lines = built.snakemake("--summary").splitlines()
+    rows = lines[next(i for i, line in enumerate(lines) if line.startswith("output_file")) + 1 :]
+    return {line.split("\t")[0] for line in rows if line.startswith("results/")}
+
+
+def targets(built):
+    """Every file that the default target asks for."""
+    said = built.snakemake("--dry-run", "--forcerun", "all")
+    return set(re.search(r"rule all:\n +input: (.*)\n", said)[1].split(", "))
+
+
+def test_every_output_is_a_target(built):
+    """What no target asks for is not rebuilt when it is deleted."""
+    found = outputs(built)
+    assert found == targets(built)
+    names = ("tables/claims.csv", "tables/claims.json", "figures/data/figure_04.nc")
+    assert {f"results/studies/smoke/{name}" for name in names} <= found
+
+
+def test_every_output_of_the_papers_study_is_a_target(fresh):
+    shutil.copytree(PROJECT / "tests/golden", fresh.root / "tests/golden")
+    whole = replace(fresh, study="workflow/config/paper.yaml")
+    found = outputs(whole)
+    assert found == targets(whole)
+    assert not any(name.startswith("results/studies") for name in found)
+    assert {"results/tables/claims.csv", "results/tables/numbers.json"} <= found
+
+
+def test_a_deleted_output_is_rebuilt(built):
+    path = built.results / "tables/claims.csv"
+    before = path.read_bytes()
+    path.unlink()
+    built.snakemake()
+    assert path.read_bytes() == before
+
+
+def test_every_dataset_names_the_study_and_its_digest(built):
+    marks = provenance(built.root / built.study)
+    for path in built.results.rglob("*.nc"):
+        attrs = read_attributes(path)
+        assert {name: attrs.get(name) for name in marks} == marks, path
+        assert attrs["Conventions"] == "CF-1.11"
+
+
+def test_a_started_study_runs_from_its_own_folder(fresh, tmp_path):
+    assert main(["init", str(tmp_path / "elsewhere")]) == 0
+    mine = replace(fresh, study=str(tmp_path / "elsewhere/my_study.yaml"))
+    target = mine.results.relative_to(mine.root)
+    mine.snakemake(f"{target}/data/motion_cones.nc", f"{target}/data/simulations/push_and_pull.nc")
+    assert read_attributes(mine.results / "data/motion_cones.nc")["study"] == "my_study"
+    assert str(tmp_path).encode() not in (mine.results / "data/motion_cones.nc").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("config", "said"),
+    [
+        ("studdy=x", "config: 'studdy' given; allowed: the key study; did you mean study?"),
+        ("study=5", "study: 5 given; allowed: the path of a study file"),
+        ("study=", "given; allowed: the path of a study file"),
+    ],
+)
+def test_a_wrong_configuration_stops_before_any_job(built, config, said):
+    run = [sys.executable, "-m", "snakemake", "--dry-run", "--config", config]
+    done = subprocess.run(
+        run, cwd=built.root, env=built.environment, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    assert said in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_folder_with_a_space_is_refused_before_any_job(tmp_path):
+    (tmp_path / "a folder").mkdir()
+    said = copy_project(tmp_path / "a folder").snakemake("--dry-run", code=1)
+    assert "a folder: Snakemake runs in no folder with a space; move the project" in said
+    assert "Traceback" not in said
 
 
 def test_two_clean_rebuilds_are_identical(built, fresh):
@@ -129,14 +218,13 @@ def test_killed_run_resumes_to_the_same_bytes(built, fresh):
         stderr=subprocess.DEVNULL,
         start_new_session=True,
     ) as run:
-        figures = fresh.root / "results/figures"
+        figures = fresh.results / "figures"
         while not any(path.is_file() for path in figures.rglob("*")):  # others come and go
             assert run.poll() is None, "the run ended before it could be killed"
             time.sleep(0.05)
         os.killpg(run.pid, signal.SIGKILL)
     partial = fresh.digests()
     assert len(partial) < len(built.digests())
-    fresh.snakemake("--unlock")
     fresh.snakemake("--rerun-incomplete")
     assert fresh.digests() == built.digests()
 
@@ -175,7 +263,8 @@ def test_a_study_without_an_effect_has_no_job_for_it(fresh):
     jobs = said[: said.index("Reasons:")] if "Reasons:" in said else said
     assert "acceleration_centers" not in jobs
     assert not any(f"figure_{n}" in jobs for n in ("09", "10", "11", "12"))
-    fresh.snakemake("results/figures/figure_13.svg", "results/data/scenes.nc")
-    modes = read_dataset(fresh.root / "results/data/contact_modes.nc")
+    folder = fresh.results.relative_to(fresh.root)
+    fresh.snakemake(f"{folder}/figures/figure_13.svg", f"{folder}/data/scenes.nc")
+    modes = read_dataset(fresh.results / "data/contact_modes.nc")
     assert list(modes.effects.values) == ["support_friction"]
     assert "inertia" not in modes.attrs["parameters"]

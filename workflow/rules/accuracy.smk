@@ -6,9 +6,9 @@ ACCURACY = [name for name, figure in SUPPLEMENT.items() if figure.groups("accura
 #: Like the report, built with the study that the golden data certify.
 COUNTS = (
     [
-        *expand("results/data/{name}.nc", name=["accuracy_errors", "evaluations"]),
+        *expand("<results>/data/{name}.nc", name=["accuracy_errors", "evaluations"]),
         *expand(
-            "results/figures/accuracy_evaluations.{kind}", kind=["svg", "pdf", "png"]
+            "<results>/figures/accuracy_evaluations.{kind}", kind=["svg", "pdf", "png"]
         ),
     ]
     if STUDY.golden
@@ -23,13 +23,14 @@ rule counts:
 
 rule accuracy_errors:
     output:
-        "results/data/accuracy_errors.nc",
+        "<results>/data/accuracy_errors.nc",
     log:
-        "results/logs/accuracy/accuracy_errors.log",
+        "<results>/logs/accuracy/accuracy_errors.log",
     benchmark:
-        "results/benchmarks/accuracy/accuracy_errors.tsv"
+        "<results>/benchmarks/accuracy/accuracy_errors.tsv"
     params:
-        code=code_of("evidence.costs.tables", "study.store"),
+        code=code_of("evidence.costs.tables", "study.store", "study.describe"),
+        provenance=PROVENANCE,
     message:
         "Computing the errors of every method"
     script:
@@ -41,13 +42,14 @@ rule evaluations:
         study=STUDY_FILE,
         scenes=[push.file for push in STUDY.scenes.values()],
     output:
-        "results/data/evaluations.nc",
+        "<results>/data/evaluations.nc",
     log:
-        "results/logs/accuracy/evaluations.log",
+        "<results>/logs/accuracy/evaluations.log",
     benchmark:
-        "results/benchmarks/accuracy/evaluations.tsv"
+        "<results>/benchmarks/accuracy/evaluations.tsv"
     params:
-        code=code_of("evidence.costs.effects", "study.store"),
+        code=code_of("evidence.costs.effects", "study.store", "study.describe"),
+        provenance=PROVENANCE,
     message:
         "Counting the evaluations of each effect"
     script:
@@ -56,21 +58,21 @@ rule evaluations:
 
 rule evaluations_figure:
     input:
-        data="results/data/accuracy_errors.nc",
+        data="<results>/data/accuracy_errors.nc",
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
-            "results/figures/{figure}.svg",
+            "<results>/figures/{figure}.svg",
             category="What accuracy costs",
             caption="../report/accuracy_evaluations.rst",
             labels={"figure": "error against evaluations"},
         ),
-        pdf="results/figures/{figure}.pdf",
-        png="results/figures/{figure}.png",
+        pdf="<results>/figures/{figure}.pdf",
+        png="<results>/figures/{figure}.png",
     log:
-        "results/logs/figures/{figure}.log",
+        "<results>/logs/figures/{figure}.log",
     benchmark:
-        "results/benchmarks/figures/{figure}.tsv"
+        "<results>/benchmarks/figures/{figure}.tsv"
     wildcard_constraints:
         figure="accuracy_evaluations",
     params:
@@ -81,29 +83,18 @@ rule evaluations_figure:
         "../scripts/file_figure.py"
 
 
-rule accuracy:
-    input:
-        "results/data/accuracy.nc",
-        "results/data/effects.nc",
-        expand(
-            "results/figures/{figure}.{kind}",
-            figure=list(SUPPLEMENT),
-            kind=["svg", "pdf", "png"],
-        ),
-        ["results/accuracy.pdf"] if STUDY.golden else [],
-
-
 rule accuracy_data:
     input:
         scenes=["workflow/scenes/figure_15.yaml", "workflow/scenes/figure_14a.yaml"],
     output:
-        "results/data/accuracy.nc",
+        "<results>/data/accuracy.nc",
     log:
-        "results/logs/accuracy/accuracy.log",
+        "<results>/logs/accuracy/accuracy.log",
     # Nothing else may run beside a measurement.
     threads: workflow.cores
     params:
-        code=code_of("evidence.costs.measurements", "study.store"),
+        code=code_of("evidence.costs.measurements", "study.store", "study.describe"),
+        provenance=PROVENANCE,
     message:
         "Measuring what accuracy costs"
     script:
@@ -113,15 +104,16 @@ rule accuracy_data:
 rule effects_data:
     input:
         study=STUDY_FILE,
-        counted="results/data/evaluations.nc",
+        counted="<results>/data/evaluations.nc",
         scenes=[push.file for push in STUDY.scenes.values()],
     output:
-        "results/data/effects.nc",
+        "<results>/data/effects.nc",
     log:
-        "results/logs/accuracy/effects.log",
+        "<results>/logs/accuracy/effects.log",
     threads: workflow.cores
     params:
-        code=code_of("evidence.costs.effects", "study.store"),
+        code=code_of("evidence.costs.effects", "study.store", "study.describe"),
+        provenance=PROVENANCE,
     message:
         "Measuring what each effect costs"
     script:
@@ -130,19 +122,19 @@ rule effects_data:
 
 rule effects_figure:
     input:
-        data="results/data/effects.nc",
+        data="<results>/data/effects.nc",
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
-            "results/figures/effects.svg",
+            "<results>/figures/effects.svg",
             category="Effects",
             caption="../report/effects.rst",
             labels={"figure": "times"},
         ),
-        pdf="results/figures/effects.pdf",
-        png="results/figures/effects.png",
+        pdf="<results>/figures/effects.pdf",
+        png="<results>/figures/effects.png",
     log:
-        "results/logs/figures/effects.log",
+        "<results>/logs/figures/effects.log",
     params:
         code=code_of(*SUPPLEMENT["effects"].modules),
     message:
@@ -153,19 +145,19 @@ rule effects_figure:
 
 rule accuracy_figure:
     input:
-        data="results/data/accuracy.nc",
+        data="<results>/data/accuracy.nc",
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
-            "results/figures/{figure}.svg",
+            "<results>/figures/{figure}.svg",
             category="What accuracy costs",
             caption="../report/times.rst",
             labels={"figure": "{figure}"},
         ),
-        pdf="results/figures/{figure}.pdf",
-        png="results/figures/{figure}.png",
+        pdf="<results>/figures/{figure}.pdf",
+        png="<results>/figures/{figure}.png",
     log:
-        "results/logs/figures/{figure}.log",
+        "<results>/logs/figures/{figure}.log",
     wildcard_constraints:
         figure="|".join(ACCURACY),
     params:
@@ -178,10 +170,10 @@ rule accuracy_figure:
 
 rule supplement_tables:
     input:
-        data=expand("results/data/{name}.nc", name=["accuracy", "effects"]),
+        data=expand("<results>/data/{name}.nc", name=["accuracy", "effects"]),
     output:
         expand(
-            "results/tables/{name}",
+            "<results>/tables/{name}",
             name=[
                 "accuracy_numbers.json",
                 "times_effects.csv",
@@ -190,10 +182,11 @@ rule supplement_tables:
             ],
         ),
     log:
-        "results/logs/accuracy/supplement_tables.log",
+        "<results>/logs/accuracy/supplement_tables.log",
     params:
         code=code_of("report.supplement"),
         golden=STUDY.golden,
+        results=RESULTS,
     message:
         "Reading the numbers of the supplement"
     script:
@@ -203,21 +196,38 @@ rule supplement_tables:
 rule supplement_pdf:
     input:
         rules.supplement_tables.output,
-        figures=expand("results/figures/{figure}.svg", figure=list(SUPPLEMENT)),
+        figures=expand("<results>/figures/{figure}.svg", figure=list(SUPPLEMENT)),
         source="paper/supplement.typ",
         parts=SOURCES,
     output:
         report(
-            "results/accuracy.pdf",
+            "<results>/accuracy.pdf",
             category="Report",
             labels={"document": "supplement on time"},
             caption="../report/supplement.rst",
         ),
     log:
-        "results/logs/accuracy/supplement_pdf.log",
+        "<results>/logs/accuracy/supplement_pdf.log",
     params:
         code=code_of("report.typeset"),
+        results=RESULTS,
     message:
         "Setting the supplement"
     script:
         "../scripts/paper.py"
+
+
+rule accuracy:
+    input:
+        "<results>/data/accuracy.nc",
+        "<results>/data/effects.nc",
+        expand(
+            "<results>/figures/{figure}.{kind}",
+            figure=list(SUPPLEMENT),
+            kind=["svg", "pdf", "png"],
+        ),
+        (
+            [rules.supplement_tables.output, "<results>/accuracy.pdf"]
+            if STUDY.golden
+            else []
+        ),

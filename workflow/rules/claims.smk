@@ -1,26 +1,26 @@
 # The ledger of the paper's claims: a verdict on each; the job fails where one is not as expected.
-rule claims:
-    input:
-        "results/tables/claims.json",
-
-
 rule claims_table:
     input:
         ledger="paper/claims.yaml",
     output:
-        json="results/tables/claims.json",
+        json="<results>/tables/claims.json",
         csv=report(
-            "results/tables/claims.csv",
+            "<results>/tables/claims.csv",
             category="Claims",
             caption="../report/claims.rst",
         ),
     log:
-        "results/logs/claims/claims_table.log",
+        "<results>/logs/claims/claims_table.log",
     benchmark:
-        "results/benchmarks/claims/claims_table.tsv"
+        "<results>/benchmarks/claims/claims_table.tsv"
     params:
         code=code_of("evidence.claims.table"),
     message:
         "Checking the claims of the paper"
     script:
         "../scripts/claims.py"
+
+
+rule claims:
+    input:
+        rules.claims_table.output,

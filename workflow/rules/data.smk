@@ -1,18 +1,18 @@
 # The datasets, one job each: a grid is vectorised inside its job.
 rule data:
     input:
-        expand("results/data/{dataset}.nc", dataset=COMPUTED),
+        expand("<results>/data/{dataset}.nc", dataset=COMPUTED),
 
 
 rule dataset:
     input:
         scenes=scene_files,
     output:
-        "results/data/{dataset}.nc",
+        "<results>/data/{dataset}.nc",
     log:
-        "results/logs/data/{dataset}.log",
+        "<results>/logs/data/{dataset}.log",
     benchmark:
-        "results/benchmarks/data/{dataset}.tsv"
+        "<results>/benchmarks/data/{dataset}.tsv"
     wildcard_constraints:
         dataset="|".join(COMPUTED),
     priority: FIRST
@@ -22,6 +22,7 @@ rule dataset:
             f"study.datasets.{wildcards.dataset}", "study.slices", "study.store"
         ),
         study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
+        provenance=PROVENANCE,
     message:
         "Computing {wildcards.dataset}"
     script:

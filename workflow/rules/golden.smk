@@ -3,7 +3,7 @@
 from pathlib import Path
 
 VERDICT = (
-    expand("results/tables/golden_verdict.{kind}", kind=["txt", "json"])
+    expand("<results>/tables/golden_verdict.{kind}", kind=["txt", "json"])
     if STUDY.golden
     else []
 )
@@ -22,29 +22,29 @@ rule golden_verdict:
             *STUDY.simulations.values(),
         ],
         results=[
-            expand("results/data/{dataset}.nc", dataset=COMPUTED),
+            expand("<results>/data/{dataset}.nc", dataset=COMPUTED),
             expand(
-                "results/data/simulations/{simulation}.nc",
+                "<results>/data/simulations/{simulation}.nc",
                 simulation=STUDY.simulations,
             ),
             expand(
-                "results/data/{name}.nc",
+                "<results>/data/{name}.nc",
                 name=["hard_cases", "accuracy_errors", "evaluations"],
             ),
-            expand("results/figures/data/{figure}.nc", figure=DRAWN),
+            expand("<results>/figures/data/{figure}.nc", figure=DRAWN),
         ],
         golden=sorted(map(str, Path(STUDY.golden or ".").glob("*.nc"))),
     output:
-        data="results/tables/golden_verdict.json",
+        data="<results>/tables/golden_verdict.json",
         text=report(
-            "results/tables/golden_verdict.txt",
+            "<results>/tables/golden_verdict.txt",
             category="Golden check",
             caption="../report/golden.rst",
         ),
     log:
-        "results/logs/golden/golden_verdict.log",
+        "<results>/logs/golden/golden_verdict.log",
     benchmark:
-        "results/benchmarks/golden/golden_verdict.tsv"
+        "<results>/benchmarks/golden/golden_verdict.tsv"
     priority: FIRST
     params:
         code=code_of(
@@ -54,6 +54,7 @@ rule golden_verdict:
             "evidence.writing",
             *(FIGURES[name].modules[1] for name in DRAWN),
         ),
+        results=RESULTS,
     message:
         "Checking every value of the results"
     script:

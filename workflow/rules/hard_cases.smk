@@ -2,8 +2,8 @@
 # random and adversarial inputs, which `snakemake sweep` runs (some minutes).
 # They do not depend on the study, and are built with the one that the golden data certify.
 HARD_CASES = [
-    "results/data/hard_cases.nc",
-    *expand("results/figures/hard_cases.{kind}", kind=["svg", "pdf", "png"]),
+    "<results>/data/hard_cases.nc",
+    *expand("<results>/figures/hard_cases.{kind}", kind=["svg", "pdf", "png"]),
 ]
 
 
@@ -14,13 +14,14 @@ rule hard_cases:
 
 rule hard_cases_data:
     output:
-        "results/data/hard_cases.nc",
+        "<results>/data/hard_cases.nc",
     log:
-        "results/logs/data/hard_cases.log",
+        "<results>/logs/data/hard_cases.log",
     benchmark:
-        "results/benchmarks/data/hard_cases.tsv"
+        "<results>/benchmarks/data/hard_cases.tsv"
     params:
-        code=code_of("evidence.hard_cases.dataset", "study.store"),
+        code=code_of("evidence.hard_cases.dataset", "study.store", "study.describe"),
+        provenance=PROVENANCE,
     message:
         "Measuring the hard cases"
     script:
@@ -29,21 +30,21 @@ rule hard_cases_data:
 
 rule hard_cases_figure:
     input:
-        data="results/data/hard_cases.nc",
+        data="<results>/data/hard_cases.nc",
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
-            "results/figures/hard_cases.svg",
+            "<results>/figures/hard_cases.svg",
             category="Hard cases",
             caption="../report/hard_cases.rst",
             labels={"figure": "hard_cases"},
         ),
-        pdf="results/figures/hard_cases.pdf",
-        png="results/figures/hard_cases.png",
+        pdf="<results>/figures/hard_cases.pdf",
+        png="<results>/figures/hard_cases.png",
     log:
-        "results/logs/figures/hard_cases.log",
+        "<results>/logs/figures/hard_cases.log",
     benchmark:
-        "results/benchmarks/figures/hard_cases.tsv"
+        "<results>/benchmarks/figures/hard_cases.tsv"
     params:
         code=code_of(*OURS["hard_cases"].modules),
     message:
@@ -54,11 +55,11 @@ rule hard_cases_figure:
 
 rule sweep:
     output:
-        "results/tables/sweep.json",
+        "<results>/tables/sweep.json",
     log:
-        "results/logs/tables/sweep.log",
+        "<results>/logs/tables/sweep.log",
     benchmark:
-        "results/benchmarks/tables/sweep.tsv"
+        "<results>/benchmarks/tables/sweep.tsv"
     params:
         code=code_of("evidence.hard_cases.sweep.counts", "evidence.writing"),
     message:

@@ -1,7 +1,7 @@
 # The report: the tables that it is set from, then the PDF. It is about a whole study that golden data
 # certify, and built for such a one.
 WHOLE = COMPUTED == list(DATASETS) and DRAWN == list(FIGURES)
-PAPER = ["results/paper.pdf"] if STUDY.golden and WHOLE else []
+REPORTED = STUDY.golden and WHOLE
 
 #: What the report and its supplement are set from, beside the results.
 SOURCES = sorted(
@@ -11,83 +11,79 @@ SOURCES = sorted(
 )
 
 
-rule paper:
-    input:
-        PAPER,
-
-
 rule report_tables:
     input:
-        data=expand("results/data/{dataset}.nc", dataset=DATASETS),
-        figures=expand("results/figures/data/{figure}.nc", figure=FIGURES),
+        data=expand("<results>/data/{dataset}.nc", dataset=DATASETS),
+        figures=expand("<results>/figures/data/{figure}.nc", figure=FIGURES),
         costs=expand(
-            "results/data/{name}.nc",
+            "<results>/data/{name}.nc",
             name=["accuracy_errors", "evaluations", "hard_cases"],
         ),
-        pictures=expand("results/figures/{figure}.png", figure=[*FIGURES, *OURS]),
-        verdict="results/tables/golden_verdict.json",
-        claims="results/tables/claims.json",
+        pictures=expand("<results>/figures/{figure}.png", figure=[*FIGURES, *OURS]),
+        verdict="<results>/tables/golden_verdict.json",
+        claims="<results>/tables/claims.json",
         study=STUDY_FILE,
         golden=rules.golden_verdict.input.golden,
     output:
-        numbers="results/tables/numbers.json",
-        figures="results/tables/figures.json",
+        numbers="<results>/tables/numbers.json",
+        figures="<results>/tables/figures.json",
         cones=report(
-            "results/tables/infinite_friction_cones.csv",
+            "<results>/tables/infinite_friction_cones.csv",
             category="Tables",
             labels={"table": "motion cones of infinite friction"},
             caption="../report/cones.rst",
         ),
         verdict=report(
-            "results/tables/golden_summary.csv",
+            "<results>/tables/golden_summary.csv",
             category="Golden check",
             labels={"table": "by dataset"},
             caption="../report/golden_summary.rst",
         ),
         provenance=report(
-            "results/tables/provenance.csv",
+            "<results>/tables/provenance.csv",
             category="Provenance",
             labels={"table": "versions"},
             caption="../report/provenance.rst",
         ),
         accuracy_wrench=report(
-            "results/tables/accuracy_wrench.csv",
+            "<results>/tables/accuracy_wrench.csv",
             category="What accuracy costs",
             labels={"table": "methods for the wrench"},
             caption="../report/accuracy_wrench.rst",
         ),
         accuracy_cone=report(
-            "results/tables/accuracy_cone.csv",
+            "<results>/tables/accuracy_cone.csv",
             category="What accuracy costs",
             labels={"table": "methods for motion cones"},
             caption="../report/accuracy_cone.rst",
         ),
         hard_places=report(
-            "results/tables/hard_places.csv",
+            "<results>/tables/hard_places.csv",
             category="Hard cases",
             labels={"table": "by place"},
             caption="../report/hard_places.rst",
         ),
         hard_ill=report(
-            "results/tables/hard_ill.csv",
+            "<results>/tables/hard_ill.csv",
             category="Hard cases",
             labels={"table": "ill-conditioned"},
             caption="../report/hard_ill.rst",
         ),
         evaluations=report(
-            "results/tables/evaluations.csv",
+            "<results>/tables/evaluations.csv",
             category="Effects",
             labels={"table": "evaluations"},
             caption="../report/evaluations.rst",
         ),
     log:
-        "results/logs/paper/report_tables.log",
+        "<results>/logs/paper/report_tables.log",
     benchmark:
-        "results/benchmarks/paper/report_tables.tsv"
+        "<results>/benchmarks/paper/report_tables.tsv"
     priority: FIRST
     params:
         code=code_of("report.tables", "report.cost_tables"),
         golden=STUDY.golden,
+        results=RESULTS,
     message:
         "Reading the numbers of the report"
     script:
@@ -97,25 +93,31 @@ rule report_tables:
 rule paper_pdf:
     input:
         rules.report_tables.output,
-        claims="results/tables/claims.json",
-        figures=expand("results/figures/{figure}.svg", figure=[*FIGURES, *OURS]),
+        claims="<results>/tables/claims.json",
+        figures=expand("<results>/figures/{figure}.svg", figure=[*FIGURES, *OURS]),
         source="paper/report.typ",
         parts=SOURCES,
     output:
         report(
-            "results/paper.pdf",
+            "<results>/paper.pdf",
             category="Report",
             labels={"document": "the report"},
             caption="../report/paper.rst",
         ),
     log:
-        "results/logs/paper/paper_pdf.log",
+        "<results>/logs/paper/paper_pdf.log",
     benchmark:
-        "results/benchmarks/paper/paper_pdf.tsv"
+        "<results>/benchmarks/paper/paper_pdf.tsv"
     priority: FIRST
     params:
         code=code_of("report.typeset"),
+        results=RESULTS,
     message:
         "Setting the report"
     script:
         "../scripts/paper.py"
+
+
+rule paper:
+    input:
+        [rules.report_tables.output, rules.paper_pdf.output] if REPORTED else [],

@@ -1,9 +1,11 @@
 # Motion over time: a log and a figure for each scene file that the study simulates.
 rule simulations:
     input:
-        expand("results/data/simulations/{simulation}.nc", simulation=STUDY.simulations),
         expand(
-            "results/figures/simulation_{simulation}.{kind}",
+            "<results>/data/simulations/{simulation}.nc", simulation=STUDY.simulations
+        ),
+        expand(
+            "<results>/figures/simulation_{simulation}.{kind}",
             simulation=STUDY.simulations,
             kind=["svg", "pdf", "png"],
         ),
@@ -13,14 +15,15 @@ rule simulation:
     input:
         scene=lambda wildcards: STUDY.simulations[wildcards.simulation],
     output:
-        "results/data/simulations/{simulation}.nc",
+        "<results>/data/simulations/{simulation}.nc",
     log:
-        "results/logs/data/simulation_{simulation}.log",
+        "<results>/logs/data/simulation_{simulation}.log",
     benchmark:
-        "results/benchmarks/data/simulation_{simulation}.tsv"
+        "<results>/benchmarks/data/simulation_{simulation}.tsv"
     priority: FIRST
     params:
-        code=code_of("study.simulations", "study.store"),
+        code=code_of("study.simulations", "study.store", "study.describe"),
+        provenance=PROVENANCE,
     message:
         "Simulating {wildcards.simulation}"
     script:
@@ -29,21 +32,21 @@ rule simulation:
 
 rule simulation_figure:
     input:
-        data="results/data/simulations/{simulation}.nc",
+        data="<results>/data/simulations/{simulation}.nc",
         style="src/planar_pushing/figures/paper.mplstyle",
     output:
         svg=report(
-            "results/figures/simulation_{simulation}.svg",
+            "<results>/figures/simulation_{simulation}.svg",
             category="Motion over time",
             caption="../report/simulation.rst",
             labels={"figure": "{simulation}"},
         ),
-        pdf="results/figures/simulation_{simulation}.pdf",
-        png="results/figures/simulation_{simulation}.png",
+        pdf="<results>/figures/simulation_{simulation}.pdf",
+        png="<results>/figures/simulation_{simulation}.png",
     log:
-        "results/logs/figures/simulation_{simulation}.log",
+        "<results>/logs/figures/simulation_{simulation}.log",
     benchmark:
-        "results/benchmarks/figures/simulation_{simulation}.tsv"
+        "<results>/benchmarks/figures/simulation_{simulation}.tsv"
     priority: LAST
     params:
         code=code_of("figures.motion.simulation"),

@@ -4,6 +4,8 @@ from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
     from planar_pushing.evidence.costs.measurements import measured
+    from planar_pushing.study.describe import of_study
     from planar_pushing.study.store import write_dataset
 
-    write_dataset(measured(), snakemake.output[0])
+    found = of_study(measured(), "accuracy", snakemake.params.provenance)
+    write_dataset(found, snakemake.output[0])

@@ -4,6 +4,9 @@ from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
     from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
+    from planar_pushing.study.describe import of_study
     from planar_pushing.study.store import write_dataset
 
-    write_dataset({"wrench": wrench_errors(), "cone": cone_errors()}, snakemake.output[0])
+    found = {"wrench": wrench_errors(), "cone": cone_errors()}
+    found = of_study(found, "accuracy_errors", snakemake.params.provenance)
+    write_dataset(found, snakemake.output[0])

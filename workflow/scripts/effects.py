@@ -4,8 +4,10 @@ from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]):
     from planar_pushing.evidence.costs.effects import measure
+    from planar_pushing.study.describe import of_study
     from planar_pushing.study.store import read_dataset, write_dataset
     from planar_pushing.study.study_file import load_study
 
     study, counted = load_study(snakemake.input.study), read_dataset(snakemake.input.counted)
-    write_dataset(measure(study, counted), snakemake.output[0])
+    found = of_study(measure(study, counted), "effects", snakemake.params.provenance)
+    write_dataset(found, snakemake.output[0])

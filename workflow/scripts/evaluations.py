@@ -8,7 +8,10 @@ os.environ["NUMBA_DISABLE_JIT"] = "1"
 
 with job_log(snakemake.log[0]):
     from planar_pushing.evidence.costs.effects import evaluations
+    from planar_pushing.study.describe import of_study
     from planar_pushing.study.store import write_dataset
     from planar_pushing.study.study_file import load_study
 
-    write_dataset(evaluations(load_study(snakemake.input.study)), snakemake.output[0])
+    counted = evaluations(load_study(snakemake.input.study))
+    found = of_study(counted, "evaluations", snakemake.params.provenance)
+    write_dataset(found, snakemake.output[0])

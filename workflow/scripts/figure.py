@@ -9,4 +9,6 @@ with job_log(snakemake.log[0]) as log:
 
     log.info("drawing %s", snakemake.wildcards.figure)
     settings = SimpleNamespace(**snakemake.params.settings)
-    render(snakemake.wildcards.figure, "results", settings, **dict(snakemake.output.items()))
+    files = dict(snakemake.output.items())
+    marks = snakemake.params.provenance
+    render(snakemake.wildcards.figure, snakemake.params.results, settings, marks=marks, **files)

@@ -11,7 +11,8 @@ with job_log(snakemake.log[0]) as log:
     from planar_pushing.study.study_file import load_study
     from planar_pushing.terms.errors import InvalidResult
 
-    found = verdict(check_results(Path("results"), load_study(snakemake.input.study)))
+    results = Path(snakemake.params.results)
+    found = verdict(check_results(results, load_study(snakemake.input.study)))
     text = verdict_text(found)
     if not found["passed"]:
         raise InvalidResult(text)

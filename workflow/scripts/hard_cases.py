@@ -4,7 +4,9 @@ from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
     from planar_pushing.evidence.hard_cases.dataset import build
+    from planar_pushing.study.describe import of_study
     from planar_pushing.study.store import write_dataset
 
     log.info("measuring the hard cases")
-    write_dataset(build(), snakemake.output[0])
+    found = of_study(build(), "hard_cases", snakemake.params.provenance)
+    write_dataset(found, snakemake.output[0])

@@ -5,4 +5,4 @@ from planar_pushing.study.jobs import job_log
 with job_log(snakemake.log[0]):
     from planar_pushing.report.typeset import typeset
 
-    typeset(snakemake.input.source, ".", snakemake.output[0])
+    typeset(snakemake.input.source, ".", snakemake.output[0], snakemake.params.results)

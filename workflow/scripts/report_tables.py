@@ -10,7 +10,7 @@ with job_log(snakemake.log[0]):
     from planar_pushing.report.cost_tables import COST_TABLES
     from planar_pushing.report.results import Results
 
-    results = Results(Path("results"), Path(snakemake.params.golden))
+    results = Results(Path(snakemake.params.results), Path(snakemake.params.golden))
     texts = {
         "numbers": tables.numbers_text(results),
         "figures": tables.figures_text(results),

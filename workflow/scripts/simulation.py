@@ -3,9 +3,12 @@
 from planar_pushing.study.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
+    from planar_pushing.study.describe import of_study
     from planar_pushing.study.files.scenes import load_scene_file
     from planar_pushing.study.simulations import simulate_file
     from planar_pushing.study.store import write_dataset
 
     log.info("simulating %s", snakemake.wildcards.simulation)
-    write_dataset(simulate_file(load_scene_file(snakemake.input.scene)), snakemake.output[0])
+    found = simulate_file(load_scene_file(snakemake.input.scene))
+    found = of_study(found, snakemake.wildcards.simulation, snakemake.params.provenance)
+    write_dataset(found, snakemake.output[0])

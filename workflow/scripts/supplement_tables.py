@@ -9,6 +9,6 @@ with job_log(snakemake.log[0]):
     from planar_pushing.report.results import Results
     from planar_pushing.report.supplement import TABLES
 
-    results = Results(Path("results"), Path(snakemake.params.golden))
+    results = Results(Path(snakemake.params.results), Path(snakemake.params.golden))
     for path in snakemake.output:
         write_text(TABLES[Path(path).name](results), path)

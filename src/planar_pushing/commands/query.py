@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.arguments import Commands, command
-from planar_pushing.study.catalog import DATASETS, DIMS
+from planar_pushing.study.catalog import DATASETS, DIMS, EVIDENCE
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.quantities import unit_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -23,11 +24,16 @@ def add(commands: Commands) -> None:
     example = "motion_cones --effects inertia --rod-length 2"
     sub = command(commands, "query", part, about, example)
     sub.usage = (
-        "planar-pushing query DATASET [--AXIS VALUE ...] [--axes] [--results FOLDER] [--json]"
+        "planar-pushing query DATASET [--AXIS VALUE ...] [--axes] [--study NAME] "
+        "[--results FOLDER] [--json]"
     )
     sub.epilog = f"{_axes_of_datasets()}\n\n{sub.epilog}"
-    known = f"{', '.join(DATASETS)}; a scene as scenes/NAME, a log as simulations/NAME"
-    sub.add_argument("dataset", metavar="DATASET", help=known)
+    known = ", ".join([*DATASETS, *EVIDENCE])
+    sub.add_argument(
+        "dataset", metavar="DATASET",
+        help=f"{known}; a scene as scenes/NAME, a log as simulations/NAME, "
+        "what a figure plots as figures/NAME",
+    )  # fmt: skip
     sub.add_argument(
         "--axes", action="store_true", help="list the axes of the dataset and their values instead"
     )
@@ -35,6 +41,9 @@ def add(commands: Commands) -> None:
         "--results", type=Path, default=Path("results"), metavar="FOLDER",
         help="folder that the pipeline has filled (default: results)",
     )  # fmt: skip
+    sub.add_argument(
+        "--study", metavar="NAME", help="another study, by its name (default: the paper's)"
+    )
 
 
 def _axes_of_datasets() -> str:
@@ -53,7 +62,8 @@ def part(args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.study.query import axis_names, listed, select
     from planar_pushing.study.store import open_dataset
 
-    found = select(open_dataset(args.dataset, args.results), _pairs(args.where))
+    found = open_dataset(args.dataset, args.results, study=args.study)
+    found = select(found, _pairs(args.where))
     if args.axes:
         return {option(name): listed(found.coords[name]) for name in axis_names(found)}
     return dict(found.to_dict()) if args.json else {"": _table(found)}
@@ -78,7 +88,7 @@ def _table(found: xr.Dataset) -> str:
     """Chosen values in one line, then single values in lines, and a table for each set of axes."""
     marks = {}
     for name, variable in found.variables.items():
-        unit = variable.attrs.get("units", "1")
+        unit = unit_of(variable.attrs)
         marks[name] = str(name) if unit == "1" else f"{name} [{unit}]"
     chosen = [name for name, coord in found.coords.items() if not coord.ndim]
     rest = found.drop_vars(chosen)

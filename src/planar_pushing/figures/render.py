@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import pkgutil
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, Protocol, cast
 
@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import paper_style
+from planar_pushing.study.describe import of_study
 from planar_pushing.study.figures import ALL
 from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
@@ -27,6 +28,10 @@ SAVING: dict[str, dict[str, Any]] = {
     "pdf": {"metadata": {"CreationDate": None, "Creator": "planar-pushing", "Producer": None}},
     "png": {"metadata": {"Software": None}},
 }
+
+
+#: What a picture outside of a study is marked with.
+NO_MARKS: dict[str, str] = {}
 
 
 class Drawing(Protocol):
@@ -107,6 +112,7 @@ def render(
     results: PathLike,
     settings: Settings,
     *,
+    marks: Mapping[str, str] = NO_MARKS,
     data: PathLike,
     svg: PathLike,
     pdf: PathLike,
@@ -122,8 +128,10 @@ def render(
         The folder that holds data/*.nc.
     settings : Settings
         The study's values for this figure.
+    marks : mapping
+        Name of the study and digest of its file, as `provenance` gives them.
     data, svg, pdf, png : path
         Files to write. The picture is drawn from what `data` holds once it is written.
     """
-    write_dataset(select(name, results, settings), data)
+    write_dataset(of_study(select(name, results, settings), name, marks), data)
     draw_to_files(drawing(name).draw, ALL[name].size, read_dataset(data), (svg, pdf, png))

@@ -15,7 +15,7 @@ from planar_pushing.terms.errors import InvalidFile
 FONTS = str(distribution("matplotlib").locate_file("matplotlib/mpl-data/fonts/ttf"))
 
 
-def compiled(source: PathLike, root: PathLike) -> bytes:
+def compiled(source: PathLike, root: PathLike, results: str = "results") -> bytes:
     """Set a source as a PDF, with the fonts of the figures and those that Typst ships.
 
     Parameters
@@ -24,6 +24,8 @@ def compiled(source: PathLike, root: PathLike) -> bytes:
         The Typst file.
     root : path
         The folder that holds all that it reads.
+    results : str
+        The folder of the results, from `root`.
 
     Raises
     ------
@@ -33,7 +35,11 @@ def compiled(source: PathLike, root: PathLike) -> bytes:
     if not Path(source).is_file():
         raise InvalidFile(f"{source}: no such file; give the path of a Typst source")
     compiler = typst.Compiler(
-        input=str(source), root=str(root), ignore_system_fonts=True, font_paths=[FONTS]
+        input=str(source),
+        root=str(root),
+        ignore_system_fonts=True,
+        font_paths=[FONTS],
+        sys_inputs={"results": f"/{results}"},
     )
     try:
         pdf, warnings = compiler.compile_with_warnings(format="pdf", timestamp=0)
@@ -53,8 +59,8 @@ def _explain(source: PathLike, fault: typst.TypstError | typst.TypstWarning) -> 
     return "; ".join([f"{places[-1] if places else source}: cannot be set: {said}", *fault.hints])
 
 
-def typeset(source: PathLike, root: PathLike, output: PathLike) -> None:
+def typeset(source: PathLike, root: PathLike, output: PathLike, results: str = "results") -> None:
     """Write the PDF of a source, whole or not at all; errors as in `compiled`."""
-    pdf = compiled(source, root)
+    pdf = compiled(source, root, results)
     with replacing(output) as temporary:
         temporary.write_bytes(pdf)

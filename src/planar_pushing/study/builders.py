@@ -13,6 +13,7 @@ import xarray as xr
 
 from planar_pushing.study.datasets import (
     acceleration_centers,
+    center_regions,
     contact_modes,
     limit_curves,
     motion_cones,
@@ -28,6 +29,7 @@ BUILDERS: dict[str, Callable[[StudyFile], Built]] = {
     "motion_cones": motion_cones.build,
     "contact_modes": contact_modes.build,
     "acceleration_centers": acceleration_centers.build,
+    "center_regions": center_regions.build,
     "scenes": scenes.build,
 }
 

@@ -1,18 +1,62 @@
-"""The datasets: what each holds, which grid axes it reads, and labels; read without importing xarray."""
+"""The datasets: what each holds, which grid axes it reads, and where; read without importing xarray."""
 
 from __future__ import annotations
 
-#: What each dataset holds.
+import re
+
+from planar_pushing.terms.errors import InvalidValue
+
+#: What each dataset of a study holds.
 DATASETS = {
     "limit_curves": "force and motion along the limit curves",
     "motion_cones": "friction cones and motion cones",
     "contact_modes": "consistent contact modes over the pusher's motion",
     "acceleration_centers": "motion centres with friction and inertia, exact and conservative",
+    "center_regions": "regions of acceleration centres, the paper's bound and the exact set",
     "scenes": "the scenes of the figures, one group each",
 }
 
 #: Folder of the logs of motion over time.
 SIMULATIONS = "simulations"
+#: Folder of the numbers that the figures plot.
+FIGURES = "figures"
+#: The folders of both in the results: a file for each name.
+FOLDERS = {SIMULATIONS: "data/simulations", FIGURES: "figures/data"}
+
+#: Datasets on how this work computes: what each holds.
+EVIDENCE = {
+    "accuracy_errors": "errors and evaluations of every method, a group for each quantity",
+    "evaluations": "how often each effect is evaluated",
+    "hard_cases": "results in doubles against references of 40 digits, where numbers get hard",
+}
+#: Those that hold times of one machine and are written by `snakemake accuracy` alone.
+TIMES = {
+    "accuracy": "what accuracy costs: errors, evaluations, times and memory, a group for each quantity",
+    "effects": "what each effect costs: times and evaluations",
+}
+
+#: The tables beside them: what each file holds.
+TABLES = {
+    "golden_verdict.json": "the comparison with the golden data, every variable",
+    "golden_verdict.txt": "the same to read, worst first",
+    "golden_summary.csv": "the same in short, by dataset",
+    "claims.json": "every claim of the ledger with its verdict, value and margin",
+    "claims.csv": "the same as a table",
+    "numbers.json": "the numbers of the report's prose, each with its unit and where it was read",
+    "figures.json": "captions and margins of the figures",
+    "infinite_friction_cones.csv": "motion cones of infinite friction by rod length, degrees",
+    "provenance.csv": "the study and the versions of what computed the results",
+    "accuracy_wrench.csv": "methods for the friction wrench: setting, calls and worst error",
+    "accuracy_cone.csv": "methods for motion cones: setting, calls and largest error",
+    "hard_places.csv": "hard cases by place, with their errors in units in the last place",
+    "hard_ill.csv": "ill-conditioned cases: condition, digits left and error",
+    "evaluations.csv": "evaluations of each effect",
+    "sweep.json": "counts of a sweep of random and adversarial inputs, by `snakemake sweep`",
+    "accuracy_numbers.json": "the numbers of the supplement on time, by `snakemake accuracy`",
+    "times_effects.csv": "times of each set of effects, by `snakemake accuracy`",
+    "times_scenes.csv": "times of each scene, by `snakemake accuracy`",
+    "times_machine.csv": "the machine that they were measured on, by `snakemake accuracy`",
+}
 
 #: The dimensions of each.
 DIMS: dict[str, tuple[str, ...]] = {
@@ -22,21 +66,50 @@ DIMS: dict[str, tuple[str, ...]] = {
         "effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode",
     ),
     "acceleration_centers": ("rod_length", "force_angle", "inertia_share"),
+    "center_regions": ("rod_length", "rod_angle", "force_angle", "bound_end", "exact_end"),
 }  # fmt: skip
 
 #: The grid axis that a dimension without one of its name reads.
-_GRID = {"contact": ("contact_friction_coefficient",), "mode": ()}
+_GRID = {
+    "contact": ("contact_friction_coefficient",),
+    **dict.fromkeys(("mode", "bound_end", "exact_end"), ()),
+}
 #: The grid axes that each reads.
 AXES: dict[str, tuple[str, ...]] = {
     name: tuple(axis for dim in dims for axis in _GRID.get(dim, (dim,)))
     for name, dims in DIMS.items()
 }
+#: A name in a folder, or of a group or a study.
+NAME = re.compile(r"[A-Za-z0-9_]+")
+
+
+def dataset_place(name: str) -> tuple[str, str | None]:
+    """File in the results that holds a dataset, and its group there.
+
+    Parameters
+    ----------
+    name : str
+        A dataset, "dataset/group", or a file of one of the folders, as "simulations/figure_15".
+
+    Raises
+    ------
+    InvalidValue
+        Where there is no dataset of this name.
+    """
+    stem, slash, part = name.partition("/") if isinstance(name, str) else ("", "", "")
+    whole = DATASETS | EVIDENCE | TIMES
+    named = NAME.fullmatch(part) is not None
+    if stem in FOLDERS and named:
+        return f"{FOLDERS[stem]}/{part}.nc", None
+    if stem in whole and (named or not slash):
+        return f"data/{stem}.nc", part or None
+    allowed = ", ".join([*whole, *(f"{folder}/NAME" for folder in FOLDERS)])
+    raise InvalidValue("name", name, allowed, "name one of these datasets")
 
 
 def dataset_file(name: str) -> str:
-    """File in the results that holds a dataset: scenes share one file, simulations have one each."""
-    stem = name if name.startswith(f"{SIMULATIONS}/") else name.partition("/")[0]
-    return f"data/{stem}.nc"
+    """File in the results that holds a dataset; errors as in `dataset_place`."""
+    return dataset_place(name)[0]
 
 
 def number_label(number: float) -> str:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.entries import to_json, versions
-from planar_pushing.terms.quantities import DATASET, NOTES, attributes
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, TIMES
+from planar_pushing.terms.quantities import DATASET, GLOBAL, NOTES, PAPER, attributes
 
 FLAGS = {"mode": ContactMode, "outcome": Outcome}
 
@@ -17,14 +21,39 @@ def describe(dataset: xr.Dataset, *, title: str, source: str, parameters: object
         variable.attrs = dict(attributes(DATASET, str(name)))
         flags = FLAGS.get(str(name))
         if flags and variable.dtype.kind == "i":
-            variable.attrs["flag_values"] = [int(flag) for flag in flags]
+            variable.attrs["flag_values"] = np.array(flags, variable.dtype)
             variable.attrs["flag_meanings"] = " ".join(flag.name for flag in flags)
     dataset.attrs = {
         "title": title,
-        "source": f"Lynch and Mason, Pulling by Pushing, Slip with Infinite Friction, "
-        f"and Perfectly Rough Surfaces, {source}",
+        "source": f"{PAPER}, {source}",
+        **GLOBAL,
         "parameters": to_json(parameters),
         "unit_notes": to_json(NOTES),
         "versions": versions(),
     }
     return dataset
+
+
+def of_study(
+    built: xr.Dataset | dict[str, xr.Dataset], name: str, study: Mapping[str, str]
+) -> xr.Dataset | dict[str, xr.Dataset]:
+    """Name the study and the conventions in a dataset, or in every group and above them.
+
+    Parameters
+    ----------
+    built : xarray.Dataset or dict of them
+        A dataset, or one for each group.
+    name : str
+        Name of the dataset: what it holds becomes the title of what has none.
+    study : mapping
+        Name of the study and digest of its file, as `provenance` gives them.
+    """
+    marks = {**GLOBAL, **study}
+    title = (DATASETS | EVIDENCE | TIMES).get(name, name)
+    if isinstance(built, xr.Dataset):
+        return built.assign_attrs({"title": title} | built.attrs | marks)
+    groups = {
+        part: each.assign_attrs({"title": f"{title}: {part}"} | each.attrs | marks)
+        for part, each in built.items()
+    }
+    return {"/": xr.Dataset(attrs={"title": title} | marks)} | groups

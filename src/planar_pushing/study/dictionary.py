@@ -4,77 +4,109 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import xarray as xr
 
-from planar_pushing.study.catalog import DATASETS, SIMULATIONS
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, FIGURES, SIMULATIONS, TABLES, TIMES
+from planar_pushing.study.figures import FIGURES as DRAWN
 from planar_pushing.study.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
-from planar_pushing.terms.quantities import NOTES
+from planar_pushing.terms.quantities import NOTES, unit_of
 
 HEAD = """# Data dictionary
 
 The pipeline generates everything in this folder except this page: `data/` holds the datasets, `figures/`
 the figures, with the numbers that they plot in `figures/data/`, `tables/` the golden verdict and the tables
-of the report, `paper.pdf` the report, `logs/` and `benchmarks/` a file for each job. `make dictionary`
-writes this page from the attributes of the datasets.
+of the report, `paper.pdf` the report, `accuracy.pdf` its supplement on time, `logs/` and `benchmarks/` a
+file for each job, `report.html` Snakemake's report. `studies/NAME/` holds the same of another study than
+the paper's. `make dictionary` writes this page from the attributes of the datasets.
 
-The datasets are netCDF4 files; `planar_pushing.open_dataset("motion_cones")` opens one with xarray. Angles
-are degrees, counter-clockwise from the fence.
+The datasets are netCDF4 files by the CF conventions; `planar_pushing.open_dataset("motion_cones")` opens
+one with xarray, `open_dataset(name, study="NAME")` that of another study, and `planar-pushing query` prints
+parts of it. The attributes `study` and `study_digest` name the study and give the digest of its file.
+Angles are degrees, counter-clockwise from the fence. NaN stands where there is no number; infinite
+coordinates are those of a translation's motion centre. What is true or false is stored as
+bytes, and comes back as `bool`.
 """
 
 
 def dictionary_text(results: str = "results") -> str:
     """Text of the page for the datasets in a results folder."""
     units = "\n".join(f"- *{unit}*: {note}." for unit, note in NOTES.items())
-    sections = [_section(name, results) for name in DATASETS]
-    sections += _simulations(results)
-    return "\n".join([HEAD, "Units other than degrees:\n", units, "", *sections])
+    sections = [_section(name, what, results) for name, what in (DATASETS | EVIDENCE).items()]
+    sections[len(DATASETS) : len(DATASETS)] = [_simulations(results)]
+    sections += [_times(), _figures(results), _tables()]
+    scaled = "Units of numbers that are scaled, which the attribute `quantity` names; `units` is then 1:\n"
+    return "\n".join([HEAD, scaled, units, "", *sections])
 
 
-def _simulations(results: str) -> list[str]:
-    """Section of the logs of motion over time, which share their variables; none without logs."""
-    names = sorted(path.stem for path in (Path(results) / "data" / SIMULATIONS).glob("*.nc"))
-    if not names:
-        return []
-    dataset = open_dataset(f"{SIMULATIONS}/{names[0]}", results)
-    lines = [
-        f"## data/{SIMULATIONS}/NAME.nc",
-        "",
-        "Motion over time, a log of each simulation.",
-        "",
-    ]
-    lines += [f"Source: {dataset.attrs['source']}.", ""]
-    return ["\n".join([*lines, *_table(dataset)]) + "\n"]
+def _lines(title: str, about: str, *lines: str) -> str:
+    return "\n".join([f"## {title}", "", f"{about[0].upper()}{about[1:]}.", "", *lines]) + "\n"
 
 
-def _section(name: str, results: str) -> str:
-    lines = [f"## data/{name}.nc", "", DATASETS[name][0].upper() + DATASETS[name][1:] + ".", ""]
-    if name == "scenes":
-        groups = group_names(Path(results) / "data" / "scenes.nc")
-        lines += ["Groups: " + ", ".join(f"`{group}`" for group in groups) + ".", ""]
-        dataset = open_dataset(f"scenes/{groups[-1]}", results)
-    else:
-        dataset = open_dataset(name, results)
-        lines += [f"Source: {dataset.attrs['source']}.", ""]
-    return "\n".join([*lines, *_table(dataset)]) + "\n"
+def _simulations(results: str) -> str:
+    """Section of the logs of motion over time, which share their variables."""
+    first = min((Path(results) / "data" / SIMULATIONS).glob("*.nc")).stem
+    dataset = open_dataset(f"{SIMULATIONS}/{first}", results)
+    about = "motion over time, a log of each simulation"
+    return _lines(f"data/{SIMULATIONS}/NAME.nc", about, *_source(dataset), *_table([dataset]))
 
 
-def _table(dataset: xr.Dataset) -> Iterator[str]:
+def _section(name: str, about: str, results: str) -> str:
+    """Section of a dataset; of its groups, where it has some."""
+    groups = group_names(Path(results) / "data" / f"{name}.nc")
+    parts = [open_dataset(f"{name}/{each}", results) for each in groups]
+    if parts:
+        listed = "Groups: " + ", ".join(f"`{group}`" for group in groups) + "."
+        return _lines(f"data/{name}.nc", about, listed, "", *_table(parts))
+    dataset = open_dataset(name, results)
+    return _lines(f"data/{name}.nc", about, *_source(dataset), *_table([dataset]))
+
+
+def _times() -> str:
+    """Section of the files that differ on every machine, which a plain run does not write."""
+    rows = [f"- `data/{name}.nc`: {what}." for name, what in TIMES.items()]
+    return _lines("What `snakemake accuracy` writes", "times of one machine", *rows)
+
+
+def _figures(results: str) -> str:
+    """Section of what the figures plot."""
+    found = [open_dataset(f"{FIGURES}/{name}", results) for name in DRAWN]
+    about = "the numbers that each figure plots, a file for each; most are parts of the datasets"
+    return _lines("figures/data/NAME.nc", about, *_table(found))
+
+
+def _tables() -> str:
+    rows = [f"- `tables/{name}`: {what}." for name, what in TABLES.items()]
+    return _lines("tables/", "what the report is set from", *rows)
+
+
+def _source(dataset: xr.Dataset) -> tuple[str, ...]:
+    return f"Source: {dataset.attrs['source']}.", ""
+
+
+def _table(datasets: Iterable[xr.Dataset]) -> Iterator[str]:
+    """Rows of variables and coordinates, one for each of several that are described alike."""
     yield "| name | dims | unit | meaning |"
     yield "| --- | --- | --- | --- |"
-    for name in [*dataset.coords, *dataset.data_vars]:
-        variable = dataset[name]
-        meaning = variable.attrs["long_name"]
-        if "flag_meanings" in variable.attrs:
-            flags = zip(
-                variable.attrs["flag_values"], variable.attrs["flag_meanings"].split(), strict=True
-            )
-            meaning += ": " + ", ".join(f"{value} {word}" for value, word in flags)
-        dims = ", ".join(map(str, variable.dims)) or "-"
-        yield f"| `{name}` | {dims} | {variable.attrs['units']} | {meaning} |"
+    rows = (_row(name, data[name]) for data in datasets for name in (*data.coords, *data.data_vars))
+    yield from dict.fromkeys(rows)
+
+
+def _row(name: object, variable: xr.DataArray) -> str:
+    meaning = variable.attrs["long_name"]
+    if "flag_meanings" in variable.attrs:
+        flags = variable.attrs.get("flag_values", variable.attrs.get("flag_masks", ()))
+        words = variable.attrs["flag_meanings"].split()
+        meaning += ": " + ", ".join(
+            f"{value} {word}" for value, word in zip(flags, words, strict=True)
+        )
+    if "comment" in variable.attrs:
+        meaning += f"; {variable.attrs['comment']}"
+    dims = ", ".join(map(str, variable.dims)) or "-"
+    return f"| `{name}` | {dims} | {unit_of(variable.attrs)} | {meaning} |"
 
 
 def main() -> int:

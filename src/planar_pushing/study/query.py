@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.study.catalog import number_label
+from planar_pushing.study.hdf5 import reading
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -32,7 +33,9 @@ def select(dataset: xr.Dataset, wanted: dict[str, str]) -> xr.Dataset:
         if not found.size:
             raise InvalidValue(name, text, listed(coord), "choose a value of the study's grid")
         dataset = dataset.isel({coord.dims[0]: found[0] if found.size == 1 else found})
-    return dataset
+    # A large dataset is read here, and may be damaged where nobody has looked yet.
+    with reading(dataset.encoding.get("source", "the dataset")):
+        return dataset.load()
 
 
 def _parse(name: str, text: str) -> float:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Literal
 
 import h5netcdf
 import xarray as xr
 
-from planar_pushing.study.catalog import DATASETS, SIMULATIONS, dataset_file
+from planar_pushing.study.catalog import dataset_place
 from planar_pushing.study.files.replacing import PathLike, replacing
+from planar_pushing.study.hdf5 import readable
+from planar_pushing.study.studies import study_folder
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
@@ -45,8 +44,8 @@ def _encoding(variable: xr.Variable) -> dict[str, Any]:
 
 
 def read_attributes(path: PathLike) -> dict[str, object]:
-    """Read the root attributes of a file that is there, and nothing else of it."""
-    with h5netcdf.File(path, "r") as file:
+    """Read the root attributes of a file, and nothing else of it; errors as in `read_dataset`."""
+    with readable(path), h5netcdf.File(path, "r") as file:
         return dict(file.attrs)
 
 
@@ -56,36 +55,25 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
     Raises
     ------
     InvalidFile
-        Where the file is missing, is not netCDF4 or has no such group.
+        Where the file is missing, is not netCDF4, has no such group, or does not hold its own values.
     """
     if group and group not in group_names(path):
         raise InvalidFile(f"{path}: has no group {group!r}; build it anew")
-    with _readable(path):
-        # A file that is HDF5 and no netCDF4 names no dimensions.
-        opened = xr.open_dataset(path, engine=ENGINE, group=group, phony_dims="access")
-    if opened.nbytes > LARGE:
-        return opened
-    with opened:
-        return opened.load()
+    with readable(path):
+        # A file that is HDF5 and no netCDF4 names no dimensions; no dataset holds dates.
+        opened = xr.open_dataset(
+            path, engine=ENGINE, group=group, phony_dims="access", decode_times=False
+        )
+        if opened.nbytes > LARGE:
+            return opened
+        with opened:
+            return opened.load()
 
 
 def group_names(path: PathLike) -> list[str]:
     """Names of a file's groups, in order; errors as in `read_dataset`."""
-    with _readable(path), h5netcdf.File(path, "r") as file:
+    with readable(path), h5netcdf.File(path, "r") as file:
         return sorted(file.groups)
-
-
-@contextmanager
-def _readable(path: PathLike) -> Iterator[None]:
-    """Say of a file that cannot be opened what is wrong with it."""
-    try:
-        yield
-    except FileNotFoundError:
-        message = f"{path}: no such dataset; build it with make or snakemake"
-        raise InvalidFile(message) from None
-    except OSError as error:
-        reason = f" ({os.strerror(error.errno)})" if error.errno else ""
-        raise InvalidFile(f"{path}: is not a netCDF4 file{reason}; build it anew") from None
 
 
 def _filled(folder: Path) -> Path:
@@ -98,16 +86,21 @@ def _filled(folder: Path) -> Path:
     return folder
 
 
-def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
-    """Open a dataset of the study by name.
+def open_dataset(
+    name: str, results: PathLike = "results", *, study: str | None = None
+) -> xr.Dataset:
+    """Open a dataset of a study by name.
 
     Parameters
     ----------
     name : str
-        limit_curves, motion_cones, contact_modes, acceleration_centers, a scene as
-        "scenes/figure_08", or a simulation as "simulations/figure_15".
+        limit_curves, motion_cones, contact_modes, acceleration_centers, center_regions, a scene as
+        "scenes/figure_08", a simulation as "simulations/figure_15", what a figure plots as
+        "figures/figure_06", or one on how this work computes, such as "accuracy_errors/cone".
     results : path
         The folder that the pipeline filled.
+    study : str, optional
+        Name of another study than the paper's, whose results are in studies/NAME there.
 
     Returns
     -------
@@ -117,20 +110,23 @@ def open_dataset(name: str, results: PathLike = "results") -> xr.Dataset:
     Raises
     ------
     InvalidValue
-        Where there is no dataset of this name.
+        Where there is no dataset of this name, or no study.
     InvalidFile
         Where the folder is not one of results, or the dataset has not been built.
     """
-    folder = Path(require_path("results", results))
-    stem, _, group = name.partition("/") if isinstance(name, str) else ("", "", "")
-    if stem == SIMULATIONS and group:
-        return read_dataset(_filled(folder) / dataset_file(name))
-    if stem not in DATASETS:
-        allowed = ", ".join([*DATASETS, f"{SIMULATIONS}/NAME"])
-        raise InvalidValue("name", name, allowed, "name one of these datasets")
-    path = _filled(folder) / dataset_file(name)
-    if (group or stem == "scenes") and path.is_file():
-        parts = [f"{stem}/{each}" for each in group_names(path)] or [stem]
-        if name not in parts:
-            raise InvalidValue("name", name, ", ".join(parts), "name one of these")
-    return read_dataset(path, group or None)
+    file, group = dataset_place(name)
+    path = _filled(study_folder(study, require_path("results", results))) / file
+    if path.is_file():
+        _require_part(name, group, path)
+    return read_dataset(path, group)
+
+
+def _require_part(name: str, group: str | None, path: Path) -> None:
+    """Refuse a part that a file does not have, and a whole where the file has parts alone."""
+    parts = group_names(path)
+    if group is None and not parts:
+        return
+    stem = name.partition("/")[0]
+    allowed = [f"{stem}/{each}" for each in parts] or [stem]
+    if name not in allowed:
+        raise InvalidValue("name", name, ", ".join(allowed), "name one of these")

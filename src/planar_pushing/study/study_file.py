@@ -2,28 +2,52 @@
 
 from __future__ import annotations
 
+import math
+import os
 from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
+from planar_pushing.study.catalog import AXES
 from planar_pushing.study.figures import FIGURES, SCENES, computes
 from planar_pushing.study.files.models import FigureEntry, Grid, StudyFile
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_model, load_scene_file
+from planar_pushing.study.files.yaml_text import shown
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import EFFECT_TYPES
 
+#: Most points of a dataset's grid.
+POINTS = 10**8
+
 
 def load_study(path: PathLike) -> StudyFile:
-    """Read a study file and check the scenes that it names; errors as in `load_scene`."""
-    study = load_model(path, StudyFile)
+    """Read a study file and check the scenes that it names; errors as in `load_scene`.
+
+    The paths in the study become those from here, where the file has them from its own folder.
+    """
+    study = _located(load_model(path, StudyFile), Path(path).parent)
     for problem in _study_problems(study):
         raise InvalidFile(f"{path}: {problem}")
     return study
 
 
+def _located(study: StudyFile, folder: Path) -> StudyFile:
+    def from_here(file: str) -> str:
+        return os.path.normpath(folder / file)
+
+    scenes = {
+        name: push.model_copy(update={"file": from_here(push.file)})
+        for name, push in study.scenes.items()
+    }
+    simulations = {name: from_here(file) for name, file in study.simulations.items()}
+    golden = study.golden and from_here(study.golden)
+    return study.model_copy(update={"scenes": scenes, "simulations": simulations, "golden": golden})
+
+
 def _study_problems(study: StudyFile) -> Iterator[str]:
     """What keeps a well-formed study from being computed and drawn."""
     yield from _effects_problems(study)
+    yield from _size_problems(study.grid)
     yield from _scene_problems(study)
     yield from _simulation_problems(study)
     yield from _entry_problems(study, "scenes", study.scenes, SCENES)
@@ -40,6 +64,17 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
         )
     if study.golden and not list(Path(study.golden).glob("*.nc")):
         yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
+
+
+def _size_problems(grid: Grid) -> Iterator[str]:
+    """Datasets of more points than a memory holds."""
+    for name, axes in AXES.items():
+        points = math.prod(len(getattr(grid, axis)) for axis in axes)
+        if points > POINTS:
+            yield (
+                f"grid: {points} points of {name} given; allowed: {POINTS}; "
+                f"shorten the axes {', '.join(axes)}"
+            )
 
 
 def _scene_problems(study: StudyFile) -> Iterator[str]:
@@ -79,7 +114,7 @@ def _axis_problems(study: StudyFile) -> Iterator[str]:
         missing = [value for value in wanted if value not in values]
         if missing:
             yield (
-                f"grid.{key}: {values!r} given; allowed: values that include {missing!r}, "
+                f"grid.{key}: {shown(values)} given; allowed: values that include {missing!r}, "
                 "which the figures plot; add them"
             )
 
@@ -118,6 +153,6 @@ def _figure_problems(name: str, figure: FigureEntry, grid: Grid) -> Iterator[str
     for key, values, allowed in figure.grid_values(grid):
         if not set(values) <= set(allowed):
             yield (
-                f"figures.{name}.{key}: {values!r} given; allowed: values of the grid, {allowed!r}; "
-                "change it or add it to the grid"
+                f"figures.{name}.{key}: {shown(values)} given; "
+                f"allowed: values of the grid, {shown(allowed)}; change it or add it to the grid"
             )

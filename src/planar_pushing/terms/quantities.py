@@ -2,6 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
+#: The paper, as the attribute `source` begins.
+PAPER = (
+    "Lynch and Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough Surfaces"
+)
+#: What the attributes of every file say, by the CF conventions.
+GLOBAL = {
+    "Conventions": "CF-1.11",
+    "references": f"{PAPER}, IEEE International Conference on Robotics and Automation, 1993, "
+    "https://doi.org/10.1109/ROBOT.1993.292067",
+    "license": "MIT",
+}
+
 #: Name: (units, long name). "1" is the unit of a ratio, a count, a flag or a label.
 Quantities = dict[str, tuple[str, str]]
 
@@ -10,8 +25,11 @@ DATASET: Quantities = {
     "adhesive": ("1", "whether the fence pulls on the slider"),
     "case": ("1", "hard case"),
     "center": ("length", "motion centre relative to the contact"),
-    "center_x": ("length", "motion centre relative to the ring centre, along the fence"),
-    "center_y": ("length", "motion centre relative to the ring centre, normal to the fence"),
+    "bound_end": ("1", "end of the paper's bound: nearer to the ring centre, or further from it"),
+    "bound_x": ("length", "end of the paper's bound on the motion centre, from the contact, x"),
+    "bound_y": ("length", "end of the paper's bound on the motion centre, from the contact, y"),
+    "center_x": ("length", "motion centre relative to the contact, along the fence"),
+    "center_y": ("length", "motion centre relative to the contact, normal to the fence"),
     "condition": (
         "1",
         "condition number: relative change of the reference per relative change of the inputs",
@@ -21,7 +39,7 @@ DATASET: Quantities = {
         "degree",
         "force angle, from the right to the left edge of the friction cone",
     ),
-    "cone_motion_angle": ("degree", "angle of the contact motion under one effect"),
+    "cone_motion_angle": ("degree", "angle of the contact motion under one effect, unwrapped"),
     "conservative_cone_left": ("degree", "left edge of the conservative acceleration cone"),
     "conservative_cone_right": ("degree", "right edge of the conservative acceleration cone"),
     "consistent": ("1", "number of consistent solutions in the mode"),
@@ -32,6 +50,9 @@ DATASET: Quantities = {
     "error_bound": ("1", "relative error that rounding the inputs causes: condition times epsilon"),
     "error_ulp": ("1", "error of the result in units in the last place of the reference"),
     "evaluations": ("1", "points at which the effect was evaluated"),
+    "exact_end": ("1", "effect that alone resists at this end of the exact set"),
+    "exact_x": ("length", "end of the exact set of motion centres, from the contact, x"),
+    "exact_y": ("length", "end of the exact set of motion centres, from the contact, y"),
     "exact_cone_left": ("degree", "left edge of the exact acceleration cone"),
     "exact_cone_right": ("degree", "right edge of the exact acceleration cone"),
     "force": ("force", "force of the pusher on the slider"),
@@ -39,6 +60,7 @@ DATASET: Quantities = {
     "force_angle_fast": ("degree", "force angle of the mode's fastest motion"),
     "force_x": ("force", "force of the pusher along the fence"),
     "force_y": ("force", "force of the pusher normal to the fence"),
+    "friction_angle": ("degree", "angle of friction at the contact; 90 for infinite friction"),
     "friction_coefficient": ("1", "coefficient of friction at the contact"),
     "friction_cone_left": ("degree", "left edge of the friction cone"),
     "friction_cone_right": ("degree", "right edge of the friction cone"),
@@ -52,7 +74,10 @@ DATASET: Quantities = {
         "force on the limit curve at the right edge of the friction cone",
     ),
     "mode": ("1", "contact mode"),
-    "motion_angle": ("degree", "angle of the contact motion"),
+    "motion_angle": (
+        "degree",
+        "angle of the contact motion, unwrapped: it grows with the force angle past a full turn",
+    ),
     "motion_cone_left": ("degree", "left edge of the motion cone"),
     "motion_cone_right": ("degree", "right edge of the motion cone"),
     "operation": ("1", "what was computed"),
@@ -154,7 +179,26 @@ LOG_NOTES = {
 }
 
 
+#: Units of numbers that UDUNITS has no unit for: what the notes call one is the scale.
+READABLE = {
+    "force/radian": "radian-1",
+    **dict.fromkeys(("length", "force", "motion", "time"), "1"),
+    **dict.fromkeys(("force length", "length/time", "byte"), "1"),
+}
+
+
+def described(unit: str, long_name: str) -> dict[str, str]:
+    """Attributes of a variable: a unit that UDUNITS reads, the quantity that is scaled, its name."""
+    if unit not in READABLE:
+        return {"units": unit, "long_name": long_name}
+    return {"units": READABLE[unit], "quantity": unit, "long_name": long_name}
+
+
 def attributes(quantities: Quantities, name: str) -> dict[str, str]:
-    """Attributes of a variable: its units and its long name."""
-    units, long_name = quantities[name]
-    return {"units": units, "long_name": long_name}
+    """Attributes of a variable of a table, as in `described`."""
+    return described(*quantities[name])
+
+
+def unit_of(attrs: Mapping[str, Any]) -> str:
+    """Unit of a variable as people read it: the quantity where its numbers are scaled."""
+    return str(attrs.get("quantity", attrs.get("units", "1")))

@@ -24,7 +24,7 @@ def test_plotted_numbers_have_units_and_names(plotted, name):
     for key, variable in plotted[name].variables.items():
         assert variable.attrs["units"], key
         assert variable.attrs["long_name"], key
-        assert variable.dtype.kind in "fiU", key
+        assert variable.dtype.kind in "bfiU", key
     assert plotted[name].attrs["title"]
 
 
@@ -37,9 +37,12 @@ def test_plotted_numbers_name_their_source(plotted, name):
 def test_plotted_numbers_have_no_gaps(plotted, name):
     for key, variable in plotted[name].variables.items():
         if variable.dtype.kind == "f":
-            assert not np.isnan(variable.values).any(), key
+            gaps = np.isnan(variable.values)
+            if (name, key) == ("figure_13", "friction_angle"):  # perfect roughness has none
+                gaps = gaps != (plotted[name].contact.values == "perfectly_rough")
+            assert not gaps.any(), key
             infinite = key == "friction_coefficient" or name in SCENES
-            assert infinite or np.isfinite(variable.values).all(), key
+            assert infinite or not np.isinf(variable.values).any(), key
 
 
 @pytest.mark.parametrize("name", ALL)

@@ -122,7 +122,9 @@ def message(tmp_path, text):
          "contact: 'rough' given; allowed: a mapping; change the value"),
         ("title: A scene", "title: 3", "title: 3 given; allowed: text; change the value"),
         ("weight: 1", "weight: " + 400 * "1",
-         f"effects[0].weight: {400 * '1'} given; allowed: a finite number > 0; change the value"),
+         f"effects[0].weight: {117 * '1'}... given; allowed: a finite number > 0; change the value"),
+        ("title: A scene", r'title: "a\0b"',
+         "title: 'a\\x00b' given; allowed: text without control characters; change the value"),
         ("radius: 1}\ncontact", "radius: 1, radius: 2}\ncontact",
          "not YAML: line 2, column 51: found duplicate key \"radius\" with value \"2\" "
          "(original value: \"1\"); mend the line"),

@@ -23,7 +23,7 @@ Floats = npt.NDArray[np.float64]
 #: A variable that no tolerance names must agree exactly.
 EXACT = Tolerance()
 #: Attributes that must be the same.
-MARKS = ("units", "flag_meanings")
+MARKS = ("units", "quantity", "flag_meanings")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,9 +121,9 @@ def _compare_variable(
         wrong = computed != middle
         failed = int(wrong.sum())
         return replace(check, count=computed.size, failed=failed, error=float(wrong.any()))
-    computed = np.where(_absent(name, computed, golden), middle, computed)
-    if np.isnan(computed.astype(float)).any():
-        return replace(check, problem=f"has {int(np.isnan(computed).sum())} NaN")
+    absent = np.isnan(computed.astype(float)) != np.isnan(middle.astype(float))
+    if absent.any():
+        return replace(check, problem=f"has NaN, or none, at {int(absent.sum())} points")
     low, radius = (
         golden[f"{name}{part}"].values if f"{name}{part}" in golden else np.zeros(middle.shape)
         for part in ("_low", "_radius")
@@ -134,17 +134,9 @@ def _compare_variable(
     return _worst(check, wanted, computed, error, allowed)
 
 
-def _absent(name: str, computed: Floats, golden: xr.Dataset) -> npt.NDArray[np.bool_]:
-    """Where a mode has no solution: the result may hold NaN, whatever stands in the golden data."""
-    counts = golden.get("consistent")
-    if counts is None or counts.dims != golden[name].dims:
-        return np.zeros(computed.shape, bool)
-    return np.asarray(np.isnan(computed) & (counts.values == 0))
-
-
 def _difference(computed: Floats, middle: Floats, low: Floats) -> Floats:
-    """Absolute difference from ``middle + low``; 0 where both are the same infinity."""
-    same = computed == middle
+    """Absolute difference from ``middle + low``; 0 where both are the same infinity, or both NaN."""
+    same = (computed == middle) | (np.isnan(computed) & np.isnan(middle))
     with np.errstate(invalid="ignore"):
         gap = np.abs((np.asarray(computed, float) - middle) - low)
     return np.where(same & ~np.isfinite(middle), 0.0, np.where(np.isnan(gap), np.inf, gap))

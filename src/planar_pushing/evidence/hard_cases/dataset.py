@@ -43,7 +43,7 @@ def build() -> xr.Dataset:
         "quantity_unit": [case.quantity.unit for case in every],
         **{field.name: [getattr(each, field.name) for each in found] for field in fields(Measure)},
         "error_bound": [each.bound for each in found],
-        "ill_conditioned": np.array([each.ill_conditioned for each in found], np.int8),
+        "ill_conditioned": np.array([each.ill_conditioned for each in found]),
     }
     dataset = xr.Dataset(
         {name: ("case", column) for name, column in columns.items()},

@@ -13,6 +13,7 @@ from planar_pushing.figures.style import BLUE, DARK, GREY
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.quantities import described
 
 #: Variables of a log that a picture shows; in the picture's data they are named path_*.
 PATH = ("position", "fence", "rod_angle", "slip", "gap", "force", "spin_ratio", "mode", "solutions")
@@ -58,7 +59,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     data = log[list(PATH)].rename({name: f"path_{name}" for name in PATH})
     data["path_center"] = motion_center(log, slider["radius"])
     for name in ("radius", "rod_length"):
-        data[name] = ((), float(slider[name]), {"units": "length", "long_name": name})
+        data[name] = ((), float(slider[name]), described("length", name))
     data["radius"].attrs["long_name"] = "radius of the ring"
     data["rod_length"].attrs["long_name"] = "rod length, from the contact to the ring centre"
     return data.drop_attrs(deep=False)
@@ -70,7 +71,7 @@ def motion_center(log: xr.Dataset, radius: float) -> xr.DataArray:
     with np.errstate(divide="ignore", invalid="ignore"):
         offset = np.stack([-v_y, v_x], axis=-1) * (radius / spin)[:, None]
     place = log["position"] + np.where(spin[:, None] == 0, np.nan, offset)
-    place.attrs = {"units": "length", "long_name": "motion centre, from the contact at time 0"}
+    place.attrs = described("length", "motion centre, from the contact at time 0")
     return place
 
 

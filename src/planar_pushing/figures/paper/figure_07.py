@@ -36,7 +36,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
         rod_length=list(rod_lengths(settings, (0.5, 1.0, 2.0, 5.0))),
     )
     data = cut[["motion_cone_right", "motion_cone_left"]].drop_vars(
-        ["effects", "friction_coefficient"]
+        ["effects", "friction_coefficient", "friction_angle"]
     )
     data["radius"] = radius(grid)
     return titled(data, "Velocity cones for infinite friction", sources)

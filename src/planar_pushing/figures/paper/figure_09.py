@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import CENTER, FORCE, MOTION
+from planar_pushing.terms.quantities import described
 
 PANELS = ("a", "b")
 BOX = (-2.0, 4.1, -1.0, 4.3)
@@ -33,7 +34,7 @@ def _panel(scene: xr.Dataset) -> xr.Dataset:
     centers = scene["cone_center"].sel(effect="inertia", drop=True)
     for side, sample in (("right", 0), ("left", -1)):
         long_name = f"acceleration centre of the {side} edge of the friction cone"
-        attrs = {"units": "length", "long_name": long_name}
+        attrs = described("length", long_name)
         data[f"center_{side}"] = centers.isel(cone_sample=sample).assign_attrs(attrs)
     half = np.deg2rad(90 - float(scene["friction_cone_right"]))
     mu = float(np.tan(half)) if half < np.pi / 2 else np.inf

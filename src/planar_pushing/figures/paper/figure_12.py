@@ -35,7 +35,7 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
     middle = np.deg2rad((edges[:-1] + edges[1:]) / 2)
     arm = rod_length * np.sin(np.deg2rad(rod_angle) - middle)  # Eq. (10)
     turn = np.where(arm > 0, 90.0, -90.0)
-    outside = (np.abs(arm) < radius).astype(np.int8)
+    outside = np.abs(arm) < radius
     parts = (
         ("start", edges[:-1] + turn, "degree", "right end of the sector of centres"),
         ("stop", edges[1:] + turn, "degree", "left end of the sector of centres"),
@@ -49,7 +49,7 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
     )
 
 
-def exact_centers(grid: xr.Dataset, ring_center: xr.DataArray) -> xr.Dataset:
+def exact_centers(grid: xr.Dataset) -> xr.Dataset:
     """Boundaries of the exact set of centres, under friction alone and under inertia alone.
 
     Force angles whose centre is at infinity, a translation, are left out.
@@ -57,10 +57,9 @@ def exact_centers(grid: xr.Dataset, ring_center: xr.DataArray) -> xr.Dataset:
     ends = grid.sel(inertia_share=[0.0, 1.0])
     finite = np.isfinite(ends.center_x) & np.isfinite(ends.center_y)
     ends = ends.isel(force_angle=finite.all("inertia_share").values)
-    x, y = (ends[name] + float(ring_center.sel(xy=name[-1])) for name in ("center_x", "center_y"))
-    x.attrs = {"units": "length", "long_name": "acceleration centre relative to the contact, x"}
-    y.attrs = {"units": "length", "long_name": "acceleration centre relative to the contact, y"}
-    return xr.Dataset({"exact_center_x": x, "exact_center_y": y})
+    return ends[["center_x", "center_y"]].rename(
+        center_x="exact_center_x", center_y="exact_center_y"
+    )
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
@@ -69,7 +68,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
     length = rod_lengths(settings, (float(scene.rod_length),))[0]
     grid = sources["acceleration_centers"].sel(rod_length=length).drop_vars("rod_length")
     data = scene[SCENE.split()].isel(solution=0)
-    data = data.merge(exact_centers(grid, scene.ring_center))
+    data = data.merge(exact_centers(grid))
     data = data.merge(sectors(length, float(scene.rod_angle), float(scene.radius)))
     for kind in ("conservative", "exact"):
         for side in ("right", "left"):
@@ -121,12 +120,12 @@ def _frame(ax: Axes, frame: Rectangle) -> None:
 def _centers(ax: Axes, data: xr.Dataset) -> None:
     """Region of acceleration centres: the sectors of the paper's cases, and the exact set."""
     center, ring = tuple(data.ring_center.values), float(data.radius)
-    inside = data.isel(sector=data.sector_outside.values == 0)
+    inside = data.isel(sector=~data.sector_outside.values)
     sectors: list[tuple[float, float, float, float | None]] = []
     if inside.sizes["sector"]:
         ends = float(inside.sector_start.min()), float(inside.sector_stop.max())
         sectors.append((*ends, ring, None))
-    outside = data.isel(sector=data.sector_outside.values == 1)
+    outside = data.isel(sector=data.sector_outside.values)
     for start, stop in zip(outside.sector_start.values, outside.sector_stop.values, strict=True):
         sectors.append((start, stop, FAR, FAR - ring))
     for start, stop, size, width in sectors:

@@ -77,17 +77,20 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
     modes = sources["contact_modes"].sel(rod_length=length, pusher_magnitude=magnitude)
     cones = sources["motion_cones"]
     cones = cones.sel(rod_length=length, rod_angle=rod_angle(cones))
-    angle = np.rad2deg(np.arctan(modes.friction_coefficient.values))
     data = xr.Dataset({"modes": mode_sets(modes.consistent)})
     data["force_angle"] = modes.force_angle.sel(contact="perfectly_rough", mode="STICK")
-    data = data.drop_vars(["friction_coefficient", "mode"])
+    data = data.drop_vars(["friction_coefficient", "friction_angle", "mode"])
     data["force_angle"].attrs["long_name"] = "force angle of perfectly rough contact, sticking"
+    angle = modes.friction_angle.values
     data["friction_angle"] = named("contact", angle, "degree", "angle of friction of the contact")
-    edge = np.rad2deg(np.arctan(cones.friction_coefficient.values))
     for side in ("right", "left"):
-        data[f"motion_cone_{side}"] = cones[f"motion_cone_{side}"].drop_vars("friction_coefficient")
+        edge = cones[f"motion_cone_{side}"]
+        data[f"motion_cone_{side}"] = edge.drop_vars(["friction_coefficient", "friction_angle"])
     data["cone_friction_angle"] = named(
-        "friction_coefficient", edge, "degree", "angle of friction of the motion cone"
+        "friction_coefficient",
+        cones.friction_angle.values,
+        "degree",
+        "angle of friction of the motion cone",
     )
     return titled(data, "Contact modes over friction and the direction of the pusher", sources)
 

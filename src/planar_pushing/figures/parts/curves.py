@@ -16,6 +16,7 @@ from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE
 from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.terms.quantities import described
 
 #: Ends of curves that close on themselves.
 BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}
@@ -36,28 +37,28 @@ def rod_lengths(settings: Settings, default: tuple[float, ...]) -> tuple[float, 
     return given if isinstance(given, tuple) else (given,)
 
 
-def _slider(dataset: xr.Dataset) -> dict[str, float]:
-    """The study's slider, from the parameters of a dataset over its grid."""
-    found: dict[str, float] = json.loads(dataset.attrs["parameters"])["slider"]
+def _parameters(dataset: xr.Dataset, kind: str) -> dict[str, float]:
+    """Parameters of the slider, or of the figures, from the attributes of a dataset over the grid."""
+    found: dict[str, float] = json.loads(dataset.attrs["parameters"])[kind]
     return found
 
 
 def rod_angle(dataset: xr.Dataset) -> float:
     """The study's rod angle, degrees; a dataset over other angles is cut there."""
-    return float(_slider(dataset)["rod_angle"])
+    return float(_parameters(dataset, "figures")["rod_angle"])
 
 
 def radius(dataset: xr.Dataset) -> xr.Variable:
     """Radius of the ring that a dataset over the grid was computed for."""
-    return named((), float(_slider(dataset)["radius"]), "length", "radius of the ring")
+    return named(
+        (), float(_parameters(dataset, "slider")["radius"]), "length", "radius of the ring"
+    )
 
 
 def named(dims: Iterable[str] | str, values: object, units: str, long_name: str) -> xr.Variable:
     """Make a variable with its unit and name."""
-    attributes = {"units": units, "long_name": long_name}
-    return xr.Variable(
-        dims if isinstance(dims, str) else tuple(dims), np.asarray(values), attributes
-    )
+    axes = dims if isinstance(dims, str) else tuple(dims)
+    return xr.Variable(axes, np.asarray(values), described(units, long_name))
 
 
 def titled(dataset: xr.Dataset, title: str, sources: Sources) -> xr.Dataset:

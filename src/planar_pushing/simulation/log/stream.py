@@ -33,7 +33,8 @@ class Stream:
         start, self.length = self.length, self.length + len(rows)
         self.file.resize_dimension("time", self.length)
         for name, value in log.arrays(rows, self.scene).items():
-            self.file.variables[name][start : self.length] = value
+            stored = value.view("i1") if value.dtype == bool else value
+            self.file.variables[name][start : self.length] = stored
         # What netCDF adds goes to the file, and the file to the disk.
         self.file.flush()
         self.hdf.flush()
@@ -75,5 +76,9 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
         label.attrs.update(log.variable_attributes(name))
     for name, (dims, dtype) in log.VARIABLES.items():
         chunks = CHUNK, *(len(coordinates[dim]) for dim in dims)
-        created = file.create_variable(name, ("time", *dims), dtype, chunks=chunks)
-        created.attrs.update(log.variable_attributes(name))
+        # netCDF has no truth values: xarray stores them as bytes with this attribute, and so do we.
+        truth = dtype == "?"
+        created = file.create_variable(
+            name, ("time", *dims), "i1" if truth else dtype, chunks=chunks
+        )
+        created.attrs.update(log.variable_attributes(name) | ({"dtype": "bool"} if truth else {}))

@@ -28,7 +28,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
     "mode": ((), "i1"),
     "outcome": ((), "i1"),
     "solutions": ((), "i1"),
-    "adhesive": ((), "i1"),
+    "adhesive": ((), "?"),
     "spin_ratio": ((), "f8"),
     "dissipated": (("effect",), "f8"),
     "contact_dissipated": ((), "f8"),
@@ -87,8 +87,8 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
     pusher = problem.pusher
     return {
         "title": "motion of the pushed slider",
-        "source": "Lynch and Mason, Pulling by Pushing, Slip with Infinite Friction, "
-        "and Perfectly Rough Surfaces, Secs. 2-5, over time",
+        "source": f"{quantities.PAPER}, Secs. 2-5, over time",
+        **quantities.GLOBAL,
         "scene": to_json(scene_entry(problem.scene)),
         "pusher": to_json(pusher.pieces) if pusher.pieces else "function of time",
         "duration": problem.duration,

@@ -5,27 +5,26 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.centers import Origin, conservative_motion_cone, motion_centers
+from planar_pushing.mechanics.centers import conservative_motion_cone, motion_centers
 from planar_pushing.mechanics.cones import motion_angle, motion_cone
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.datasets.base import axis, ordered, parameters
+from planar_pushing.study.datasets.base import axis, half_turn, ordered, parameters
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import StudyFile
 from planar_pushing.terms.options import EffectSet
 
 
 def build(study: StudyFile) -> xr.Dataset:
-    """Build the dataset of a study; centres are relative to the ring centre."""
+    """Build the dataset of a study; centres are relative to the contact."""
     scene = Scene(
         slider=study.ring(axis(study, "rod_length")),
         contact=InfiniteFriction(),
         effects=study.effects(EffectSet.BOTH),
     )
-    angles = axis(study, "force_angle")
-    phi = np.deg2rad(angles[(angles >= 0) & (angles <= 180)])
+    phi = half_turn(axis(study, "force_angle"))
     share = axis(study, "inertia_share")
-    center = motion_centers(scene, phi, share, Origin.RING_CENTER)
+    center = motion_centers(scene, phi, share)
     bound, exact = conservative_motion_cone(scene), motion_cone(scene)
     dataset = xr.Dataset(
         {

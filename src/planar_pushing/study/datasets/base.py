@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactLaw
@@ -39,6 +40,23 @@ def ordered(dataset: xr.Dataset) -> xr.Dataset:
     return xr.Dataset(variables, {name: dataset[name] for name in dims if name in dataset.coords})
 
 
-def parameters(study: StudyFile) -> dict[str, object]:
-    """Slider and effects of the study, for the dataset's attributes."""
-    return {"slider": study.slider, **study.parts}
+def parameters(study: StudyFile, *axes: str) -> dict[str, object]:
+    """Slider and effects of the study, for the attributes of a dataset over these axes.
+
+    What is an axis is no parameter; `figures` says where the figures cut it.
+    """
+    slider = study.slider.model_dump()
+    cut = {name: slider.pop(name) for name in axes}
+    return {"slider": slider, **study.parts} | ({"figures": cut} if cut else {})
+
+
+def half_turn(degrees: xr.DataArray) -> xr.DataArray:
+    """The angles, in radians, that push: those from 0 to 180 degrees."""
+    pushing = degrees[(degrees >= 0) & (degrees <= 180)]
+    return pushing.copy(data=np.deg2rad(pushing.values))
+
+
+def friction_angle(coefficients: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    """Angles of friction in degrees: finite where the coefficient is infinite, NaN without one."""
+    angles: npt.NDArray[np.float64] = np.arctan(np.asarray(coefficients, dtype=float))
+    return np.degrees(angles)

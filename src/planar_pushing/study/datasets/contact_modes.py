@@ -21,12 +21,20 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study import catalog
-from planar_pushing.study.datasets.base import axis, law_axis, over_effects, parameters
+from planar_pushing.study.datasets.base import (
+    axis,
+    friction_angle,
+    law_axis,
+    over_effects,
+    parameters,
+)
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import StudyFile
 
 INNER = ("contact", "rod_length", "pusher_magnitude", "pusher_angle")
 VALUES = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
+#: What a value of a mode without a solution, or without a force, is.
+COMMENT = "NaN where the mode is not consistent; 0 for SEPARATE, which has neither force nor motion"
 Found = npt.NDArray[np.bool_]
 
 
@@ -43,6 +51,11 @@ def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
     }
 
 
+def coefficient(law: ContactLaw) -> float:
+    """Coefficient of friction of a law; perfect roughness is none of friction, and has NaN."""
+    return np.nan if isinstance(law, PerfectlyRough) else friction_coefficient(law)
+
+
 def _force_angles(force: Array) -> Array:
     """Force angles in (-180, 180] degrees."""
     angle = np.arctan2(force[..., 1], force[..., 0])
@@ -52,7 +65,7 @@ def _force_angles(force: Array) -> Array:
 def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
     """How many solutions each mode has, and spin ratio and force angle of its slowest and fastest motion.
 
-    Zero where there is none. Shape S + (modes,).
+    NaN where there is none; zero at rest, which has no force. Shape S + (modes,).
     """
     speed = np.linalg.norm(found.twist.values * [1.0, 1.0, radius], axis=-1)
     values = {
@@ -60,7 +73,8 @@ def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
         "force_angle": _force_angles(found.force.values),
     }
     modes = [_of_mode(found.mode.values == mode, speed, values) for mode in ContactMode]
-    modes[ContactMode.SEPARATE] |= {name: np.zeros(speed.shape[:-1]) for name in VALUES}
+    rest = np.where(modes[ContactMode.SEPARATE]["consistent"] > 0, 0.0, np.nan)
+    modes[ContactMode.SEPARATE] |= dict.fromkeys(VALUES, rest)
     return {name: np.stack([each[name] for each in modes], axis=-1) for name in modes[0]}
 
 
@@ -69,7 +83,7 @@ def _of_mode(here: Found, speed: Array, values: dict[str, Array]) -> dict[str, n
     fast = np.where(here, speed, -np.inf).argmax(axis=-1)[..., None]
     exists = here.any(axis=-1)
     picked = {
-        name + end: np.where(exists, np.take_along_axis(value, place, axis=-1)[..., 0], 0.0)
+        name + end: np.where(exists, np.take_along_axis(value, place, axis=-1)[..., 0], np.nan)
         for end, place in (("", slow), ("_fast", fast))
         for name, value in values.items()
     }
@@ -94,14 +108,19 @@ def build(study: StudyFile) -> xr.Dataset:
         variables |= {name: ((*INNER, "mode"), value) for name, value in extremes.items()}
         return xr.Dataset(variables, {name: found[name] for name in INNER})
 
+    coefficients = [coefficient(law) for _, law in laws.values()]
     dataset = over_effects(study, part).assign_coords(
         mode=[mode.name for mode in ContactMode],
         law=("contact", [kind for kind, _ in laws.values()]),
-        friction_coefficient=("contact", [friction_coefficient(law) for _, law in laws.values()]),
+        friction_coefficient=("contact", coefficients),
+        friction_angle=("contact", friction_angle(coefficients)),
     )
-    return describe(
+    described = describe(
         dataset,
         title="Consistent contact modes: none, one or several for each pusher motion",
         source="Secs. 2, 3.2, 4 and 5",
         parameters=parameters(study),
     )
+    for name in VALUES:
+        described[name].attrs["comment"] = COMMENT
+    return described

@@ -39,5 +39,5 @@ def build(study: StudyFile) -> xr.Dataset:
         over_effects(study, part),
         title="Limit curves: forces through the contact and the motions they cause",
         source="Eqs. (2)-(7), Sec. 3, Fig. 5, and the ellipses of Sec. 4, Fig. 10",
-        parameters=parameters(study),
+        parameters=parameters(study, "rod_angle"),
     )

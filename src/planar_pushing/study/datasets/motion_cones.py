@@ -15,7 +15,13 @@ from planar_pushing.mechanics.cones import (
 )
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.datasets.base import axis, law_axis, over_effects, parameters
+from planar_pushing.study.datasets.base import (
+    axis,
+    friction_angle,
+    law_axis,
+    over_effects,
+    parameters,
+)
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import StudyFile, contact_law
 
@@ -38,14 +44,15 @@ def build(study: StudyFile) -> xr.Dataset:
             "motion_cone_left": np.rad2deg(cone.left),
             "limit_force_right": limit_curve(scene, force.right).force_size,
             "limit_force_left": limit_curve(scene, force.left).force_size,
-            "pulls": leaves_the_fence(cone).astype(np.int8),
-            "slips_while_pushing": (scene.law.slips & omits_pushes(cone)).astype(np.int8),
+            "pulls": leaves_the_fence(cone),
+            "slips_while_pushing": scene.law.slips & omits_pushes(cone),
         }
         return xr.Dataset(found).transpose(*cone.right.dims)
 
+    angle = ("friction_coefficient", friction_angle(coefficients))
     return describe(
-        over_effects(study, part),
+        over_effects(study, part).assign_coords(friction_angle=angle),
         title="Friction cones and the motion cones they map to",
         source="Secs. 3.1, 3.2 and 4, Figs. 6, 7 and 9",
-        parameters=parameters(study),
+        parameters=parameters(study, "rod_angle"),
     )

@@ -43,7 +43,7 @@ def _solutions(scene: Scene, solutions: Solutions, pusher: Array) -> dict[str, A
     vectors = ("solution", "xy")
     return {
         "mode": ("solution", np.array([each.mode for each in solutions], np.int8)),
-        "adhesive": ("solution", np.array([each.adhesive for each in solutions], np.int8)),
+        "adhesive": ("solution", np.array([each.adhesive for each in solutions], bool)),
         "force": (vectors, np.reshape([each.force for each in solutions], (-1, 2))),
         "contact_motion": (vectors, np.reshape([s.contact_motion for s in solutions], (-1, 2))),
         "slip": ("solution", np.array([s.contact_motion[0] - pusher[0] for s in solutions], float)),
@@ -128,7 +128,7 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         xr.Dataset(variables, coords=coords),
         title=file.title,
         source="Secs. 3 and 4",
-        parameters={"scene": file, "push": push},
+        parameters={"scene": file, "push": push.model_dump(exclude={"file"})},
     )
 
 

@@ -27,7 +27,7 @@ SCENES = {scene: figure for figure in FIGURES.values() for scene in figure.group
 
 def computes(study: StudyFile, name: str) -> bool:
     """Whether a study has the effects and simulations that a dataset, scene or figure needs."""
-    if name == "acceleration_centers":
+    if name in ("acceleration_centers", "center_regions"):
         return BOTH in study.grid.effects
     figure = FIGURES.get(name, SCENES.get(name))
     if figure is None:

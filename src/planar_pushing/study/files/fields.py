@@ -64,6 +64,25 @@ def _name(given: object) -> object:
 Name = Annotated[str, BeforeValidator(_name)]
 
 
+def _file_path(given: object) -> object:
+    if not isinstance(given, str) or not given.isprintable() or set(given) & {"{", "}"}:
+        raise refuse("a path without braces, which the workflow reads as wildcards")
+    return given
+
+
+def _printable(given: str) -> str:
+    if not given.isprintable():
+        raise refuse("text without control characters")
+    return given
+
+
+#: A line of text.
+Text = Annotated[str, AfterValidator(_printable)]
+
+#: Path of a file or a folder that a study names, relative to the study's file.
+FilePath = Annotated[str, BeforeValidator(_file_path)]
+
+
 def _number(given: object, allows: Callable[[float], bool], allowed: str) -> float:
     number = math.inf if given == "inf" else given
     if isinstance(number, bool) or not isinstance(number, (int, float)):
@@ -91,6 +110,8 @@ def choice(options: type[StrEnum]) -> Any:
     return Literal.__getitem__(tuple(map(str, options)))
 
 
+#: Most numbers on an axis.
+MOST = 10**5
 AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
 
 
@@ -118,6 +139,8 @@ def _steps(start: float, stop: float, step: float) -> list[float]:
     """Values from `start` to `stop` with both ends, free of accumulated rounding."""
     if step <= 0 or stop < start:
         return []
+    if (stop - start) / step > MOST:
+        raise refuse(f"{AXIS}, into at most {MOST} steps")
     count = round((stop - start) / step)
     if abs(count * step - (stop - start)) > 1e-9 * step:
         return []
@@ -157,7 +180,11 @@ RelativeTolerance = number(
     type="number", minimum=TOLERANCE.least, maximum=TOLERANCE.most,
 )  # fmt: skip
 SampleCount = number(
-    "a whole number >= 2", lambda n: 2 <= n < math.inf and n == int(n), type="integer", minimum=2
+    "a whole number in [2, 1000000]",
+    lambda n: 2 <= n <= 1e6 and n == int(n),
+    type="integer",
+    minimum=2,
+    maximum=1000000,
 )
 Number = number("a number, or inf", lambda x: not math.isnan(x))
 Share = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)

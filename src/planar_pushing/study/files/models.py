@@ -17,6 +17,7 @@ from planar_pushing.study.files.fields import (
     Degrees,
     EffectsName,
     FileModel,
+    FilePath,
     FiniteFrictionCoefficients,
     FrictionCoefficient,
     FrictionCoefficients,
@@ -29,6 +30,7 @@ from planar_pushing.study.files.fields import (
     RodAngle,
     RodAngles,
     Shares,
+    Text,
     refuse,
 )
 from planar_pushing.terms.domain import Number
@@ -85,7 +87,7 @@ class PushEntry(FileModel):
     With friction and inertia the force angle is that of equal shares.
     """
 
-    file: str
+    file: FilePath
     pusher_angle: Degrees | None = None
     force_angle: Degrees | None = None
     pusher_magnitude: Positive = 1.0
@@ -123,18 +125,19 @@ class Tolerance(FileModel):
 class StudyFile(FileModel):
     """The grid of every dataset, the scenes, and the values that the paper leaves open.
 
-    `simulations` names the scene files with a section `simulate` that are followed over time.
+    `simulations` names the scene files with a section `simulate` that are followed over time. Paths are
+    relative to the study's file.
     """
 
-    title: str
+    title: Text
     slider: RingEntry
     support_friction: FrictionParameters | None = None
     inertia: InertiaParameters | None = None
     grid: Grid
-    scenes: dict[str, PushEntry]
-    simulations: dict[Name, str] = Field(default_factory=dict)
-    figures: dict[str, FigureEntry]
-    golden: str | None = None
+    scenes: dict[Name, PushEntry]
+    simulations: dict[Name, FilePath] = Field(default_factory=dict)
+    figures: dict[Name, FigureEntry]
+    golden: FilePath | None = None
     tolerances: dict[str, Tolerance] = Field(default_factory=dict)
 
     def needed_values(self) -> Iterator[tuple[str, tuple[object, ...], tuple[object, ...]]]:

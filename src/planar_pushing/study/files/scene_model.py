@@ -23,6 +23,7 @@ from planar_pushing.study.files.fields import (
     NotEmpty,
     Positive,
     RodAngle,
+    Text,
     refuse,
 )
 from planar_pushing.study.files.simulate_model import SimulateEntry
@@ -104,7 +105,7 @@ class SceneFile(FileModel):
     `simulate` says how the fence moves over time, where the scene is one to be simulated.
     """
 
-    title: str = ""
+    title: Text = ""
     slider: SliderEntry
     contact: ContactEntry
     effects: Annotated[tuple[EffectEntry, ...], NotEmpty]

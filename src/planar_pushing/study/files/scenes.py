@@ -9,13 +9,13 @@ from typing import TypeVar
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 from ruamel.yaml import YAML
-from ruamel.yaml.error import YAMLError
 
 from planar_pushing.mechanics.entries import scene_entry
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.study.files.fields import FileModel
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.yaml_text import read_yaml, shown
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
 
 Model = TypeVar("Model", bound=FileModel)
@@ -65,14 +65,7 @@ def save_scene_file(file: SceneFile, path: PathLike) -> None:
 def load_model(path: PathLike, model: type[Model]) -> Model:
     """Read a YAML file as a model of its content; errors as in `load_scene`."""
     path = Path(require_path("path", path))
-    try:
-        content = YAML(typ="safe", pure=True).load(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise InvalidFile(f"{path}: no such file; give the path of a YAML file") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InvalidFile(f"{path}: cannot be read ({error}); give a YAML text file") from None
-    except YAMLError as error:
-        raise InvalidFile(f"{path}: not YAML: {_where(error)}; mend the line") from None
+    content = read_yaml(path)
     if not isinstance(content, dict):
         raise InvalidFile(f"{path}: holds no keys; allowed: {', '.join(model.model_fields)}")
     try:
@@ -81,12 +74,6 @@ def load_model(path: PathLike, model: type[Model]) -> Model:
         lines = [_explain(path, each) for each in error.errors()]
         more = [f"{path}: and {len(lines) - 5} more"] if len(lines) > 5 else []
         raise InvalidFile("\n".join(lines[:5] + more)) from None
-
-
-def _where(error: YAMLError) -> str:
-    mark = getattr(error, "problem_mark", None)
-    problem = getattr(error, "problem", None) or str(error).splitlines()[0]
-    return f"line {mark.line + 1}, column {mark.column + 1}: {problem}" if mark else problem
 
 
 def _key(location: tuple[int | str, ...]) -> str:
@@ -99,7 +86,8 @@ def _key(location: tuple[int | str, ...]) -> str:
         if isinstance(part, int):
             key += f"[{part}]"
         elif not tag:
-            key += f".{part}" if key else part
+            word = shown(part)[1:].removesuffix("'")
+            key += f".{word}" if key else word
         previous = part
     return key
 
@@ -114,7 +102,8 @@ def _explain(path: Path, error: ErrorDetails) -> str:
         case "unknown_key":
             unknown, known = context["key"], context["known"]
             near = difflib.get_close_matches(str(unknown), known, n=1)
-            key, given = (f"{key}.{unknown}" if key else str(unknown)), given[unknown]
+            word = shown(unknown)[1:].removesuffix("'") if isinstance(unknown, str) else unknown
+            key, given = (f"{key}.{word}" if key else str(word)), given[unknown]
             allowed = f"the keys {', '.join(known)}"
             remedy = f"did you mean {near[0]}?" if near else "remove the key"
         case "union_tag_invalid":
@@ -127,4 +116,4 @@ def _explain(path: Path, error: ErrorDetails) -> str:
             allowed = "a mapping"
         case "string_type":
             allowed = "text"
-    return f"{path}: {key or 'the file'}: {given!r} given; allowed: {allowed}; {remedy}"
+    return f"{path}: {key or 'the file'}: {shown(given)} given; allowed: {allowed}; {remedy}"

@@ -8,14 +8,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from flint import arb
+
 from planar_pushing.certified import cones, line_of_force
-from planar_pushing.certified.balls import rational
+from planar_pushing.certified.balls import cosine_sine, exact_sine, rational, sign
 from planar_pushing.certified.contact import modes
-from planar_pushing.certified.setting import Effects, Slider, edge, heading
+from planar_pushing.certified.contact.sticking import Motion
+from planar_pushing.certified.setting import Effects, Heading, Slider, edge, heading, lean
 
 #: Parameters of the slider; the paper's are all 1.
 Parameters = Mapping[str, float]
 UNIT: Parameters = {"weight": 1.0, "mass": 1.0, "radius": 1.0, "gyration_radius": 1.0}
+
+#: What a mode without a solution has in place of a motion.
+NO_MOTION = Motion(arb.nan(), arb.nan())
 
 #: Name: a ball or an integer, or a list of either.
 Record = dict[str, Any]
@@ -54,8 +60,8 @@ def motion_cone(
         "motion_cone_left": motions.left,
         "limit_force_right": line_of_force.limit_point(slider, resisting, edge(mu, 1))[0],
         "limit_force_left": line_of_force.limit_point(slider, resisting, edge(mu, -1))[0],
-        "pulls": int(cones.pulls(slider, resisting, mu)),
-        "slips_while_pushing": int(cones.slips_while_pushing(slider, resisting, mu)),
+        "pulls": cones.pulls(slider, resisting, mu),
+        "slips_while_pushing": cones.slips_while_pushing(slider, resisting, mu),
     }
 
 
@@ -69,10 +75,10 @@ def contact_mode(
     magnitude: float,
     pusher_angle: float,
 ) -> Record:
-    """Every contact mode: how many motions, the slowest and the fastest; 0 where there is none."""
+    """Every contact mode: how many motions, the slowest and the fastest; NaN where there is none."""
     slider = Slider.of(length, rod_angle, **parameters)
     found = modes.contact_modes(slider, Effects(effects), laws[label], magnitude, pusher_angle)
-    ends = [(motions or [modes.REST])[:: max(1, len(motions) - 1)] for motions in found.values()]
+    ends = [(motions or [NO_MOTION])[:: max(1, len(motions) - 1)] for motions in found.values()]
     return {
         "consistent": [len(motions) for motions in found.values()],
         "spin_ratio": [each[0].spin_ratio for each in ends],
@@ -86,13 +92,57 @@ def contact_mode(
 def center(
     parameters: Parameters, rod_angle: float, length: float, force_angle: float, share: float
 ) -> Record:
-    """Acceleration centre and motion at a share of inertia."""
+    """Acceleration centre, from the contact, and motion at a share of inertia."""
     slider, force = (Slider.of(length, rod_angle, **parameters), heading(rational(force_angle)))
     spin = line_of_force.spin_ratio(slider, force, rational(share))
-    x, y = line_of_force.motion_center(slider, force, spin)
-    size = rational(parameters["radius"])
+    x, y = _from_contact(parameters, slider, line_of_force.motion_center(slider, force, spin))
     motion = line_of_force.motion_angle(slider, force, rational(share))
-    return {"center_x": x * size, "center_y": y * size, "motion_angle": motion}
+    return {"center_x": x, "center_y": y, "motion_angle": motion}
+
+
+def exact_ends(parameters: Parameters, length: float, angle: float, force_angle: float) -> Record:
+    """Acceleration centres under one line of force, from the contact: friction alone, inertia alone."""
+    ends = [center(parameters, angle, length, force_angle, share) for share in (0.0, 1.0)]
+    return {f"exact_{x}": [each[f"center_{x}"] for each in ends] for x in "xy"}
+
+
+def bound_ends(parameters: Parameters, length: float, angle: float, force_angle: float) -> Record:
+    """Ends of the paper's bound under one line of force, from the contact (Sec. 4).
+
+    A line that misses the ring has its centres inside it, one that meets it outside.
+    """
+    slider, force = Slider.of(length, angle, **parameters), heading(rational(force_angle))
+    _, sine = lean(slider, force)
+    side = 0 if slider.rod_length == 0 else sign(sine)
+    degrees = slider.rod_angle - rational(force_angle)
+    misses = sign(
+        slider.rod_length * abs(sine) - 1,
+        lambda: side * slider.rod_length * exact_sine(degrees) - 1,
+    )
+    inner, outer = {1: (arb.pos_inf(), arb(1)), 0: (arb(1), arb(1)), -1: (arb(1), arb(0))}[misses]
+    spins = [arb(0), arb(0)] if side == 0 else [side * inner, side * outer]
+    ends = [_bound_end(parameters, slider, force, spin, side) for spin in spins]
+    return {f"bound_{x}": [each[i] for each in ends] for i, x in enumerate("xy")}
+
+
+def _bound_end(
+    parameters: Parameters, slider: Slider, force: Heading, spin: arb, side: int
+) -> tuple[arb, arb]:
+    """Centre at a spin ratio; at infinity it lies on the side that the region goes on to."""
+    if spin.is_finite():
+        x, y = line_of_force.motion_center(slider, force, spin)
+        flip = -1 if spin == 0 and side < 0 else 1
+        return _from_contact(parameters, slider, (flip * x, flip * y))
+    return _from_contact(parameters, slider, (arb(0), arb(0)))
+
+
+def _from_contact(
+    parameters: Parameters, slider: Slider, centre: tuple[arb, arb]
+) -> tuple[arb, arb]:
+    """Place relative to the contact of one relative to the ring centre in units of R."""
+    c, s = cosine_sine(slider.rod_angle)
+    size = rational(parameters["radius"])
+    return (centre[0] + slider.rod_length * c) * size, (centre[1] + slider.rod_length * s) * size
 
 
 def acceleration_cones(parameters: Parameters, rod_angle: float, length: float) -> Record:

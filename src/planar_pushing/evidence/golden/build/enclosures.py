@@ -24,5 +24,6 @@ def disjoint(name: str, new: xr.Dataset, stored: xr.Dataset) -> npt.NDArray[np.b
             new[high].values - stored[high].values + (new[low].values - stored[low].values)
         )
     same = new[high].values == stored[high].values
+    same |= np.isnan(new[high].values) & np.isnan(stored[high].values)
     infinite = same & ~np.isfinite(new[high].values)
     return np.asarray(~infinite & ~(gap <= new[radius].values + stored[radius].values))

@@ -9,6 +9,7 @@ angles degrees.
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from multiprocessing import get_context
@@ -26,6 +27,11 @@ from planar_pushing.evidence.golden.build.packing import parts
 
 Grid = Mapping[str, Sequence[Any]]
 Cell = Callable[..., Record]
+
+
+def coefficient(law: modes.Law) -> float:
+    """Coefficient of friction of a law; perfect roughness is none of friction, and has NaN."""
+    return math.nan if law.adhesive else law.friction_coefficient
 
 
 def limit_curves(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
@@ -64,7 +70,7 @@ def contact_modes(
         law=("contact", [kind for kind, _ in contacts.values()], marks("law")),
         friction_coefficient=(
             "contact",
-            [law.friction_coefficient for law in laws.values()],
+            [coefficient(law) for law in laws.values()],
             marks("friction_coefficient"),
         ),
     )
@@ -80,6 +86,17 @@ def acceleration_centers(
     variables = _tabulate(grid, dims, centers, processes)
     variables |= _tabulate(grid, dims[:1], bounds, processes)
     return _dataset(grid, dims, variables, "Acceleration centres and cones", "Sec. 4")
+
+
+def center_regions(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
+    """Ends of the paper's bound and of the exact set over rod_length, rod_angle and force_angle."""
+    dims = ("rod_length", "rod_angle", "force_angle")
+    ends = {"bound_end": ["inner", "outer"], "exact_end": ["support_friction", "inertia"]}
+    made = {"bound_end": cells.bound_ends, "exact_end": cells.exact_ends}
+    variables: dict[str, Any] = {}
+    for end, cell in made.items():
+        variables |= _tabulate(grid, dims, partial(cell, parameters), processes, inner=(end,))
+    return _dataset({**grid, **ends}, (*dims, *ends), variables, "Regions of centres", "Sec. 4")
 
 
 def _tabulate(

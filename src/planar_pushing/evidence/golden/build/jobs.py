@@ -64,5 +64,6 @@ def _dataset_jobs(study: Study) -> dict[str, Job]:
         "limit_curves": partial(generate.limit_curves, grid | coarse, parameters),
         "motion_cones": partial(generate.motion_cones, grid, parameters),
         "acceleration_centers": partial(generate.acceleration_centers, *centers),
+        "center_regions": partial(generate.center_regions, grid | half, parameters),
         "contact_modes": partial(generate.contact_modes, *pushes),
     }

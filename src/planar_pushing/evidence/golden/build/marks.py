@@ -20,13 +20,23 @@ FLAGS = {
 #: A name that ends in one of these words is an angle, unless a list below has it.
 DEGREES = ("angle", "right", "left", "start", "stop")
 RATIOS = {
-    *("adhesive", "consistent", "contact", "effect", "effects", "friction_coefficient"),
+    *(
+        "adhesive",
+        "bound_end",
+        "consistent",
+        "exact_end",
+        "contact",
+        "effect",
+        "effects",
+        "friction_coefficient",
+    ),
     *("inertia_share", "law", "mode", "modes", "outcome", "panel", "pulls", "sector_outside"),
     *("slips_while_pushing", "spin_ratio", "spin_ratio_fast", "twist_component", "xy"),
     *("path_mode", "path_spin_ratio", "policy"),
 }
 LENGTHS = {
     *("center", "center_left", "center_right", "center_x", "center_y", "cone_center"),
+    *("bound_x", "bound_y", "exact_x", "exact_y"),
     *("exact_center_x", "exact_center_y", "mapped_rod_length", "radius", "ring_center"),
     *("path_center", "path_fence", "path_gap", "path_position", "path_slip", "rod_length"),
 }
@@ -34,6 +44,8 @@ FORCES = {
     *("force", "force_x", "force_y", "infinite_rod_x", "infinite_rod_y", "mapped_force_x"),
     *("limit_force_left", "limit_force_right", "mapped_force_y", "parallel_force", "path_force"),
 }
+#: Units that UDUNITS does not read, and what stands for them.
+SCALED = {"force/radian": "radian-1"} | dict.fromkeys(("length", "force", "motion", "time"), "1")
 MOTIONS = {"contact_motion", "pusher_magnitude", "pusher_motion", "slip", "support_motion", "twist"}
 
 
@@ -55,7 +67,9 @@ def marks(name: str) -> dict[str, str]:
     """Attributes of a variable, or of the low part or the radius of one."""
     base = name.removesuffix("_low").removesuffix("_radius")
     flags = {"flag_meanings": FLAGS[name]} if name in FLAGS else {}
-    return {"units": unit_of(base), **flags}
+    unit = unit_of(base)
+    scaled = {"quantity": unit} if unit in SCALED else {}
+    return {"units": SCALED.get(unit, unit), **scaled, **flags}
 
 
 def provenance(title: str) -> dict[str, Any]:

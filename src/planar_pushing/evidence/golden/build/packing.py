@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -15,12 +16,16 @@ from planar_pushing.evidence.golden.build.marks import marks, provenance
 
 #: An enclosure of zero below this size is one of a number that vanishes by symmetry.
 NOTHING = 1e-40
+#: Numbers that are exact: flags, which Python counts among the integers, before these.
+KINDS = (bool, int)
 #: Name: dims and values, nested lists of balls or integers.
 Values = dict[str, tuple[tuple[str, ...], Any]]
 
 
 def _packed(ball: arb) -> tuple[float, float, float]:
     """Midpoint and radius; a number that vanishes by symmetry is stored as zero and its radius."""
+    if math.isnan(float(ball.mid())):
+        return math.nan, 0.0, 0.0
     if ball.is_finite() and ball.contains(0) and ball.abs_upper() < NOTHING:
         return 0.0, 0.0, float(ball.abs_upper()) * 2
     return pack(ball)
@@ -31,8 +36,8 @@ def parts(name: str, nested: Any) -> dict[str, npt.NDArray[Any]]:
     array = np.array(nested, dtype=object)
     flat = array.ravel().tolist()
     if not any(isinstance(each, arb) for each in flat):
-        kind = np.int8 if all(isinstance(each, int) for each in flat) else float
-        return {name: array.astype(kind)}
+        kind = next((each for each in KINDS if all(isinstance(one, each) for one in flat)), float)
+        return {name: array.astype(np.int8 if kind is int else kind)}
     packed = np.array([_packed(each) for each in flat]).reshape((*array.shape, 3))
     names = (name, f"{name}_low", f"{name}_radius")
     return dict(zip(names, np.moveaxis(packed, -1, 0), strict=True))

@@ -13,6 +13,7 @@ from planar_pushing.certified.balls import precise
 from planar_pushing.certified.contact import modes
 from planar_pushing.certified.setting import Effects
 from planar_pushing.evidence.golden.build import cells, motions
+from planar_pushing.evidence.golden.build.generate import coefficient
 from planar_pushing.evidence.golden.build.packing import Values, certified
 from planar_pushing.evidence.golden.build.plotted import (
     Study,
@@ -139,10 +140,9 @@ def _figure_12(study: Study) -> Golden:
     values: Values = {name: shown[name] for name in plotted}
     values |= {name: (("xy",), shown[name][1][0]) for name in ("contact_motion", "force")}
     angles = [float(phi) for phi in study["curve_angles"] if phi <= 180 and phi != psi]
-    ring = shown["ring_center"][1]
-    for i, name in enumerate(XY):
+    for name in XY:
         rows = [
-            [center(study, length, phi, share)[f"center_{name}"] + ring[i] for share in (0.0, 1.0)]
+            [center(study, length, phi, share)[f"center_{name}"] for share in (0.0, 1.0)]
             for phi in angles
         ]
         values[f"exact_center_{name}"] = (("force_angle", "inertia_share"), rows)
@@ -177,7 +177,7 @@ def _figure_13(study: Study) -> Golden:
     for name in ("motion_cone_right", "motion_cone_left"):
         rows = [[each[name] for each in row] for row in cones]
         values[name] = (("effects", "friction_coefficient"), rows)
-    steep = [friction_angle(law.friction_coefficient) for law in laws.values()]
+    steep = [friction_angle(coefficient(law)) for law in laws.values()]
     values["friction_angle"] = (("contact",), steep)
     values["cone_friction_angle"] = (("friction_coefficient",), [friction_angle(mu) for mu in mus])
     coords = {"effects": list(grid["effects"]), "contact": list(laws), "pusher_angle": angles}

@@ -91,7 +91,7 @@ def sectors(scene: Scene) -> Values:
         turn = 90 * sign(arm)
         starts.append(first + turn)
         stops.append(last + turn)
-        outside.append(int(sign(abs(arm) - 1) < 0))
+        outside.append(sign(abs(arm) - 1) < 0)
     return {
         "sector_start": (("sector",), starts),
         "sector_stop": (("sector",), stops),
@@ -107,4 +107,6 @@ def mode_set(record: cells.Record) -> int:
 
 def friction_angle(mu: float) -> arb:
     """Angle of friction of a coefficient, degrees."""
+    if math.isnan(mu):
+        return arb.nan()
     return arb(90) if math.isinf(mu) else in_degrees(arb(rational(mu)).atan())

@@ -79,7 +79,7 @@ def scene_values(scene: Mapping[str, Any], push: Mapping[str, Any]) -> Values:
         "ring_center": (("xy",), ring_center),
         "outcome": ((), modes.outcome(found)),
         "mode": (("solution",), [int(mode) for mode, _ in moving]),
-        "adhesive": (("solution",), [int(each["force"][1] < 0) for each in solutions]),
+        "adhesive": (("solution",), [bool(each["force"][1] < 0) for each in solutions]),
         "force": (vectors, [each["force"] for each in solutions]),
         "contact_motion": (vectors, [each["contact_motion"] for each in solutions]),
         "slip": (("solution",), [each["slip"] for each in solutions]),

@@ -1,0 +1,41 @@
+"""The command `init`."""
+
+from __future__ import annotations
+
+import argparse
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from planar_pushing.commands.arguments import Commands, command
+from planar_pushing.study.files.replacing import replacing
+from planar_pushing.terms.errors import InvalidFile
+
+#: The files to start from, in planar_pushing/study/templates.
+STUDY, SCENE = "my_study.yaml", "scene.yaml"
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = "Write a small study and a scene, with comments, to start from."
+    sub = command(commands, "init", start, about)
+    sub.add_argument(
+        "folder", type=Path, metavar="FOLDER", help="where to; made if it is not there"
+    )
+
+
+def start(args: argparse.Namespace) -> dict[str, Any]:
+    """Write the files; none where one of them is there already."""
+    folder = args.folder.resolve()
+    for path in (folder / STUDY, folder / SCENE):
+        if path.exists():
+            raise InvalidFile(f"{path}: is there already; name another folder")
+    for name in (STUDY, SCENE):
+        text = (files("planar_pushing.study") / "templates" / name).read_text(encoding="utf-8")
+        with replacing(folder / name) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+    return {
+        "study": str(folder / STUDY),
+        "scene": str(folder / SCENE),
+        "to build it, in the project's folder": f"snakemake --config study={folder / STUDY}",
+    }

@@ -1,0 +1,67 @@
+"""Regions of possible acceleration centres: the paper's bound and the exact set (Sec. 4, Fig. 12)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.angles import RESOLUTION
+from planar_pushing.mechanics.centers import conservative_spin_ratios, motion_centers
+from planar_pushing.mechanics.contact import InfiniteFriction
+from planar_pushing.mechanics.plane import Array, motion_center, rod
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.catalog import DIMS
+from planar_pushing.study.datasets.base import axis, half_turn, parameters
+from planar_pushing.study.describe import describe
+from planar_pushing.study.files.models import StudyFile
+from planar_pushing.terms.options import EffectKind, EffectSet
+
+#: Ends of both regions along a line of force; a region is what its ends sweep over the force angles.
+BOUND_ENDS = ("inner", "outer")
+EXACT_ENDS = (str(EffectKind.SUPPORT_FRICTION), str(EffectKind.INERTIA))
+
+
+# Compiled functions have no types.
+_spin_ratios: Any = conservative_spin_ratios
+_center: Any = motion_center
+_rod: Any = rod
+
+
+def _bound(length: float, angle: float, force_angle: float) -> Array:
+    """Ends of the paper's bound for one line of force, in radii from the contact, shape (end, xy)."""
+    arm = length * np.sin(angle - force_angle)  # Eq. (10)
+    # The sine's rounding must not push a line that touches the ring to either side of it.
+    if abs(abs(arm) - 1.0) <= RESOLUTION * max(length, 1.0):
+        arm = np.copysign(1.0, arm)
+    outer, inner = _spin_ratios(arm)
+    own = _rod(length, angle)
+    ends = np.array([_center(own, force_angle, ratio) for ratio in (inner, outer)])
+    # A translation has its centre at either end of a line; a region goes on to the one it approaches.
+    return np.where(np.isinf(ends) & (arm < 0), -ends, ends)
+
+
+def build(study: StudyFile) -> xr.Dataset:
+    """Build the dataset of a study: ends of both regions along every line of force."""
+    slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
+    scene = Scene(slider=slider, contact=InfiniteFriction(), effects=study.effects(EffectSet.BOTH))
+    phi = half_turn(axis(study, "force_angle"))
+    bound = slider.radius * xr.apply_ufunc(
+        np.vectorize(_bound, signature="(),(),()->(e,c)"),
+        *(slider.length_ratio, slider.rod_angle, phi),
+        output_core_dims=[["bound_end", "xy"]],
+    )
+    exact = motion_centers(scene, phi, xr.DataArray([0.0, 1.0], dims="exact_end"))
+    found = {
+        f"{name}_{across}": ends.isel(xy=i, drop=True)
+        for name, ends in (("bound", bound), ("exact", exact))
+        for i, across in enumerate("xy")
+    }
+    dataset = xr.Dataset(found).transpose(*DIMS["center_regions"])
+    return describe(
+        dataset.assign_coords(bound_end=list(BOUND_ENDS), exact_end=list(EXACT_ENDS)),
+        title="Regions of possible acceleration centres: the paper's bound and the exact set",
+        source="Sec. 4, Fig. 12: the cases for a line of force outside, on and through the ring",
+        parameters=parameters(study, "rod_angle"),
+    )

@@ -1,0 +1,77 @@
+"""Studies side by side: which one is chosen, its name, and the folder that its results fill."""
+
+from __future__ import annotations
+
+import difflib
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+
+from planar_pushing.study.catalog import NAME
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
+
+#: The study of the paper: its file, and its name, whose results are not in a folder of their own.
+PAPER_FILE, PAPER = "workflow/config/paper.yaml", "paper"
+#: The one key of the workflow's configuration.
+KEY = "study"
+
+
+def chosen_study(config: Mapping[str, object]) -> str:
+    """File of the study that the workflow's configuration chooses, the paper's where it says nothing.
+
+    Raises
+    ------
+    InvalidValue
+        Where the configuration has another key, or no path as study.
+    """
+    for key in config:
+        if key != KEY:
+            near = difflib.get_close_matches(str(key), [KEY], n=1)
+            remedy = f"did you mean {KEY}?" if near else "leave it out"
+            raise InvalidValue("config", key, f"the key {KEY}", remedy)
+    file = config.get(KEY, PAPER_FILE)
+    if not isinstance(file, str) or not file.isprintable() or set(file) & {"{", "}"} or not file:
+        allowed = "the path of a study file, without braces"
+        raise InvalidValue(KEY, file, allowed, f"give it as --config {KEY}=PATH")
+    return file
+
+
+def study_name(file: PathLike) -> str:
+    """Name of a study, that of its file.
+
+    Raises
+    ------
+    InvalidFile
+        Where it cannot name a folder, or is the name of the paper's study.
+    """
+    name = Path(file).stem
+    if not NAME.fullmatch(name):
+        allowed = "names of letters, digits and underscores, which become a folder's name"
+        raise InvalidFile(f"{file}: {name!r} names the study; allowed: {allowed}; rename the file")
+    if name == PAPER and Path(file).resolve() != Path(PAPER_FILE).resolve():
+        raise InvalidFile(f"{file}: {PAPER!r} is the paper's own study; rename the file")
+    return name
+
+
+def study_folder(name: str | None, results: PathLike = "results") -> Path:
+    """Folder that a study's results fill: that of all results for the paper's, else one within it.
+
+    Raises
+    ------
+    InvalidValue
+        Where the name cannot be one of a study.
+    """
+    if name is None or name == PAPER:
+        return Path(results)
+    if not isinstance(name, str) or not NAME.fullmatch(name):
+        built = sorted(path.name for path in (Path(results) / "studies").glob("*"))
+        allowed = ", ".join([PAPER, *built])
+        raise InvalidValue("study", name, allowed, "name a study that was built")
+    return Path(results) / "studies" / name
+
+
+def provenance(file: PathLike) -> dict[str, str]:
+    """Name of a study and digest of its file, as every dataset holds them."""
+    digest = hashlib.sha256(Path(file).read_bytes()).hexdigest()
+    return {"study": study_name(file), "study_digest": f"sha256:{digest}"}

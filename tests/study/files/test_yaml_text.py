@@ -1,0 +1,88 @@
+"""Text that is no YAML of ours ends in one line, and is bounded before it is expanded."""
+
+import pytest
+
+from planar_pushing import InvalidFile
+from planar_pushing.study.files import yaml_text
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.study_file import load_study
+
+LAUGHS = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n" + "".join(
+    f"a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 10)}]\n" for i in range(1, 10)
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("title: 2026-13-45", "not YAML: month must be in 1..12; mend the value"),
+        ("title: !!int foo", "the tag 'tag:yaml.org,2002:int' given; allowed: values without tags"),
+        ("title: !!bool foo", "the tag 'tag:yaml.org,2002:bool' given; allowed: values without"),
+        (r'title: "\UFFFFFFFF"', "not YAML: Python int too large"),
+        (f"title: {'9' * 5000}", "'9999"),
+        ("? [a, b]\n: 3", "('a', 'b'): 3 given; allowed: the keys title, slider"),
+        ("? {a: b}\n: 3", "not YAML: line 1, column 3: found unhashable key"),
+        (f"title: {'[' * 1000}{']' * 1000}", "nested too deep; allowed: 20 brackets"),
+        (LAUGHS, "too many values; allowed: 100000, with those that aliases repeat"),
+        ("title: &a [*a]", "too many values; allowed: 100000"),
+        ("title: [*b]", "too many values; allowed: 100000"),
+        ("<<: 3", "not YAML: line 1, column 5: expected a mapping"),
+        ("\0", "not YAML: unacceptable character #x0000"),
+        ('? "' + "k" * 900 + '"\n: 3', "kkkk"),
+        ("a: 1\n---\nb: 2", "not YAML: line 2, column 1: but found another document"),
+        ("#" + "x" * yaml_text.BYTES, "is larger; allowed: files of at most 1048576 bytes"),
+    ],
+)  # fmt: skip
+def test_text_that_is_refused(tmp_path, text, said):
+    path = tmp_path / "scene.yaml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InvalidFile) as caught:
+        load_scene_file(path)
+    told = str(caught.value).removeprefix(f"{path}: ")
+    assert told.startswith(said)
+    assert "\n" not in told
+    assert len(told) < 300
+
+
+def test_aliases_are_counted_and_not_expanded(monkeypatch):
+    monkeypatch.setattr(yaml_text, "VALUES", 9)
+    assert not list(yaml_text._excesses("a: &a [1, 2]\nb: *a"))
+    assert list(yaml_text._excesses("a: &a [1, 2]\nb: [*a]"))
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["{start: 0, stop: 360, step: 3.6e-8}", "{start: 0, stop: 1e308, step: 1e-300}",
+     "{start: -1e308, stop: 1e308, step: 1e-300}"],
+)  # fmt: skip
+def test_a_range_is_counted_before_it_is_built(tmp_path, study_text, given):
+    path = tmp_path / "config/file.yaml"
+    asked = "force_angle: {start: 0, stop: 360, step: 15}"
+    assert asked in study_text
+    path.write_text(study_text.replace(asked, f"force_angle: {given}"), encoding="utf-8")
+    with pytest.raises(InvalidFile, match="into at most 100000 steps; change the value"):
+        load_study(path)
+
+
+def test_a_grid_that_no_memory_holds_is_refused(tmp_path, study_text):
+    path = tmp_path / "config/file.yaml"
+    long = study_text.replace(
+        "{start: 0, stop: 360, step: 15}", "{start: 0, stop: 360, step: 0.005}"
+    )
+    long = long.replace(
+        "rod_length: [0, 1, 2, 5]", "rod_length: {start: 0, stop: 5, step: 0.0025}", 1
+    )
+    path.write_text(long, encoding="utf-8")
+    with pytest.raises(
+        InvalidFile, match=r"grid: 864444006 points of limit_curves given; allowed: 1"
+    ):
+        load_study(path)
+
+
+@pytest.mark.parametrize("given", ['"a{b}"', r'"a\0b"', "5", '"a\\nb"'])
+def test_a_path_that_the_workflow_cannot_hold_is_refused(tmp_path, study_text, given):
+    path = tmp_path / "config/file.yaml"
+    path.write_text(f"golden: {given}\n{study_text}", encoding="utf-8")
+    with pytest.raises(InvalidFile, match=r"golden: .* given; allowed: a path without") as told:
+        load_study(path)
+    assert "\n" not in str(told.value)

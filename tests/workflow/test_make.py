@@ -1,0 +1,69 @@
+"""The Makefile's set-up: one at a time, in its own environment, and in no folder with a space."""
+
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from workflow.conftest import PROJECT
+
+#: A Python that sets up nothing, and notes that it was asked to.
+PYTHON = """#!/bin/sh
+if [ "$1" = workflow/alone.py ]; then exec {python} "$@"; fi
+echo "set up" >> log
+mkdir -p .venv/bin
+printf '#!/bin/sh\\nsleep 0.3\\n' > .venv/bin/python
+cp .venv/bin/python .venv/bin/planar-pushing
+chmod +x .venv/bin/*
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for name in ("Makefile", "requirements.lock", "pyproject.toml", "workflow/alone.py"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copy(PROJECT / name, tmp_path / name)
+    for name in ("mechanics", "simulation"):
+        (tmp_path / "src/planar_pushing" / name).mkdir(parents=True)
+    (tmp_path / "python").write_text(PYTHON.format(python=sys.executable), encoding="utf-8")
+    (tmp_path / "python").chmod(0o755)
+    return tmp_path
+
+
+def start(folder, *arguments, **variables):
+    return subprocess.Popen(
+        ["make", "PYTHON=./python", *arguments], cwd=folder, env=os.environ | variables,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+    )  # fmt: skip
+
+
+def test_of_two_at_once_the_second_waits_and_finds_it_made(folder):
+    runs = [start(folder, ".venv/compiled") for _ in range(2)]
+    said = [run.communicate()[0] for run in runs]
+    assert [run.returncode for run in runs] == [0, 0], said
+    assert (folder / "log").read_text() == "set up\n"
+    assert any("another make is setting up this folder; waiting for it" in each for each in said)
+
+
+def test_what_python_has_elsewhere_and_a_home_that_is_not_ours_stay_out(folder):
+    show = ("--eval=show: ; @env", "show")
+    said = start(folder, *show, PYTHONPATH="/foreign", HOME="/nonexistent").communicate()[0]
+    found = dict(line.split("=", 1) for line in said.splitlines() if "=" in line)
+    assert "PYTHONPATH" not in found
+    assert found["HOME"] == str(folder / ".snakemake/home")
+    assert found["XDG_CACHE_HOME"].startswith(found["HOME"])
+    mine = start(folder, *show, HOME=str(folder)).communicate()[0]
+    assert f"HOME={folder}\n" in mine
+
+
+def test_a_folder_with_a_space_is_refused_with_one_message(folder):
+    spaced = folder / "a folder"
+    spaced.mkdir()
+    shutil.copy(PROJECT / "Makefile", spaced)
+    run = start(spaced)
+    said = run.communicate()[0]
+    assert run.returncode == 2
+    assert "a folder: Snakemake runs in no folder with a space; move the project" in said
+    assert said.count("***") == 1
