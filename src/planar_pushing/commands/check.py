@@ -11,7 +11,8 @@ from planar_pushing.commands.arguments import Commands, command
 
 def add(commands: Commands) -> None:
     """Add the command."""
-    sub = command(commands, "check", checked, "check every value of a results folder")
+    about = "Check every value of a results folder: 0 where all agrees, 1 where something differs."
+    sub = command(commands, "check", checked, about, "--json")
     sub.add_argument(
         "results", type=Path, nargs="?", default=Path("results"), metavar="RESULTS",
         help="folder of the results (default: results)",

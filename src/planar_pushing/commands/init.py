@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from planar_pushing.commands.arguments import Commands, command
-from planar_pushing.study.files.replacing import replacing
 from planar_pushing.terms.errors import InvalidFile
 
 #: The files to start from, in planar_pushing/study/templates.
@@ -18,14 +17,16 @@ STUDY, SCENE = "my_study.yaml", "scene.yaml"
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Write a small study and a scene, with comments, to start from."
-    sub = command(commands, "init", start, about)
+    sub = command(commands, "init", start, about, "my_folder")
     sub.add_argument(
-        "folder", type=Path, metavar="FOLDER", help="where to; made if it is not there"
+        "folder", type=Path, metavar="FOLDER", help="folder to write them to; made if it is not there"
     )
 
 
 def start(args: argparse.Namespace) -> dict[str, Any]:
     """Write the files; none where one of them is there already."""
+    from planar_pushing.study.files.replacing import replacing
+
     folder = args.folder.resolve()
     for path in (folder / STUDY, folder / SCENE):
         if path.exists():
