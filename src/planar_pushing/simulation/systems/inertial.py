@@ -95,7 +95,8 @@ def motion(system, mode, time, state):
         return at_rest(fence_x, fence_y, turn_x, turn_y)
     body, own, spin = system.body, rod_of(system.body, state[base.ANGLE]), state[base.SPIN]
     body.evaluations += 1
-    v_x, v_y = base.center_velocity(system, mode.during, time, state)
+    u_x, u_y = fence_x + state[base.OVER], fence_y + state[base.RISE]
+    v_x, v_y = contact_motion(own, u_x, u_y, -spin)
     drag_x, drag_y, drag = _drag(system, mode, v_x, v_y, spin)
     free_x, free_y = _free(body, own, drag_x, drag_y, drag, spin)
     free_x, free_y = free_x - turn_x, free_y - turn_y
