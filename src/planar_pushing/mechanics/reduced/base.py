@@ -70,15 +70,7 @@ def slips(kinds: Any) -> Callable[..., Any]:
 
 @generic
 def edge_motion(kinds: Any) -> Callable[..., Any]:
-    """The motion of unit size under a force on an edge, of effects of one degree: twist and force.
-
-    Parameters
-    ----------
-    effects : tuple
-    rod : Rod
-    edge : Direction
-        Of the force.
-    """
+    """Motion of unit size under a force on an edge, of effects of one degree: v_x, v_y, R omega, f_x, f_y."""
     return isotropic.edge_motion
 
 

@@ -116,6 +116,15 @@ def motion_angle(effects, own, force):
 
 
 @compiled
+def edge_motion(effects, own, edge):
+    """As `base.edge_motion`."""
+    ratio = signed_spin_ratio(effects, own, edge)
+    speed, spin = (1.0, ratio) if abs(ratio) <= 1.0 else (1.0 / abs(ratio), copysign(1.0, ratio))
+    force = response(effects, speed, spin)[0]
+    return speed * edge.x, speed * edge.y, spin, force * edge.x, force * edge.y
+
+
+@compiled
 def motion_angles(effects, own, force):
     """As `base.motion_angles`."""
     arm = moment_arm(own, force)
@@ -201,15 +210,6 @@ def sustained(effects, own, along, aside, spin, blur):
     part = response(effects, speed, spin)[0] / speed
     v_x, v_y = along * own.x + aside * own.y, along * own.y - aside * own.x
     return Sustained(v_x, v_y, spin, part * v_x, part * v_y, along, aside, blur)
-
-
-@compiled
-def edge_motion(effects, own, edge):
-    """As `base.edge_motion`."""
-    ratio = signed_spin_ratio(effects, own, edge)
-    speed, spin = (1.0, ratio) if abs(ratio) <= 1.0 else (1.0 / abs(ratio), copysign(1.0, ratio))
-    force = response(effects, speed, spin)[0]
-    return speed * edge.x, speed * edge.y, spin, force * edge.x, force * edge.y
 
 
 class SpeedOfSpin(NamedTuple):
