@@ -70,7 +70,7 @@ def slips(kinds: Any) -> Callable[..., Any]:
 
 @generic
 def edge_motion(kinds: Any) -> Callable[..., Any]:
-    """Motion of unit size under a force on an edge, of effects of one degree: v_x, v_y, R omega, f_x, f_y."""
+    """Motion of unit size under a force on an edge, of one effect: v_x, v_y, R omega, f_x, f_y."""
     return isotropic.edge_motion
 
 
