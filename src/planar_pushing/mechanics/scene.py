@@ -130,8 +130,13 @@ class Scene:
     def isotropic(self) -> bool:
         """Whether the support is the slider's own ring, and the centre of mass its centre."""
         radius = self.slider.radius
-        rings = all(_is_ring(each.support, radius) for each in self.friction)
-        return rings and not any(np.any(np.asarray(x) != 0) for m in self.masses for x in m.center)
+        for each in self.effects:
+            if isinstance(each, Inertia):
+                if any(map(_is_off, each.center)):
+                    return False
+            elif not isinstance(each, RingFriction) and not _is_ring(each.support, radius):
+                return False
+        return True
 
     @property
     def kinds(self) -> tuple[Any, ...]:
@@ -198,6 +203,13 @@ class Scene:
 
 #: What a scene may list.
 EFFECTS = (SupportFriction, RingFriction, Inertia)
+
+
+def _is_off(coordinate: Number) -> bool:
+    """Whether a coordinate, or one of an array, is not zero."""
+    if isinstance(coordinate, float):
+        return coordinate != 0.0
+    return bool(np.any(np.asarray(coordinate) != 0))
 
 
 def _is_ring(support: Any, radius: Number) -> bool:
