@@ -12,12 +12,12 @@ COUNT = 120
 
 
 @pytest.fixture(scope="module")
-def datasets(smoke, smoke_results):
+def datasets(smoke, smoke_marks, smoke_results):
     """Every dataset of a study, and what it must be."""
     results = check.Results(smoke_results)
     return [
         (f"{name}/{group}", results.dataset(name, group), expectation)
-        for name, groups in check.expectations(smoke, results)
+        for name, groups in check.expectations(smoke, smoke_marks, results)
         for group, expectation in groups().items()
     ]
 

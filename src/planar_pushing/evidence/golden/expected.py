@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import xarray as xr
@@ -11,6 +11,7 @@ import xarray as xr
 from planar_pushing.evidence.golden.rules import RESIDUALS, RULES, Rule
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import AXES
+from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
@@ -51,6 +52,10 @@ class Expectation:
     def coords(self) -> dict[str, xr.DataArray]:
         """Every coordinate, whole."""
         return {str(name): each for name, each in self.structure.coords.items()} | self.axes
+
+
+#: Expectations of the groups of a file; a file without groups has one without a name.
+Groups = dict[str, Expectation]
 
 
 def _expectation(family: str, study: StudyFile, **parts: Any) -> Expectation:
@@ -103,3 +108,13 @@ def derived_expectation(dataset: xr.Dataset) -> Expectation:
         rules=dict.fromkeys(names, Rule.DERIVED),
         slack=dict.fromkeys(floats, ANEW),
     )
+
+
+def in_study(found: Groups, title: str, marks: Mapping[str, str]) -> Groups:
+    """The expectations with what every file, and every group in it, says of its study."""
+    structures = {name: each.structure for name, each in found.items()}
+    built = of_study(structures.get("", structures), title, marks)
+    if isinstance(built, xr.Dataset):
+        return {"": replace(found[""], structure=built)}
+    above = {"": derived_expectation(built.pop("/"))}
+    return above | {name: replace(found[name], structure=each) for name, each in built.items()}
