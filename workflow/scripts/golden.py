@@ -8,11 +8,10 @@ with job_log(snakemake.log[0]) as log:
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
     from planar_pushing.evidence.writing import json_text, write_text
-    from planar_pushing.study.study_file import load_study
     from planar_pushing.terms.errors import InvalidResult
 
     results = Path(snakemake.params.results)
-    found = verdict(check_results(results, load_study(snakemake.input.study)))
+    found = verdict(check_results(results, snakemake.input.study))
     text = verdict_text(found)
     if not found["passed"]:
         raise InvalidResult(text)

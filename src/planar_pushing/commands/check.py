@@ -15,11 +15,12 @@ def add(commands: Commands) -> None:
     sub = command(commands, "check", checked, about, "--json")
     sub.add_argument(
         "results", type=Path, nargs="?", default=Path("results"), metavar="RESULTS",
-        help="folder of the results (default: results)",
+        help="folder that the pipeline has filled (default: results)",
     )  # fmt: skip
     sub.add_argument(
         "--study", type=Path, default=Path("workflow/config/paper.yaml"), metavar="STUDY.yaml",
-        help="study that the results are of (default: workflow/config/paper.yaml)",
+        help="study whose results are checked, in RESULTS/studies/NAME for another than the paper's "
+        "(default: workflow/config/paper.yaml)",
     )  # fmt: skip
 
 
@@ -27,8 +28,9 @@ def checked(args: argparse.Namespace) -> dict[str, Any]:
     """The verdict; it sets `args.status` to 1 where anything differs."""
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
-    from planar_pushing.study.study_file import load_study
+    from planar_pushing.study.studies import study_folder, study_name
 
-    found = verdict(check_results(args.results, load_study(args.study)))
+    folder = study_folder(study_name(args.study), args.results)
+    found = verdict(check_results(folder, args.study))
     args.status = 0 if found["passed"] else 1
     return found if args.json else {"": verdict_text(found).rstrip()}

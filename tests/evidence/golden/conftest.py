@@ -3,6 +3,7 @@
 import pytest
 
 from evidence.golden.studies import write_results
+from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -14,5 +15,11 @@ def smoke():
 
 
 @pytest.fixture(scope="session")
-def smoke_results(smoke, tmp_path_factory):
-    return write_results(smoke, tmp_path_factory.mktemp("smoke"))
+def smoke_marks():
+    return provenance(SMOKE)
+
+
+@pytest.fixture(scope="session")
+def smoke_results(tmp_path_factory):
+    """The folder that the study fills, in one of all results."""
+    return write_results(SMOKE, tmp_path_factory.mktemp("results") / "studies/smoke")

@@ -52,6 +52,19 @@ def not_a_number(dataset, random):
     return replaced(dataset, name, values), f"{name} at {at}: NaN"
 
 
+def filled(dataset, random):
+    """Zero in place of what is not there."""
+    names = [name for name, each in dataset.variables.items() if each.dtype.kind == "f"]
+    names = [name for name in names if np.isnan(dataset[name].values).any()]
+    if not names:
+        return None
+    name = str(random.choice(names))
+    values = dataset[name].values.copy()
+    at = place(values, np.isnan(values), random)
+    values[at] = 0.0
+    return replaced(dataset, name, values), f"{name} at {at}: 0 for NaN"
+
+
 def deleted(dataset, random):
     name = str(random.choice(list(dataset.variables)))
     return dataset.drop_vars(name), f"{name}: deleted"
@@ -66,13 +79,22 @@ def marked(dataset, random):
     mark = str(random.choice(marks))
     changed = dataset.copy()
     old = dataset[name].attrs[mark]
-    new = f"{old}s" if isinstance(old, str) else np.asarray(old) + 1
-    changed[name].attrs = dataset[name].attrs | {mark: new}
+    changed[name].attrs = dataset[name].attrs | {mark: other(old)}
     return changed, f"{name}: {mark}"
 
 
+def retold(dataset, random):
+    """What a dataset says of itself as a whole."""
+    key = str(random.choice(list(dataset.attrs)))
+    return dataset.assign_attrs({key: other(dataset.attrs[key])}), f": attribute {key}"
+
+
+def other(mark):
+    return f"{mark}s" if isinstance(mark, str) else np.asarray(mark) + 1
+
+
 #: How often each kind is drawn.
-KINDS = {value: 0.6, not_a_number: 0.1, deleted: 0.1, marked: 0.2}
+KINDS = {value: 0.55, not_a_number: 0.1, filled: 0.05, deleted: 0.1, marked: 0.15, retold: 0.05}
 
 
 def tampered(dataset, random):

@@ -14,17 +14,19 @@ from planar_pushing.figures.style import paper_style
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
-STUDY = load_study("workflow/config/paper.yaml")
+PAPER = "workflow/config/paper.yaml"
+STUDY = load_study(PAPER)
 GOLDEN = Path("tests/golden")
 
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory):
     """Datasets of the paper's study, and the numbers of its figures."""
-    return write_results(STUDY, tmp_path_factory.mktemp("results"))
+    return write_results(PAPER, tmp_path_factory.mktemp("results"))
 
 
 def test_every_dataset_scene_and_figure_has_golden_data():
@@ -54,7 +56,7 @@ def test_results_agree_with_the_golden_data(results):
 
 def test_every_value_is_verified(results):
     opened, checks = check.Results(results), []
-    for name, groups in check.expectations(STUDY, opened):
+    for name, groups in check.expectations(STUDY, provenance(PAPER), opened):
         if opened.path(name).is_file():  # the costs are built by jobs of their own
             checks += check.check_file(name, groups, opened)
     assert all(each.passed for each in checks), verdict_text(verdict(checks))

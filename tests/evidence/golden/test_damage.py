@@ -9,6 +9,7 @@ from planar_pushing.commands import main
 from planar_pushing.evidence.golden import check
 from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.studies import provenance
 from planar_pushing.terms.errors import InvalidFile
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -17,12 +18,12 @@ SMOKE = "workflow/config/smoke.yaml"
 @pytest.fixture
 def folder(smoke_results, tmp_path):
     """A copy of the results that a test may damage."""
-    return shutil.copytree(smoke_results, tmp_path / "results")
+    return shutil.copytree(smoke_results, tmp_path / "results/studies/smoke")
 
 
 def file_checks(name, study, folder):
     results = check.Results(folder)
-    groups = dict(check.expectations(study, results))[name]
+    groups = dict(check.expectations(study, provenance(SMOKE), results))[name]
     return [each for each in check.check_file(name, groups, results) if not each.passed]
 
 
@@ -64,7 +65,7 @@ def test_a_group_that_is_gone_and_one_too_many(smoke, folder):
     path = folder / "data/scenes.nc"
     groups = {name: read_dataset(path, name) for name in sorted(smoke.scenes)}
     groups["more"] = groups.pop("figure_02")
-    write_dataset(groups, path)
+    write_dataset({"/": read_dataset(path)} | groups, path)
     found = {each.file: each.problem for each in file_checks("scenes", smoke, folder)}
     assert found["scenes.more"] == "is no group of this dataset"
     assert "has no group 'figure_02'" in found["scenes.figure_02"]
@@ -85,25 +86,35 @@ def test_a_stale_figure_differs(smoke, folder):
     assert (found.variable, found.failed) == ("motion_cone_left", 3)
 
 
-def test_no_datasets_are_refused(smoke, tmp_path):
+def test_another_study_is_seen(smoke, folder):
+    """Results of a study whose file has changed since."""
+    path = folder / "data/scenes.nc"
+    groups = {name: read_dataset(path, name) for name in sorted(smoke.scenes)}
+    above = read_dataset(path).assign_attrs(study_digest="sha256:0")
+    write_dataset({"/": above} | groups, path)
+    (found,) = file_checks("scenes", smoke, folder)
+    assert found.problem.startswith("has study_digest 'sha256:0', not 'sha256:")
+
+
+def test_no_datasets_are_refused(tmp_path):
     with pytest.raises(InvalidFile, match="holds no datasets; build them"):
-        check.check_results(tmp_path, smoke)
+        check.check_results(tmp_path, SMOKE)
 
 
 def test_the_command_passes_fails_and_refuses(smoke_results, folder, tmp_path, capsys):
-    assert main(["check", str(smoke_results), "--study", SMOKE]) == 0
+    assert main(["check", str(smoke_results.parents[1]), "--study", SMOKE]) == 0
     assert capsys.readouterr().out.startswith("passed: every value agrees\n")
     (folder / "data/limit_curves.nc").write_bytes(b"")
-    assert main(["check", str(folder), "--study", SMOKE]) == 1
+    assert main(["check", str(tmp_path / "results"), "--study", SMOKE]) == 1
     said = capsys.readouterr().out
     assert said.startswith("FAILED: ")
     assert "FAIL limit_curves cannot be read" in said
     assert main(["check", str(tmp_path / "none"), "--study", SMOKE]) == 2
-    assert main(["check", str(folder), "--study", "none.yaml"]) == 2
+    assert main(["check", str(tmp_path / "results"), "--study", "none.yaml"]) == 2
 
 
-def test_the_verdict_counts_by_rule(smoke, smoke_results):
-    found = verdict(check.check_results(smoke_results, smoke))
+def test_the_verdict_counts_by_rule(smoke_results):
+    found = verdict(check.check_results(smoke_results, SMOKE))
     assert found["passed"], verdict_text(found)
     assert found["rules"]["enclosure"] == {"values": 0, "variables": 0}
     assert found["rules"]["residual"]["values"] > 30_000

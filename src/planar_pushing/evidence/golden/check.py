@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -12,16 +12,19 @@ import xarray as xr
 from planar_pushing.evidence.golden import derived, expected
 from planar_pushing.evidence.golden.by_rule import check_dataset
 from planar_pushing.evidence.golden.compare import Check, compare
-from planar_pushing.evidence.golden.expected import Expectation
+from planar_pushing.evidence.golden.expected import Expectation, Groups
 from planar_pushing.evidence.golden.rules import Rule
 from planar_pushing.study.catalog import AXES, SIMULATIONS
 from planar_pushing.study.figures import FIGURES, computes
 from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.store import group_names, read_dataset
+from planar_pushing.study.studies import provenance
+from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
-#: Expectations of the groups of a file; a file without groups has one without a name.
-Groups = dict[str, Expectation]
+#: Name of a file, and what gives the expectations of its groups.
+Named = tuple[str, Callable[[], Groups]]
 
 
 def golden_names(golden: Path) -> list[str]:
@@ -90,15 +93,15 @@ def _safely(read: Callable[[], Any]) -> Any:
         raise Unreadable(f"{type(error).__name__}: {message[0][:200]}") from None
 
 
-def check_results(folder: Path, study: StudyFile) -> list[Check]:
+def check_results(folder: Path, file: PathLike) -> list[Check]:
     """Check every value of a study's results.
 
     Parameters
     ----------
     folder : Path
         The results.
-    study : StudyFile
-        Says what they are to hold, and names the golden data and the tolerances.
+    file : path
+        The study: it says what they are to hold, and names the golden data and the tolerances.
 
     Returns
     -------
@@ -112,15 +115,27 @@ def check_results(folder: Path, study: StudyFile) -> list[Check]:
     """
     if not any(folder.glob("data/*.nc")):
         raise InvalidFile(f"{folder}: holds no datasets; build them with make or snakemake")
-    results = Results(folder)
+    study, results = load_study(file), Results(folder)
     checks = []
-    for name, groups in expectations(study, results):
+    for name, groups in expectations(study, provenance(file), results):
         checks += check_file(name, groups, results)
     return checks + (check_enclosures(results, study) if study.golden else [])
 
 
-def expectations(study: StudyFile, results: Results) -> Iterator[tuple[str, Callable[[], Groups]]]:
-    """Name of every file of a study, and what gives the expectations of its groups."""
+def expectations(study: StudyFile, marks: Mapping[str, str], results: Results) -> Iterator[Named]:
+    """Name of every file of a study, and what gives the expectations of its groups.
+
+    `marks` are the name of the study and the digest of its file, as `provenance` gives them.
+    """
+    for name, groups in _computed(study, results):
+        yield name, partial(_in_study, name, groups, marks)
+
+
+def _in_study(name: str, groups: Callable[[], Groups], marks: Mapping[str, str]) -> Groups:
+    return expected.in_study(groups(), name.rpartition("/")[2], marks)
+
+
+def _computed(study: StudyFile, results: Results) -> Iterator[Named]:
     yield "scenes", partial(expected.scene_expectations, study)
     for name in (name for name in AXES if computes(study, name)):
         yield name, partial(_single, expected.grid_expectation, name, study)
@@ -150,7 +165,7 @@ def _place(source: str) -> tuple[str, str]:
     return (stem, group) if stem == "scenes" else (source, "")
 
 
-def _costs(study: StudyFile) -> Iterator[tuple[str, Callable[[], Groups]]]:
+def _costs(study: StudyFile) -> Iterator[Named]:
     """Hard cases and costs, which are built with the study that the golden data certify."""
     yield "hard_cases", lambda: _groups(derived.hard_cases())
     yield "accuracy_errors", lambda: _groups(derived.accuracy_errors())

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import xarray as xr
@@ -11,6 +11,7 @@ import xarray as xr
 from planar_pushing.evidence.golden.rules import RESIDUALS, RULES, Rule
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import AXES
+from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
@@ -53,6 +54,10 @@ class Expectation:
         return {str(name): each for name, each in self.structure.coords.items()} | self.axes
 
 
+#: Expectations of the groups of a file; a file without groups has one without a name.
+Groups = dict[str, Expectation]
+
+
 def _expectation(family: str, study: StudyFile, **parts: Any) -> Expectation:
     def residuals(dataset: xr.Dataset) -> Any:
         return RESIDUALS[family](dataset, study)
@@ -85,10 +90,12 @@ def scene_expectations(study: StudyFile) -> dict[str, Expectation]:
 def simulation_expectation(name: str, study: StudyFile) -> Expectation:
     """Expectation of a simulation, from a run of its scene.
 
-    Time stepping meets the force law on average over a step alone: its log is computed anew.
+    Time stepping meets the force law on average over a step alone, and the equations are those of a
+    ring about the centre of mass: other logs are computed anew.
     """
-    log = simulate_file(load_scene_file(study.simulations[name]))
-    if log.attrs["method"] == Method.TIME_STEPPING:
+    file = load_scene_file(study.simulations[name])
+    log = simulate_file(file)
+    if log.attrs["method"] == Method.TIME_STEPPING or not file.build().isotropic:
         return derived_expectation(log)
     # Events are located to the tolerance of the run, by arithmetic that may differ in its last bits.
     return _expectation("simulations", study, structure=log, slack={"time": log.attrs["rtol"]})
@@ -103,3 +110,13 @@ def derived_expectation(dataset: xr.Dataset) -> Expectation:
         rules=dict.fromkeys(names, Rule.DERIVED),
         slack=dict.fromkeys(floats, ANEW),
     )
+
+
+def in_study(found: Groups, title: str, marks: Mapping[str, str]) -> Groups:
+    """The expectations with what every file, and every group in it, says of its study."""
+    structures = {name: each.structure for name, each in found.items()}
+    built = of_study(structures.get("", structures), title, marks)
+    if isinstance(built, xr.Dataset):
+        return {"": replace(found[""], structure=built)}
+    above = {"": derived_expectation(built.pop("/"))}
+    return above | {name: replace(found[name], structure=each) for name, each in built.items()}

@@ -6,6 +6,7 @@ from enum import StrEnum
 
 from planar_pushing.evidence.golden.residual import (
     acceleration_centers,
+    center_regions,
     contact_modes,
     limit_curves,
     motion_cones,
@@ -34,6 +35,7 @@ RESIDUALS: dict[str, Residuals] = {
     "motion_cones": motion_cones.residuals,
     "contact_modes": contact_modes.residuals,
     "acceleration_centers": acceleration_centers.residuals,
+    "center_regions": center_regions.residuals,
     "scenes": scenes.residuals,
     "simulations": simulations.residuals,
 }
@@ -60,6 +62,7 @@ RULES: dict[str, dict[str, Rule]] = {
         "center_x center_y motion_angle exact_cone_right exact_cone_left "
         "conservative_cone_right conservative_cone_left",
     ),
+    "center_regions": _by(Rule.RESIDUAL, "bound_x bound_y exact_x exact_y"),
     "scenes": _by(Rule.EXACT, "rod_length rod_angle radius pusher_magnitude mode outcome adhesive")
     | _by(
         Rule.RESIDUAL,

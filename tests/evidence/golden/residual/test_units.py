@@ -7,7 +7,12 @@ import planar_pushing as pp
 from planar_pushing.evidence.golden.rules import RESIDUALS, RULES, Rule
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import AXES
-from planar_pushing.study.files.models import FrictionParameters, InertiaParameters, RingEntry
+from planar_pushing.study.files.models import (
+    FrictionParameters,
+    InertiaParameters,
+    PushEntry,
+    RingEntry,
+)
 from planar_pushing.study.slices import study_slice
 
 
@@ -32,6 +37,24 @@ def assert_verified(family, dataset, study):
 @pytest.mark.parametrize("name", AXES)
 def test_grids(name, study):
     assert_verified(name, build_dataset(name, study_slice(study, name)), study)
+
+
+def test_a_scene_without_a_radius(smoke, tmp_path):
+    """The ring is given as a support, and its radius is left out."""
+    (tmp_path / "scene.yaml").write_text(
+        """title: A ring
+slider: {rod_length: 2, rod_angle: 60}
+contact: {law: coulomb, friction_coefficient: 2}
+effects:
+  - {type: support_friction, weight: 3, support: {shape: ring}}
+  - {type: inertia, mass: 0.5, gyration_radius: 1.5}
+""",
+        encoding="utf-8",
+    )
+    push = PushEntry(file=str(tmp_path / "scene.yaml"), pusher_angle=100)
+    pushed = smoke.model_copy(update={"scenes": {"one": push}})
+    built = build_dataset("scenes", study_slice(pushed, "scenes"))
+    assert_verified("scenes", built["one"], pushed)
 
 
 @pytest.mark.parametrize("effects", ["friction", "inertia", "both"])

@@ -32,8 +32,6 @@ from planar_pushing.terms.options import EffectSet
 
 #: Roundings of a centre, and of an angle in radians.
 CENTER, ANGLE = 64, 32
-#: What the long name of a centre says where the origin is the contact, and not the ring centre.
-FROM_CONTACT = "relative to the contact"
 
 
 def residuals(dataset: xr.Dataset, study: StudyFile) -> Iterable[Finding]:
@@ -56,8 +54,6 @@ def residuals(dataset: xr.Dataset, study: StudyFile) -> Iterable[Finding]:
 def _from_ring(dataset: xr.Dataset, study: StudyFile, length: Any) -> list[Doubled]:
     """Centres relative to the ring centre, in units of R."""
     center = [doubled(dataset[f"center_{name}"].values / study.slider.radius) for name in "xy"]
-    if FROM_CONTACT not in dataset["center_x"].attrs["long_name"]:
-        return center
     ring = cosine_sine(radians(study.slider.rod_angle))
     with np.errstate(invalid="ignore"):
         moved = [each - part * length for each, part in zip(center, ring, strict=True)]

@@ -73,12 +73,11 @@ def _part(dataset: xr.Dataset, effects: str, slider: Slider, study: StudyFile) -
 
 
 def _without_solution(values: Floats, counts: Any) -> Table:
-    """A mode without a motion holds NaN, or in a dataset without any NaN zero."""
+    """A mode without a solution holds NaN, and separation zero: it has neither force nor motion."""
     table = Table(values, np.zeros(values.shape), np.zeros(values.shape))
-    moves = (counts > 0) & (np.arange(len(MODES)) > 0)
-    for here in (~moves & (counts == 0), ~moves & (counts > 0)):
-        none = np.isnan(values) if np.isnan(values[here]).any() else values == 0
-        table.error[here & ~none] = np.inf
+    rests = np.arange(len(MODES)) == MODES.index("SEPARATE")
+    table.error[np.isnan(values) != (counts == 0)] = np.inf
+    table.error[(counts > 0) & rests & (values != 0)] = np.inf
     return table
 
 

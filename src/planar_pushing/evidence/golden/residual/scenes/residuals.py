@@ -10,10 +10,10 @@ import xarray as xr
 
 from planar_pushing.certified.doubled.angles import cosine_sine, off_direction, radians
 from planar_pushing.certified.doubled.numbers import Doubled, choose
+from planar_pushing.evidence.golden.residual.centers import center, center_error, distance
 from planar_pushing.evidence.golden.residual.edges import EDGE, SIDES, motion_edge, spin_ratios
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON, Finding, relative
 from planar_pushing.evidence.golden.residual.motion import Shares, angle_error, line_at, shares
-from planar_pushing.evidence.golden.residual.scenes.centers import center, center_error
 from planar_pushing.evidence.golden.residual.scenes.scene import Scene, read
 from planar_pushing.evidence.golden.residual.scenes.solutions import solutions
 from planar_pushing.evidence.golden.residual.spin import spin_ratio, steady
@@ -85,7 +85,7 @@ def _samples(dataset: xr.Dataset, scene: Scene, ring: list[Doubled]) -> Iterable
         CENTER * EPSILON * (1 + scene.length / np.where(arm.high == 0, 1.0, np.abs(arm.high)))
     )
     found = [
-        center_error(stored, center(ring, radians(phi), k, scene.radius), rounding)
+        center_error(stored, center(ring, radians(phi), distance(k, scene.radius)), rounding)
         for stored, k in zip(dataset["cone_center"].values, spins, strict=True)
     ]
     yield Finding("cone_center", *(np.stack(each) for each in zip(*found, strict=True)))

@@ -12,7 +12,7 @@ import xarray as xr
 from planar_pushing.certified.doubled.angles import cosine_sine, radians
 from planar_pushing.certified.doubled.numbers import Doubled, doubled
 from planar_pushing.evidence.golden.residual.motion import Line, Slider, edge
-from planar_pushing.terms.options import EFFECT_TYPES
+from planar_pushing.terms.options import EFFECT_TYPES, EffectKind
 
 
 class Scene(NamedTuple):
@@ -49,13 +49,15 @@ def read(dataset: xr.Dataset) -> Scene:
     """The scene that a dataset holds."""
     given = json.loads(dataset.attrs["parameters"])
     slider, contact, push = given["scene"]["slider"], given["scene"]["contact"], given["push"]
+    # A file may leave it out; the dataset, where it is compared exactly, does not.
+    radius = float(dataset["radius"])
     found = {EFFECT_TYPES[each["type"]]: each for each in given["scene"]["effects"]}
     weight = sum(each.get("weight", 0.0) for each in given["scene"]["effects"])
-    inertia = found.get(EFFECT_TYPES["inertia"], {"mass": 0.0, "gyration_radius": slider["radius"]})
+    inertia = found.get(EffectKind.INERTIA, {"mass": 0.0, "gyration_radius": radius})
     return Scene(
-        Slider(weight, inertia["mass"], (inertia["gyration_radius"] / slider["radius"]) ** 2),
-        "+".join(kind for kind in EFFECT_TYPES.values() if kind in found),
-        slider["radius"], slider["rod_length"] / slider["radius"], slider["rod_angle"],
+        Slider(weight, inertia["mass"], (inertia["gyration_radius"] / radius) ** 2),
+        "+".join(kind for kind in EffectKind if kind in found),
+        radius, slider["rod_length"] / radius, slider["rod_angle"],
         {side: _edge(contact, side) for side in (1, -1)},
         push["pusher_angle"], push["force_angle"], push["pusher_magnitude"],
     )  # fmt: skip

@@ -10,8 +10,8 @@ import xarray as xr
 
 from planar_pushing.certified.doubled.numbers import Floats, doubled
 from planar_pushing.certified.doubled.ring import wrench
+from planar_pushing.evidence.golden.residual.centers import center, center_error, distance
 from planar_pushing.evidence.golden.residual.finding import EPSILON, Finding
-from planar_pushing.evidence.golden.residual.scenes.centers import center, center_error
 from planar_pushing.evidence.golden.residual.scenes.scene import Scene
 from planar_pushing.terms.options import EffectSet
 
@@ -89,7 +89,7 @@ def _places(
     """Motion centres, and the motion of points of the ring with the support's friction on them."""
     ring = [doubled(part) for part in dataset["ring_center"].values]
     angle = doubled(np.arctan2(*dataset["force"].values.T[::-1]))
-    wanted = center(ring, angle, doubled(k), scene.radius)
+    wanted = center(ring, angle, distance(doubled(k), scene.radius))
     yield Finding("center", *center_error(dataset["center"].values, wanted, MOTION * EPSILON))
     place = np.deg2rad(dataset["support_angle"].values)
     turned = np.stack([-np.sin(place), np.cos(place)], axis=-1)

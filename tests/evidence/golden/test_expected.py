@@ -1,0 +1,44 @@
+"""Logs that no equation of a ring holds, and results that are wrong even where they come out again."""
+
+import numpy as np
+import pytest
+
+from planar_pushing.evidence.golden import derived
+from planar_pushing.evidence.golden.by_rule import check_dataset
+from planar_pushing.evidence.golden.expected import derived_expectation, simulation_expectation
+from planar_pushing.evidence.golden.rules import Rule
+from planar_pushing.evidence.hard_cases import dataset
+
+SCENE = """title: A short push
+slider: {rod_length: 2, rod_angle: 60, radius: 1}
+contact: {law: coulomb, friction_coefficient: 2}
+effects: [EFFECT]
+simulate: {pusher: [{time: 0, angle: 90}], duration: 0.01, samples: 3, METHOD}
+"""
+RING = "{type: ring_friction, weight: 1}"
+DISC = "{type: support_friction, weight: 1, support: {shape: disc, radius: 1}}"
+STEPS = "method: time-stepping, step: 0.005"
+
+
+@pytest.mark.parametrize(
+    ("effect", "method", "rules"),
+    [
+        (RING, "rtol: 1.0e-9", {Rule.EXACT, Rule.RESIDUAL}),
+        (RING, STEPS, {Rule.DERIVED}),
+        (DISC, "rtol: 1.0e-9", {Rule.DERIVED}),
+    ],
+)
+def test_rules_of_a_simulation(smoke, tmp_path, effect, method, rules):
+    text = SCENE.replace("EFFECT", effect).replace("METHOD", method)
+    (tmp_path / "scene.yaml").write_text(text, encoding="utf-8")
+    study = smoke.model_copy(update={"simulations": {"one": str(tmp_path / "scene.yaml")}})
+    assert set(simulation_expectation("one", study).rules.values()) == rules
+
+
+def test_a_result_that_is_no_number_is_wrong(monkeypatch):
+    broken = dataset.build()
+    broken["result"][3] = np.nan
+    monkeypatch.setattr(dataset, "build", broken.copy)
+    found = derived_expectation(derived.hard_cases())
+    (failed,) = (c for c in check_dataset("hard_cases", broken, found) if not c.passed)
+    assert (failed.variable, failed.failed) == ("result", 1)
