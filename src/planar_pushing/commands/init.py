@@ -19,7 +19,10 @@ def add(commands: Commands) -> None:
     about = "Write a small study and a scene, with comments, to start from."
     sub = command(commands, "init", start, about, "my_folder")
     sub.add_argument(
-        "folder", type=Path, metavar="FOLDER", help="folder to write them to; made if it is not there"
+        "folder",
+        type=Path,
+        metavar="FOLDER",
+        help="folder to write them to; made if it is not there",
     )
 
 
