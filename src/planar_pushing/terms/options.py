@@ -47,7 +47,11 @@ class EffectSet(StrEnum):
 
 
 #: Effects by the types that scene files give them.
-EFFECT_TYPES = {"ring_friction": EffectKind.SUPPORT_FRICTION, "inertia": EffectKind.INERTIA}
+EFFECT_TYPES = {
+    "ring_friction": EffectKind.SUPPORT_FRICTION,
+    "support_friction": EffectKind.SUPPORT_FRICTION,
+    "inertia": EffectKind.INERTIA,
+}
 #: Effects by the degree of homogeneity of their potential.
 EFFECT_DEGREES = {1: EffectKind.SUPPORT_FRICTION, 2: EffectKind.INERTIA}
 

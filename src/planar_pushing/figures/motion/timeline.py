@@ -48,13 +48,19 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     """
     missing = [name for name in (*PATH, "twist") if name not in log]
     try:
-        slider = json.loads(log.attrs.get("scene", ""))["slider"]
+        scene = json.loads(log.attrs.get("scene", ""))
+        slider, kinds = scene["slider"], [each["type"] for each in scene["effects"]]
     except (ValueError, TypeError, KeyError):
         missing.append("scene")
     if missing:
         raise InvalidFile(
             f"the dataset lacks {', '.join(missing)}; allowed: a log of planar-pushing simulate; "
             "name another file"
+        )
+    if "support_friction" in kinds:
+        raise InvalidFile(
+            "the log is of another support than a ring; allowed: a log of a scene with ring_friction; "
+            "plot the variables of the log itself"
         )
     data = log[list(PATH)].rename({name: f"path_{name}" for name in PATH})
     data["path_center"] = motion_center(log, slider["radius"])

@@ -57,7 +57,7 @@ def slips(kinds: Any) -> Callable[..., Any]:
 
 @generic
 def edge_motion(kinds: Any) -> Callable[..., Any]:
-    """The motion of unit size under a force on an edge, of effects of one degree: twist and force."""
+    """Motion of unit size under a force on an edge, of one effect: v_x, v_y, R omega, f_x, f_y."""
     return _of(kinds, "edge_motion")
 
 

@@ -35,14 +35,9 @@ def _after(system, step, p_x, p_y):
         step.v_x - step.spin * y + p_x / body.mass,
         step.v_y + step.spin * x + p_y / body.mass,
     )
-    spin = step.spin + moment_of(_arm(body, step), p_x, p_y) / body.moment
+    spin = step.spin + moment_of(arm_of(body, step.own), p_x, p_y) / body.moment
     v_x, v_y, spin = slowed(system.effects, step.own, v_x, v_y, spin, step.size)
     return v_x + spin * y, v_y - spin * x, spin
-
-
-@compiled
-def _arm(body, step):
-    return arm_of(body, step.own.angle)
 
 
 @compiled
@@ -80,7 +75,7 @@ EQUATIONS[Turned] = _turned
 
 @compiled
 def stick(system, step, found):
-    body, own, arm = system.body, step.own, _arm(system.body, step)
+    body, own, arm = system.body, step.own, arm_of(system.body, step.own)
     body.evaluations += 1
     stiffness = body.moment + body.mass * arm.length * arm.length
     x, y = mass_offset(body, own)
@@ -146,7 +141,7 @@ def slips(system, step, kind, found):
 @compiled
 def _range(system, step, lifted):
     """Bounds of a slip's impulse: that of inertia alone, shifted by what friction can do at most."""
-    body, own, arm = system.body, step.own, _arm(system.body, step)
+    body, own, arm = system.body, step.own, arm_of(system.body, step.own)
     away = contact_motion(own, step.v_x, step.v_y, step.spin)[1] - step.y
     gain = pushed(body, arm, lifted.x, lifted.y)[1]
     # A gain of nothing but rounding leaves the size open.

@@ -53,15 +53,15 @@ WATCHES = tuple(cause in (LIFTS, STOPS, KINK, TURNS, TURNS_ALONG) for cause in r
 
 #: What of a scene does not change while it moves: l / R; edges of the friction cone and their angles,
 #: and what the law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such
-#: effect; centre of mass in the body frame, its distance from the contact, and the angle of the line there
-#: to the rod; typical speed and force, to which slacks are relative; initial gap. And what does change:
-#: how often the motion was evaluated.
+#: effect; centre of mass in the body frame, its distance from the contact, and cosine and sine of the
+#: angle of the line there to the rod; typical speed and force, to which slacks are relative; initial gap.
+#: And what does change: how often the motion was evaluated.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
         ("left_angle", "f8"), ("slips", "b1"), ("closed", "b1"), ("rough", "b1"),
         ("weight", "f8"), ("mass", "f8"), ("moment", "f8"), ("center", "f8", (2,)), ("reach", "f8"),
-        ("turn", "f8"), ("speed", "f8"), ("force", "f8"), ("gap", "f8"), ("evaluations", "i8"),
+        ("lean", "f8", (2,)), ("speed", "f8"), ("force", "f8"), ("gap", "f8"), ("evaluations", "i8"),
     ],
     align=True,
 )  # fmt: skip

@@ -17,7 +17,7 @@ from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.simulation.fence import velocity
 from planar_pushing.simulation.rows import Stop
 from planar_pushing.simulation.systems import base
-from planar_pushing.simulation.systems.motion import arm_of
+from planar_pushing.simulation.systems.motion import arm_of, rod_of
 
 NO_IMPULSE = int(Stop.NO_IMPULSE)
 #: An impulse this near to an edge of the cone is on it, radians.
@@ -123,7 +123,8 @@ def impact(system, during, time, state, kind, policy):
     if max(abs(x), abs(y)) <= base.SLACK * body.speed:
         state[base.OVER], state[base.RISE] = 0.0, 0.0
         return 0
-    own, kinds, count = arm_of(body, state[base.ANGLE]), np.empty(MODES, np.int64), 0
+    own = arm_of(body, rod_of(body, state[base.ANGLE]))
+    kinds, count = np.empty(MODES, np.int64), 0
     for each in range(MODES):
         if _consistent(body, own, each, x, y):
             kinds[count], count = each, count + 1

@@ -101,10 +101,11 @@ def motion(system, mode, time, state):
     turn_x, turn_y = acceleration(system.fence, mode.during, time)
     if mode.kind >= base.CLEAR:
         return at_rest(fence_x, fence_y, turn_x, turn_y)
-    body, spin, angle = system.body, state[base.SPIN], state[base.ANGLE]
-    own, arm = rod_of(body, angle), arm_of(body, angle)
+    body, own, spin = system.body, rod_of(system.body, state[base.ANGLE]), state[base.SPIN]
+    arm = arm_of(body, own)
     body.evaluations += 1
-    v_x, v_y = base.center_velocity(system, mode.during, time, state)
+    u_x, u_y = fence_x + state[base.OVER], fence_y + state[base.RISE]
+    v_x, v_y = contact_motion(own, u_x, u_y, -spin)
     drag_x, drag_y, drag = _drag(system, own, mode, v_x, v_y, spin)
     rubbed = drag_x * v_x + drag_y * v_y + drag * spin
     x, y = mass_offset(body, own)

@@ -57,9 +57,10 @@ def rod_of(body, angle):
 
 
 @compiled
-def arm_of(body, angle):
+def arm_of(body, own):
     """The line from the contact to the centre of mass, as a rod; without an offset it is the rod."""
-    return Rod(body.reach, angle + body.turn, cos(angle + body.turn), sin(angle + body.turn))
+    c, s = body.lean
+    return Rod(body.reach, nan, own.x * c - own.y * s, own.x * s + own.y * c)
 
 
 @compiled

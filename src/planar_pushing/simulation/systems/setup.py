@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot, sqrt
+from math import hypot, sqrt
 from typing import Any
 
 import numpy as np
@@ -55,8 +55,10 @@ def fill(row, fence, body):
     body.length, body.weight, body.mass = row[LENGTH], row[WEIGHT], row[MASS]
     body.moment = body.mass * row[GYRATION]
     body.center[0], body.center[1] = row[MASS_X], row[MASS_Y]
-    body.reach = hypot(row[LENGTH] + row[MASS_X], row[MASS_Y])
-    body.turn = atan2(row[MASS_Y], row[LENGTH] + row[MASS_X])
+    along, body.reach = row[LENGTH] + row[MASS_X], hypot(row[LENGTH] + row[MASS_X], row[MASS_Y])
+    body.lean[0], body.lean[1] = 1.0, 0.0
+    if body.reach > 0.0:
+        body.lean[0], body.lean[1] = along / body.reach, row[MASS_Y] / body.reach
     body.force = body.mass * body.speed * body.speed + body.weight
     body.right_angle, body.left_angle = row[RIGHT], row[LEFT]
     body.right[0], body.right[1] = unit_vector(row[RIGHT])

@@ -10,7 +10,6 @@ import xarray as xr
 
 from planar_pushing.mechanics.centers import motion_centers
 from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_cone
-from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solutions
@@ -19,12 +18,12 @@ from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import PushEntry, StudyFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.terms.options import EffectKind
+from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.options import EFFECT_DEGREES
 
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
 SUPPORT_ANGLES = np.arange(0.0, 360.0, 15.0)
-EFFECT_NAMES = {RingFriction: EffectKind.SUPPORT_FRICTION, Inertia: EffectKind.INERTIA}
 
 
 def pusher_angle(scene: Scene, push: PushEntry) -> float:
@@ -61,7 +60,7 @@ def _support(scene: Scene, twists: Array) -> dict[str, Any]:
     outward = direction(np.deg2rad(SUPPORT_ANGLES))
     turned = np.stack([-outward[:, 1], outward[:, 0]], axis=-1)
     motion = twists[:, None, :2] + twists[:, None, 2:] * turned
-    weight = sum(each.weight for each in scene.effects if isinstance(each, RingFriction))
+    weight = sum(each.weight for each in scene.friction)
     speed = np.linalg.norm(motion, axis=-1, keepdims=True)
     heading = np.divide(motion, speed, out=np.zeros_like(motion), where=speed > 0)
     dims = ("solution", "support_angle", "xy")
@@ -74,8 +73,8 @@ def _support(scene: Scene, twists: Array) -> dict[str, Any]:
 def _kinds(scene: Scene) -> dict[str, tuple[Any, ...]]:
     """The effects of each kind, by its name."""
     found = {
-        name: tuple(each for each in scene.effects if isinstance(each, kind))
-        for kind, name in EFFECT_NAMES.items()
+        name: tuple(each for each in scene.effects if each.degree == degree)
+        for degree, name in EFFECT_DEGREES.items()
     }
     return {name: effects for name, effects in found.items() if effects}
 
@@ -101,6 +100,11 @@ def _cones(scene: Scene) -> dict[str, Any]:
 def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     """One pushing problem: geometry, cones, the fence's motion and every consistent solution."""
     scene = file.build()
+    if not scene.isotropic:
+        raise InvalidValue(
+            "effects", "a support that is no ring, or a centre of mass off its centre",
+            "pictures of rings", "use solve, cone and simulate, which take any support",
+        )  # fmt: skip
     slider, angle = scene.slider, pusher_angle(scene, push)
     pusher = push.pusher_magnitude * direction(np.deg2rad(angle))
     solutions = solve(scene, np.deg2rad(angle), push.pusher_magnitude)

@@ -13,7 +13,7 @@ from planar_pushing.mechanics.contact import (
     InfiniteFriction,
     PerfectlyRough,
 )
-from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction, SupportFriction
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.files.fields import (
     AtZeroNormalName,
@@ -27,15 +27,19 @@ from planar_pushing.study.files.fields import (
     refuse,
 )
 from planar_pushing.study.files.simulate_model import SimulateEntry
+from planar_pushing.study.files.support_model import Point, SupportEntry
 from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 
 
 class SliderEntry(FileModel):
-    """The ring and its rod; lengths in any one unit, the angle in degrees."""
+    """The slider and its rod; lengths in any one unit, the angle in degrees.
+
+    Without a radius it is the support's largest distance from its centre of pressure, 1 for a ring.
+    """
 
     rod_length: NonNegative
     rod_angle: RodAngle
-    radius: Positive = 1.0
+    radius: Positive | None = None
 
     def build(self) -> Slider:
         return Slider(
@@ -82,21 +86,35 @@ class RingFrictionEntry(FileModel):
         return RingFriction(weight=self.weight)
 
 
+class SupportFrictionEntry(FileModel):
+    """Friction of any support; weight is W, the weight times the coefficient of support friction."""
+
+    type: Literal["support_friction"]
+    weight: Positive = 1.0
+    support: SupportEntry
+
+    def build(self) -> Effect:
+        return SupportFriction(support=self.support.build(), weight=self.weight)
+
+
 class InertiaEntry(FileModel):
-    """Inertia of the slider about its centre."""
+    """Inertia of the slider; the radius of gyration is about the centre of mass."""
 
     type: Literal["inertia"]
     mass: Positive = 1.0
     gyration_radius: Positive = 1.0
+    center: Point = (0.0, 0.0)
 
     def build(self) -> Effect:
-        return Inertia(mass=self.mass, gyration_radius=self.gyration_radius)
+        return Inertia(mass=self.mass, gyration_radius=self.gyration_radius, center=self.center)
 
 
 ContactEntry = Annotated[
     CoulombEntry | InfiniteFrictionEntry | PerfectlyRoughEntry, Field(discriminator="law")
 ]
-EffectEntry = Annotated[RingFrictionEntry | InertiaEntry, Field(discriminator="type")]
+EffectEntry = Annotated[
+    RingFrictionEntry | SupportFrictionEntry | InertiaEntry, Field(discriminator="type")
+]
 
 
 class SceneFile(FileModel):

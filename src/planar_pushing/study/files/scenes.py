@@ -80,7 +80,7 @@ def _key(location: tuple[int | str, ...]) -> str:
     """Location as written in the file: without the tags that tell laws and effects apart."""
     key, previous = "", None
     for index, part in enumerate(location):
-        tag = previous == "contact" or (
+        tag = previous in ("contact", "support") or (
             isinstance(previous, int) and location[index - 2] == "effects"
         )
         if isinstance(part, int):

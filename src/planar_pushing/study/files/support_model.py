@@ -1,0 +1,138 @@
+"""What a scene file says of the support: its shape, and what that shape is made from."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from planar_pushing.mechanics.supports import SHAPES
+from planar_pushing.study.files.fields import FileModel, NotEmpty, Positive, refuse
+from planar_pushing.terms.errors import InvalidValue
+
+
+def _point(given: object) -> object:
+    numbers = isinstance(given, (list, tuple)) and len(given) == 2
+    if not numbers or not all(type(x) in (int, float) and math.isfinite(x) for x in given):  # type: ignore[attr-defined]
+        raise refuse("two finite numbers, [x, y] in the body frame")
+    return given
+
+
+Point = Annotated[tuple[float, float], BeforeValidator(_point)]
+Points = Annotated[tuple[Point, ...], NotEmpty]
+Numbers = Annotated[tuple[float, ...], NotEmpty]
+
+
+class Entry(FileModel):
+    """A support that is made from its keys."""
+
+    shape: str
+
+    def build(self) -> Any:
+        """The support.
+
+        Raises
+        ------
+        InvalidValue
+            Where the keys make none.
+        """
+        keys = [name for name in type(self).model_fields if name != "shape"]
+        return SHAPES[self.shape](**{name: getattr(self, name) for name in keys})
+
+    @model_validator(mode="after")
+    def _makes_one(self) -> Self:
+        try:
+            self.build()
+        except InvalidValue as error:
+            raise refuse(f"{error.name}: {error.allowed}; {error.remedy}") from None
+        return self
+
+
+class RingSupport(Entry):
+    """An even ring about the slider's centre, of the slider's radius unless it says another."""
+
+    shape: Literal["ring"]
+    radius: Positive | None = None
+
+
+class PointsSupport(Entry):
+    """Support points, and what each carries."""
+
+    shape: Literal["points"]
+    positions: Points
+    weights: Numbers
+
+
+class SegmentSupport(Entry):
+    """An even straight line."""
+
+    shape: Literal["segment"]
+    start: Point
+    end: Point
+
+
+class DiscSupport(Entry):
+    """An even disc."""
+
+    shape: Literal["disc"]
+    radius: Positive
+    center: Point = (0.0, 0.0)
+
+
+class AnnulusSupport(Entry):
+    """An even disc with a hole."""
+
+    shape: Literal["annulus"]
+    inner: Positive
+    outer: Positive
+    center: Point = (0.0, 0.0)
+
+
+class PolygonSupport(Entry):
+    """An even polygon, by its corners in order."""
+
+    shape: Literal["polygon"]
+    vertices: Points
+
+
+class PressureMapSupport(Entry):
+    """Cells between the lines x and y, each with its pressure; rows along y."""
+
+    shape: Literal["pressure_map"]
+    x: Numbers
+    y: Numbers
+    pressure: Annotated[tuple[Numbers, ...], NotEmpty]
+
+
+class MemberEntry(FileModel):
+    """A part of a composite support, and its share of the weight."""
+
+    share: Positive
+    support: SupportEntry
+
+
+class CompositeSupport(Entry):
+    """Several supports together."""
+
+    shape: Literal["composite"]
+    members: Annotated[tuple[MemberEntry, ...], NotEmpty]
+
+    def build(self) -> Any:
+        members = [(member.share, member.support.build()) for member in self.members]
+        return SHAPES[self.shape](members)
+
+
+SupportEntry = Annotated[
+    RingSupport
+    | PointsSupport
+    | SegmentSupport
+    | DiscSupport
+    | AnnulusSupport
+    | PolygonSupport
+    | PressureMapSupport
+    | CompositeSupport,
+    Field(discriminator="shape"),
+]
+MemberEntry.model_rebuild()
+CompositeSupport.model_rebuild()
