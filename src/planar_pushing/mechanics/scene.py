@@ -54,6 +54,10 @@ class Slider:
     @property
     def length_ratio(self) -> Number:
         """Rod length in units of the radius, l / R."""
+        if self.radius is None:
+            raise InvalidValue(
+                "radius", None, "a number, given or filled in by a scene", "ask the slider of a scene",
+            )  # fmt: skip
         return required_ratio("length_ratio", self.rod_length / self.radius)
 
 

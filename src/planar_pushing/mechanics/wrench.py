@@ -54,17 +54,13 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     twists = np.asarray(required("twist", twist), dtype=float)
     if twists.shape[-1:] != (3,):
         raise InvalidValue("twist", twist, "shape S + (3,)", "give (v_x, v_y, omega)")
-    columns = [
-        scene.weight,
-        *scene.inertia,
-        *scene.placement,
-        twists[..., 0],
-        twists[..., 1],
-        radius * twists[..., 2],
-    ]
+    # Of about unit size, for squares to be doubles; a power of two costs no digit.
+    _, size = np.frexp(np.abs(twists).max(axis=-1, keepdims=True))
+    v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
+    columns = [scene.weight, *scene.inertia, *scene.placement, v_x, v_y, radius * omega]
     found = mapped(_wrenches, scene.kinds, columns, WRENCH)[0]
     found[..., 2] *= radius
-    return np.asarray(found)
+    return np.asarray(np.ldexp(found, (effect.degree - 1) * size))
 
 
 def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:

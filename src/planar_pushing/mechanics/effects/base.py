@@ -9,7 +9,7 @@ tuple of those that it has.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import sqrt
+from math import hypot
 from typing import Any, Protocol
 
 from planar_pushing.mechanics.compiled import compiled, generic
@@ -81,10 +81,11 @@ def wrench_of(kinds: Any) -> Callable[..., Any]:
 
 @compiled
 def _along_motion(effects, x, y, spin):
-    speed = sqrt(x * x + y * y)
+    speed = hypot(x, y)
     force, torque, _, _, _ = response(effects, speed, spin)
-    part = force / speed if speed > 0.0 else 0.0
-    return part * x, part * y, torque
+    if speed == 0.0:
+        return 0.0, 0.0, torque
+    return force * (x / speed), force * (y / speed), torque
 
 
 @compiled

@@ -19,7 +19,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from planar_pushing.terms.options import TOLERANCE, AtZeroNormal, EffectSet, Method, Policy
+from planar_pushing.terms.options import SAMPLES, TOLERANCE, AtZeroNormal, EffectSet, Method, Policy
 
 
 def refuse(allowed: str) -> PydanticCustomError:
@@ -180,12 +180,9 @@ RelativeTolerance = number(
     type="number", minimum=TOLERANCE.least, maximum=TOLERANCE.most,
 )  # fmt: skip
 SampleCount = number(
-    "a whole number in [2, 1000000]",
-    lambda n: 2 <= n <= 1e6 and n == int(n),
-    type="integer",
-    minimum=2,
-    maximum=1000000,
-)
+    SAMPLES.allowed, lambda n: SAMPLES.holds(n) and n == int(n),
+    type="integer", minimum=SAMPLES.least, maximum=int(SAMPLES.most),
+)  # fmt: skip
 Number = number("a number, or inf", lambda x: not math.isnan(x))
 Share = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
 FrictionCoefficient = number(
