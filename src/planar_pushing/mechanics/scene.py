@@ -138,7 +138,7 @@ class Scene:
             if isinstance(each, Inertia):
                 if any(map(_is_off, each.center)):
                     return False
-            elif not isinstance(each, RingFriction) and not _is_ring(each.support, radius):
+            elif isinstance(each, SupportFriction) and not _is_ring(each.support, radius):
                 return False
         return True
 
