@@ -53,7 +53,7 @@ def test_query_lists_the_axes_and_their_values(run, results):
     code, out, _ = run("query", "motion_cones", "--results", results, "--axes")
     assert code == 0
     assert [line.partition(":")[0] for line in out.splitlines()] == [
-        "--effects", "--friction-coefficient", "--rod-angle", "--rod-length",
+        "--effects", "--friction-angle", "--friction-coefficient", "--rod-angle", "--rod-length",
     ]  # fmt: skip
     assert "--rod-length: 0, 1, 2, 5" in out
     _, out, _ = run("query", "motion_cones", "--results", results, "--axes", "--rod-length", "2")

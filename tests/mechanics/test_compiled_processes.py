@@ -89,14 +89,17 @@ def counted(name, function):
         return function(*given)
     return wrapped
 
-for kind, module in base.KINDS.items():
-    module.response = counted(kind.__name__, module.response)
+for module in set(base.KINDS.values()):
+    name = "response" if hasattr(module, "response") else "gradient"
+    setattr(module, name, counted(module.__name__.rpartition(".")[2], getattr(module, name)))
 ring.inner = counted("ring", ring.inner)
 found = {}
-for name, effects in EFFECT_SETS.items():
+square = pp.SupportFriction(support=pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)]))
+others = {"square": (square,), "square and inertia": (square, pp.Inertia())}
+for name, effects in (EFFECT_SETS | others).items():
     calls.clear()
     scene = make_scene(2.0, 1.4, effects)
-    share = 0.5 if name == "both" else None
+    share = 0.5 if len(effects) == 2 else None
     for angle in (-0.2, 0.3, 1.0, 2.9):
         pp.solve(scene, angle)
         pp.spin_ratio(scene, angle, share)
@@ -110,9 +113,11 @@ print(json.dumps(found))
 
 def test_an_absent_effect_is_not_evaluated():
     found = run(COUNTED, NUMBA_DISABLE_JIT="1")
-    assert set(found["friction"]) == {"RingSupport", "ring"}
-    assert set(found["inertia"]) == {"Mass"}
-    assert set(found["both"]) == {"RingSupport", "Mass", "ring"}
+    assert set(found["friction"]) == {"support_friction", "ring"}
+    assert set(found["inertia"]) == {"inertia"}
+    assert set(found["both"]) == {"support_friction", "inertia", "ring"}
+    assert set(found["square"]) == {"any_support"}
+    assert set(found["square and inertia"]) == {"any_support", "any_mass"}
     assert all(count > 0 for counts in found.values() for count in counts.values())
 
 

@@ -26,7 +26,11 @@ def refused(name, call):
 
 def test_sliders_that_cannot_be_are_refused():
     """They once took formulas to their limits: rods of 1e15 radii, masses within 1e-60 of the centre."""
-    refused("rod_length", lambda: pp.Slider(rod_length=1985701788925619.8, rod_angle=1e-12))
+    rod = pp.Slider(rod_length=1985701788925619.8, rod_angle=1e-12)
+    for effect in (pp.RingFriction(), pp.Inertia()):
+        refused(
+            "rod_length", lambda on=effect: pp.Scene(slider=rod, contact=INFINITE, effects=(on,))
+        )
     refused("rod_length", lambda: pp.Slider(rod_length=1e213, rod_angle=1e-12, radius=1e155))
     for ratio in (9e-26, 5e-45, 2e64):
         refused("gyration_radius", lambda ratio=ratio: scene(1.0, 1.0, 1.0, inertia(ratio)))

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.push import NO_MODE, SOLUTIONS
 from planar_pushing.terms.quantities import unit_of
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
-FIELDS = ("force", "twist", "contact_motion", "spin_ratio", "center")
+FIELDS = ("force", "force_end", "twist", "contact_motion", "spin_ratio", "center")
 #: Every parameter of a push with every set of effects that has it.
 PARAMETERS = [
     pytest.param(effects, name, id=f"{key}-{name}")
@@ -148,7 +148,7 @@ def test_labelled_solutions_are_a_dataset_with_units():
     assert units == {
         "solutions": "1", "mode": "1", "force": "force", "twist": "motion",
         "contact_motion": "motion", "spin_ratio": "1", "center": "length", "consistent": "1",
-        "outcome": "1",
+        "outcome": "1", "force_end": "force", "pivot": "1",
     }  # fmt: skip
     assert all(variable.attrs["long_name"] for variable in found.data_vars.values())
     plain = pp.solve(make_scene(np.array([[0.5], [2.0]]), 2.0), angle.values)

@@ -43,12 +43,6 @@ class TestNumbers:
             "radians in the open interval (0, pi)", "keep the slider above the fence",
         )  # fmt: skip
 
-    def test_radius(self, given):
-        check(
-            lambda: pp.Slider(rod_length=1.0, rod_angle=PSI, radius=given), "radius", given,
-            FINITE_POSITIVE, "give the ring's radius in the unit of the rod length",
-        )  # fmt: skip
-
     def test_weight(self, given):
         check(lambda: pp.RingFriction(weight=given), "weight", given, FINITE_POSITIVE, NO_FRICTION)
 
@@ -72,6 +66,24 @@ class TestNumbers:
             lambda: pp.solve(make_scene(1.0), 1.0, given), "pusher_magnitude", given, FINITE,
             "turn the pusher around by its angle, not by a sign",
         )  # fmt: skip
+
+
+NO_RADIUS = [given for given in [*NOT_NUMBERS, -1.0, np.inf, -np.inf] if given is not None]
+
+
+@pytest.mark.parametrize("given", NO_RADIUS, ids=repr)
+def test_radius(given):
+    check(
+        lambda: pp.Slider(rod_length=1.0, rod_angle=PSI, radius=given), "radius", given,
+        FINITE_POSITIVE, "give the ring's radius in the unit of the rod length",
+    )  # fmt: skip
+
+
+def test_a_slider_without_a_radius_knows_no_ratio():
+    check(
+        lambda: pp.Slider(rod_length=1.0, rod_angle=PSI).length_ratio, "radius", None,
+        "a number, given or filled in by a scene", "ask the slider of a scene",
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("given", [*NOT_NUMBERS, np.inf, -np.inf], ids=repr)
@@ -124,7 +136,7 @@ def test_effects(given):
     slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
     check(
         lambda: pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=given), "effects", given,
-        "a tuple of at least one of RingFriction and Inertia",
+        "a tuple of at least one of SupportFriction, RingFriction and Inertia",
         "list what resists the motion, for instance (RingFriction(),)",
     )  # fmt: skip
 

@@ -5,7 +5,7 @@ import pytest
 
 from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.plane import contact_motion, rod, toward
-from planar_pushing.mechanics.reduced.base import edge_motion, slips
+from planar_pushing.mechanics.reduced.base import MOTION, edge_motion, slips
 
 
 @pytest.mark.parametrize("length", [0.0, 0.5, 5.0, 1e3])
@@ -14,6 +14,7 @@ def test_a_slip_is_a_multiple_of_the_motion_of_unit_size(length, angle):
     effects, own = (RingSupport(0.7),), rod(length, 0.8)
     v_x, v_y, spin, f_x, f_y = edge_motion(effects, own, toward(own, angle))
     assert max(np.hypot(v_x, v_y), abs(spin)) == pytest.approx(1, rel=1e-14)
-    advance, found = contact_motion(own, v_x, v_y, spin)[1], np.empty((8, 5))
+    advance, found = contact_motion(own, v_x, v_y, spin)[1], np.empty((8, MOTION))
     assert slips(effects, own, toward(own, angle), advance, found) == 1
-    assert found[0] == pytest.approx([v_x, v_y, spin, f_x, f_y], rel=1e-9, abs=1e-12)
+    expected = [v_x, v_y, spin, f_x, f_y, f_x, f_y, -1]
+    assert found[0] == pytest.approx(expected, rel=1e-9, abs=1e-12)

@@ -2,6 +2,7 @@
 
 import errno
 import resource
+from contextlib import contextmanager
 
 import h5py
 import numpy as np
@@ -11,12 +12,15 @@ import planar_pushing as pp
 from planar_pushing.simulation.log.disk import new_file
 
 
-@pytest.fixture
-def room():
+@contextmanager
+def room(size):
     """A limit on the size of files, which stands for a full disk: every write beyond it fails."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
-    yield lambda size: resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
-    resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
 def write(path, count):
@@ -36,10 +40,9 @@ def test_what_is_written_is_what_h5py_reads(tmp_path):
 
 
 @pytest.mark.parametrize("size", [0, 100, 50_000])
-def test_a_full_disk_is_an_error_that_names_the_file_and_leaves_none(tmp_path, room, size):
-    room(size)
+def test_a_full_disk_is_an_error_that_names_the_file_and_leaves_none(tmp_path, size):
     said = r"file\.nc: cannot be written \(File too large\); name another file"
-    with pytest.raises(pp.InvalidFile, match=said):
+    with pytest.raises(pp.InvalidFile, match=said), room(size):
         write(tmp_path / "file.nc", 20)
     assert not list(tmp_path.iterdir())
 
