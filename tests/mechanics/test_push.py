@@ -14,7 +14,7 @@ from planar_pushing.mechanics.push import NO_MODE, SOLUTIONS
 from planar_pushing.terms.quantities import unit_of
 
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
-FIELDS = ("force", "twist", "contact_motion", "spin_ratio", "center")
+FIELDS = ("force", "force_end", "twist", "contact_motion", "spin_ratio", "center")
 #: Every parameter of a push with every set of effects that has it.
 PARAMETERS = [
     pytest.param(effects, name, id=f"{key}-{name}")

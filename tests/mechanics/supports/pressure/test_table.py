@@ -1,0 +1,28 @@
+"""Several pressures in one table."""
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.supports.pressure.table import pressure_of, table_of
+
+SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+SUPPORTS = [
+    SQUARE,
+    pp.Points([(0, 0), (2, 1), (1, 3)], [0.2, 0.3, 0.5]),
+    pp.Composite([(0.5, pp.Polygon([(0, 0), (4, 0), (0, 3)])), (0.3, SQUARE), (0.2, pp.Ring(1.0))]),
+    pp.Annulus(0.5, 1.0),
+    pp.Segment((0, -1), (0, 1)),
+]
+
+
+@pytest.mark.parametrize("i", range(len(SUPPORTS)))
+def test_each_pressure_is_that_of_its_support(i):
+    """In units of its own extent, whatever stands before and behind it."""
+    found, support = pressure_of(table_of(SUPPORTS), i), SUPPORTS[i]
+    alone = support.record(support.extent)
+    center = found.center_x, found.center_y
+    assert center == pytest.approx(np.array(support.center_of_pressure) / support.extent, rel=1e-15)
+    for x, y in ((0.1, 0.3), (-2.0, 0.4), (50.0, 7.0)):
+        assert moments(found, x, y) == moments(alone, x, y)

@@ -1,0 +1,60 @@
+"""Motion over time of any support and any centre of mass: against the ring, and by its energy."""
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from simulation.runs import check, final, run
+
+#: A ring that takes the general route.
+RING = pp.Composite([(1.0, pp.Ring(1.0))])
+SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+TRIPOD = pp.Points([(1, 0), (-0.5, np.sqrt(0.75)), (-0.5, -np.sqrt(0.75))], [1 / 3] * 3)
+HEAVY, ASIDE = (pp.Inertia(mass=0.7, gyration_radius=0.9, center=c) for c in ((0, 0), (0.2, 0.1)))
+METHODS = {
+    "event-driven": {"method": "event-driven"},
+    "time-stepping": {"method": "time-stepping", "step": 0.02},
+}
+
+every_method = pytest.mark.parametrize("options", METHODS.values(), ids=METHODS)
+
+
+def simulated(friction, masses, **options):
+    """A push that sticks first and slips then."""
+    scene = pp.Scene(
+        slider=pp.Slider(rod_length=2.0, rod_angle=1.2, radius=1.0), contact=pp.Coulomb(0.4),
+        effects=(friction, *masses),
+    )  # fmt: skip
+    return run(scene, (0.3, 1.0), 0.8, samples=5, **options)
+
+
+@every_method
+@pytest.mark.parametrize("masses", [(), (HEAVY,)], ids=["friction", "both"])
+def test_a_ring_moves_as_the_ring(masses, options):
+    ring = simulated(pp.RingFriction(), masses, **options)
+    other = simulated(pp.SupportFriction(support=RING), masses, **options)
+    assert {int(mode) for mode in ring.mode} >= {pp.ContactMode.STICK, pp.ContactMode.SLIP_LEFT}
+    assert np.array_equal(other.mode, ring.mode)
+    for name in ("time", "rod_angle", "position", "slip", "twist", "force", "work"):
+        # The last entry before an event lies as near to it as the tolerance says.
+        assert np.allclose(other[name], ring[name], rtol=1e-8, atol=1e-8), name
+
+
+@every_method
+@pytest.mark.parametrize("masses", [(), (HEAVY,), (ASIDE,)], ids=["friction", "both", "offset"])
+@pytest.mark.parametrize("support", [SQUARE, TRIPOD], ids=["square", "tripod"])
+def test_the_work_of_the_fence_is_stored_or_dissipated(support, masses, options):
+    log = check(simulated(pp.SupportFriction(support=support), masses, **options))
+    assert log.attrs["stopped"] == ""
+    assert final(log, "work") > 0.1
+
+
+@pytest.mark.parametrize("masses", [(), (ASIDE,)], ids=["friction", "offset"])
+def test_steps_converge_to_the_event_driven_motion(masses):
+    friction = pp.SupportFriction(support=SQUARE)
+    exact = final(simulated(friction, masses), "rod_angle")
+    errors = [
+        abs(final(simulated(friction, masses, method="time-stepping", step=step), "rod_angle") - exact)
+        for step in (0.02, 0.01, 0.005)
+    ]  # fmt: skip
+    assert errors[0] / errors[2] == pytest.approx(4.0, rel=0.25)
