@@ -61,7 +61,7 @@ def test_a_dataset_of_another_study_is_opened_by_the_studys_name(results, tmp_pa
     ours = pp.open_dataset("motion_cones", results)
     write_dataset(ours, tmp_path / "studies/mine/data/motion_cones.nc")
     assert pp.open_dataset("motion_cones", tmp_path, study="mine").identical(ours)
-    with pytest.raises(pp.InvalidFile, match="no such dataset"):
+    with pytest.raises(pp.InvalidFile, match="holds no folder data; name the folder"):
         pp.open_dataset("motion_cones", tmp_path)
 
 
