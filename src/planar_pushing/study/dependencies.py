@@ -29,11 +29,13 @@ def _imports() -> grimp.ImportGraph:
 
 
 def modules(*names: str) -> list[str]:
-    """These modules of the package and all that they import, sorted."""
+    """These modules of the package, the packages around them, and all that they import, sorted."""
     graph = _imports()
-    reached = {f"{PACKAGE}.{name}" for name in names}
-    for name in tuple(reached):
-        reached |= graph.find_upstream_modules(name)
+    asked = {f"{PACKAGE}.{name}" for name in names}
+    for name in tuple(asked):
+        parts = name.split(".")
+        asked |= {".".join(parts[:i]) for i in range(2, len(parts))}
+    reached = asked.union(*map(graph.find_upstream_modules, asked))
     return sorted(reached)
 
 

@@ -112,8 +112,13 @@ def gathered(given: Pushes, found: SolutionArrays) -> Found:
 
 def _picked(effect: Any, push: npt.NDArray[np.intp], size: int) -> Effect:
     """The effect of each solution's scene."""
-    parameters = {field.name: getattr(effect, field.name) for field in fields(effect)}
-    picked = {name: np.broadcast_to(x, size)[push] for name, x in parameters.items()}
+    picked: dict[str, Any] = {}
+    for name in (field.name for field in fields(effect)):
+        value = getattr(effect, name)
+        if name == "center":
+            picked[name] = tuple(np.broadcast_to(x, size)[push] for x in value)
+        else:
+            picked[name] = np.broadcast_to(value, size)[push]
     return replace(effect, **picked)  # type: ignore[no-any-return]
 
 
