@@ -43,7 +43,8 @@ simulate:
         ("duration: 1.5", "duration: 1.5\n  rtol: 1",
          "simulate.rtol: 1 given; allowed: a number in [1e-13, 1e-2]; change the value"),
         ("duration: 1.5", "duration: 1.5\n  samples: 10000000000",
-         "simulate.samples: 10000000000 given; allowed: a whole number >= 2, at most 1e7; change the value"),
+         "simulate.samples: 10000000000 given; allowed: a whole number >= 2, at most 1e7; "
+         "change the value"),
         ("duration: 1.5", "duration: 1.5\n  samples: 2.5",
          "simulate.samples: 2.5 given; allowed: a whole number >= 2, at most 1e7; change the value"),
     ],
