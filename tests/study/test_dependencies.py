@@ -22,3 +22,11 @@ def test_the_builders_depend_on_each_of_them():
 def test_the_digest_is_of_what_is_reached():
     assert code_of("study.slices") == code_of("study.slices")
     assert code_of("study.slices") != code_of("study.store")
+
+
+def test_a_module_depends_on_the_packages_around_it():
+    reached = modules("figures.paper.figure_06")
+    assert {
+        f"planar_pushing.{name}" for name in ("figures", "figures.paper", "terms.extras")
+    } <= set(reached)
+    assert "planar_pushing" not in reached
