@@ -48,7 +48,10 @@ def test_no_artefact_names_its_folder(built):
 
 
 def test_lint(built):
-    assert "Congratulations" in built.snakemake("--lint")
+    """The project's own environment, from the lock file, serves every rule: no rule names another."""
+    said = built.snakemake("--lint", code=1)
+    found = set(re.findall(r"^    \* (.*)$", said, re.MULTILINE))
+    assert found == {"Specify a conda environment or container for each rule.:"}
 
 
 def test_report(built):
@@ -57,7 +60,7 @@ def test_report(built):
     assert all(name in text for name in FIGURES)
     assert all(f'"{figure.section}": ' in text for figure in FIGURES.values())
     promised = [name for name, figure in FIGURES.items() if figure.promise]
-    assert text.count("The paper's caption promises: ") == len(promised)
+    assert text.count("The paper's figure shows ") == len(promised)
     assert "Replication of Lynch and Mason" in text
 
 

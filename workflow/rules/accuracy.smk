@@ -185,8 +185,8 @@ rule supplement_tables:
         "<results>/logs/accuracy/supplement_tables.log",
     params:
         code=code_of("report.supplement"),
-        golden=STUDY.golden,
-        results=RESULTS,
+        golden=lambda wildcards: STUDY.golden,
+        results=lambda wildcards: RESULTS,
     message:
         "Reading the numbers of the supplement"
     script:
@@ -210,7 +210,7 @@ rule supplement_pdf:
         "<results>/logs/accuracy/supplement_pdf.log",
     params:
         code=code_of("report.typeset"),
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
     message:
         "Setting the supplement"
     script:

@@ -33,7 +33,7 @@ rule figure:
     params:
         code=lambda wildcards: code_of(*FIGURES[wildcards.figure].modules),
         settings=figure_settings,
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
         provenance=PROVENANCE,
         caption=lambda wildcards: FIGURES[wildcards.figure].caption,
         promise=lambda wildcards: FIGURES[wildcards.figure].promise,

@@ -54,7 +54,7 @@ rule golden_verdict:
             "evidence.writing",
             *(FIGURES[name].modules[1] for name in DRAWN),
         ),
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
     message:
         "Checking every value of the results"
     script:

@@ -82,8 +82,8 @@ rule report_tables:
     priority: FIRST
     params:
         code=code_of("report.tables", "report.cost_tables"),
-        golden=STUDY.golden,
-        results=RESULTS,
+        golden=lambda wildcards: STUDY.golden,
+        results=lambda wildcards: RESULTS,
     message:
         "Reading the numbers of the report"
     script:
@@ -111,7 +111,7 @@ rule paper_pdf:
     priority: FIRST
     params:
         code=code_of("report.typeset"),
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
     message:
         "Setting the report"
     script:

@@ -29,13 +29,17 @@ def _imports() -> grimp.ImportGraph:
 
 
 def modules(*names: str) -> list[str]:
-    """These modules of the package, the packages around them, and all that they import, sorted."""
-    graph = _imports()
-    asked = {f"{PACKAGE}.{name}" for name in names}
-    for name in tuple(asked):
-        parts = name.split(".")
-        asked |= {".".join(parts[:i]) for i in range(2, len(parts))}
-    reached = asked.union(*map(graph.find_upstream_modules, asked))
+    """These modules of the package and all that they import, sorted.
+
+    With a module Python imports the packages around it, and what those import.
+    """
+    graph, reached = _imports(), set()
+    ahead = {f"{PACKAGE}.{name}" for name in names}
+    while ahead:
+        reached |= ahead
+        near = {each for name in ahead for each in graph.find_modules_directly_imported_by(name)}
+        near |= {name.rpartition(".")[0] for name in ahead}
+        ahead = near - reached - {PACKAGE}
     return sorted(reached)
 
 
