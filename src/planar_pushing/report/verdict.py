@@ -41,6 +41,16 @@ def verdict_count(part: str) -> Quantity:
     )
 
 
+def rule_count(rule: str) -> Quantity:
+    """Make the number of values that a rule of the check has verified."""
+    return Quantity(
+        read=lambda results: float(_passed(results)["rules"][rule]["values"]),
+        digits=0,
+        unit="1",
+        source=f"{SOURCE}: values verified by the rule {rule}",
+    )
+
+
 def _by_integrals(results: Results) -> float:
     return float(sum(marks["checked_by_integrals"] for marks in results.golden_marks()))
 

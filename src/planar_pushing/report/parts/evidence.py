@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 from planar_pushing.report.quantities import Numbers, Quantity, claimed, counted
-from planar_pushing.report.verdict import golden_numbers, verdict_count, verdict_word
+from planar_pushing.report.verdict import golden_numbers, rule_count, verdict_count, verdict_word
 
 #: Verdicts that the ledger can expect.
 VERDICTS = [verdict for verdict in Verdict if verdict is not Verdict.UNDECIDED]
@@ -18,6 +18,7 @@ GOLDEN: Numbers = {
     "golden-verdict": verdict_word(),
     "golden-values": verdict_count("values"),
     "golden-variables": verdict_count("variables"),
+    **{f"checked-{rule}": rule_count(rule) for rule in ("residual", "exact", "derived")},
     **golden_numbers(),
 }
 
