@@ -67,6 +67,23 @@ def test_a_reader_that_has_gone_ends_the_command_in_silence(arguments):
     assert (process.wait(), said) == (141, "")
 
 
+def test_ctrl_c_in_a_destructor_ends_the_command_too():
+    program = """
+import sys, time
+from planar_pushing import commands
+class Dropped:
+    def __del__(self):
+        raise KeyboardInterrupt
+def run(arguments):
+    Dropped()
+    time.sleep(60)
+commands._run = run
+sys.exit(commands.main())
+"""
+    found = subprocess.run([sys.executable, "-c", program], stderr=subprocess.PIPE, text=True, check=False)
+    assert (found.returncode, found.stderr) == (130, "planar-pushing: interrupted\n")
+
+
 def test_ctrl_c_is_one_line_and_leaves_what_was_logged(tmp_path):
     path = tmp_path / "log.nc"
     words = ["simulate", SCENE, "-o", str(path), "--samples", "3000000"]

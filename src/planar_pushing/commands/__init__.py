@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import sys
+import threading
 from collections.abc import Sequence
 from contextlib import suppress
 
@@ -43,6 +45,7 @@ def parser() -> Parser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; 0, 1 where a check fails, or 2 with one message where the input is wrong."""
+    sys.unraisablehook = _repeat_interrupt
     try:
         try:
             return _run(arguments)
@@ -83,6 +86,14 @@ def _print(result: dict[str, object], as_json: bool) -> None:
         print(json.dumps(plain(result), indent=2))
     else:
         print(text(result))
+
+
+def _repeat_interrupt(dropped: sys.UnraisableHookArgs) -> None:
+    """Let Ctrl-C come again where it fell into a destructor or a callback: Python drops what those raise."""
+    if issubclass(dropped.exc_type, KeyboardInterrupt):
+        threading.Timer(0.01, signal.raise_signal, [signal.SIGINT]).start()
+    else:
+        sys.__unraisablehook__(dropped)
 
 
 def _discard_output() -> None:
