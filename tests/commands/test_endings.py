@@ -80,7 +80,9 @@ def run(arguments):
 commands._run = run
 sys.exit(commands.main())
 """
-    found = subprocess.run([sys.executable, "-c", program], stderr=subprocess.PIPE, text=True, check=False)
+    found = subprocess.run(
+        [sys.executable, "-c", program], stderr=subprocess.PIPE, text=True, check=False
+    )
     assert (found.returncode, found.stderr) == (130, "planar-pushing: interrupted\n")
 
 
