@@ -103,10 +103,18 @@ def test_the_cache_is_beside_the_sources_or_in_the_users_folder(tmp_path, monkey
 
 
 def test_other_packages_keep_their_cache_folder():
-    before = numba.config.CACHE_DIR
+    before = numba.config.CACHE_LOCATOR_CLASSES
     compiled(lambda x: x)
-    assert before == numba.config.CACHE_DIR
-    assert before != core.CACHE
+    assert before == numba.config.CACHE_LOCATOR_CLASSES
+    assert "planar_pushing" not in before
+
+
+def test_a_compiled_function_is_kept_by_its_place_in_the_package(tmp_path, monkeypatch):
+    monkeypatch.setattr(core, "PACKAGE", tmp_path)
+    here = core.Locator(test_other_packages_keep_their_cache_folder, str(tmp_path / "a/b/c.py"))
+    assert Path(here.get_cache_path()) == core.CACHE / "a/b"
+    other = core.Locator(test_other_packages_keep_their_cache_folder, __file__)
+    assert Path(other.get_cache_path()).parent == core.CACHE
 
 
 @python_mode
@@ -121,7 +129,7 @@ def test_a_call_that_compiles_says_so_once(caplog):
             doubled(value)
         return caplog.messages
 
-    ready = Path(core.CACHE)
+    ready = core.CACHE
     (message,) = call(1.0)
     assert message.startswith("compiled doubled in 0 s; later runs read it from")
     assert str(ready) in message

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from planar_pushing.mechanics.compiled import CACHE
 from planar_pushing.study.studies import study_folder
 
 PROJECT = Path(__file__).parents[2]
@@ -88,6 +89,9 @@ def copy_project(root: Path) -> Copy:
             )
         else:
             shutil.copy(source, target, follow_symlinks=False)
+    compiled = root / CACHE.relative_to(PROJECT)
+    compiled.parent.mkdir(parents=True, exist_ok=True)
+    compiled.symlink_to(CACHE)  # what is compiled serves every place
     return Copy(root)
 
 

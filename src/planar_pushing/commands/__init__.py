@@ -91,7 +91,7 @@ def _print(result: dict[str, object], as_json: bool) -> None:
 def _repeat_interrupt(dropped: sys.UnraisableHookArgs) -> None:
     """Let Ctrl-C come again where it fell into a destructor or a callback: Python drops it there."""
     if issubclass(dropped.exc_type, KeyboardInterrupt):
-        threading.Timer(0.01, signal.raise_signal, [signal.SIGINT]).start()
+        threading.Timer(0.01, os.kill, [os.getpid(), signal.SIGINT]).start()
     else:
         sys.__unraisablehook__(dropped)
 

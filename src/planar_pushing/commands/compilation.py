@@ -32,7 +32,7 @@ def compile_core(args: argparse.Namespace) -> dict[str, Any]:
     ) as pool:  # fmt: skip
         for _ in pool.map(call_all, reversed(EffectSet)):  # the longest first
             pass
-    return {"compiled": CACHE, "seconds": round(time.perf_counter() - start, 1)}
+    return {"compiled": str(CACHE), "seconds": round(time.perf_counter() - start, 1)}
 
 
 def call_all(kinds: EffectSet) -> None:

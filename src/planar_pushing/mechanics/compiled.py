@@ -20,6 +20,7 @@ from typing import Any, TypeVar
 
 import llvmlite.binding
 import numba
+from numba.core.caching import UserProvidedCacheLocator
 from numba.extending import overload
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -41,7 +42,7 @@ def _digest() -> str:
     return digest.hexdigest()[:16]
 
 
-def _folder() -> str:
+def _folder() -> Path:
     """Folder of the cache: beside the sources where they can be written, else the user's own."""
     users = Path(os.environ.get("XDG_CACHE_HOME") or Path("~/.cache").expanduser())
     name = f"compiled-{_digest()}"
@@ -51,20 +52,37 @@ def _folder() -> str:
         except OSError:
             continue
         if os.access(base / name, os.W_OK):
-            return str(base / name)
+            return base / name
     raise OSError("no folder for compiled code can be written; set XDG_CACHE_HOME to one that can")
 
 
 CACHE = _folder()
 
 
+class Locator(UserProvidedCacheLocator):  # type: ignore[misc]
+    """Where numba keeps a function of ours: by its place in the package, wherever the package lies."""
+
+    def __init__(self, function: Any, file: str) -> None:
+        self._py_file = file
+        self._lineno = function.__code__.co_firstlineno
+        folder = Path(file).parent
+        own = folder.relative_to(PACKAGE) if folder.is_relative_to(PACKAGE) else None
+        self._cache_path = str(CACHE / (own or self.get_suitable_cache_subpath(file)))
+
+    @classmethod
+    def from_function(cls, function: Any, file: str) -> Locator:
+        """Make the locator of a function; others of numba's locators are not asked."""
+        return cls(function, file)
+
+
 def compiled(function: Function) -> Function:
     """Compile a function of numbers, without fast mathematics: every run gives the same results."""
-    before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, CACHE
+    before = numba.config.CACHE_LOCATOR_CLASSES
+    numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{Locator.__name__}"
     try:
         made = numba.njit(cache=True, **OPTIONS)(function)
     finally:
-        numba.config.CACHE_DIR = before
+        numba.config.CACHE_LOCATOR_CLASSES = before
     return made  # type: ignore[no-any-return]
 
 

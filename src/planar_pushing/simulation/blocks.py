@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import announced, compiled, generic
+from planar_pushing.mechanics.compiled import announced, compiled, inlined
 from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
@@ -25,13 +24,14 @@ BLOCK = 128
 ROWS = 64
 
 
-@compiled
+@inlined
 def _follow(system, row, task, run, rows, found):
     """Run one scene; `found` takes its row at each of the task's times, the last one where it ends before.
 
     Returns the number of changes of mode.
     """
     times, place = task.times, 0
+    fill(row, system.fence, system.body)
     put(system, row, run.vectors[STATE])
     begin(system, run)
     while run.phase != ENDED:
@@ -47,29 +47,25 @@ def _follow(system, row, task, run, rows, found):
     return run.changes
 
 
-@generic
-def _simulated(kinds: Any) -> Callable[..., Any]:
-    """Run the scene of a row: kinds, row, fence, body, task, run, rows, found."""
-    return _with_inertia if kinds[-1] in MASSES else _quasi_static
-
-
+# Two kernels and no layer above them: the compiler optimises each layer with all that it calls.
 @compiled
-def _quasi_static(kinds, row, fence, body, task, run, rows, found):
-    return _follow(QuasiStatic(made(kinds, row), body, fence), row, task, run, rows, found)
-
-
-@compiled
-def _with_inertia(kinds, row, fence, body, task, run, rows, found):
-    return _follow(Inertial(made(kinds, row), body, fence), row, task, run, rows, found)
-
-
-@compiled
-def _block(kinds, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes):
-    """Run a block of scenes."""
+def _quasi_static(
+    kinds, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes
+):
+    """Run a block of scenes whose effects are all friction."""
     for i in range(len(scenes)):
-        task, fence = Task(rtol, policy, times[i]), fences[i, : counts[i]]
-        fill(scenes[i], fence, body)
-        changes[i] = _simulated(kinds, scenes[i], fence, body, task, run, rows, found[i])
+        row, fence = scenes[i], fences[i, : counts[i]]
+        system, task = QuasiStatic(made(kinds, row), body, fence), Task(rtol, policy, times[i])
+        changes[i] = _follow(system, row, task, run, rows, found[i])
+
+
+@compiled
+def _inertial(kinds, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes):
+    """Run a block of scenes with inertia."""
+    for i in range(len(scenes)):
+        row, fence = scenes[i], fences[i, : counts[i]]
+        system, task = Inertial(made(kinds, row), body, fence), Task(rtol, policy, times[i])
+        changes[i] = _follow(system, row, task, run, rows, found[i])
 
 
 def run_scenes(
@@ -80,18 +76,19 @@ def run_scenes(
     The last row of a scene that stops before stands for the times after.
     """
     size, moves = len(times), isinstance(kinds[-1], MASSES)
+    kernel = _inertial if moves else _quasi_static
     found = records(ROW, times.size).reshape(times.shape)
     changes = np.zeros(size, np.int64)
 
     def run(start: int) -> None:
         part = slice(start, min(start + block, size))
         body, state, rows = records(BODY, 1)[0], records(RUNS[moves], 1)[0], records(ROW, ROWS)
-        _block(
-            kinds, scenes.rows[part], *scenes.fences(part), times[part], rtol, policy,
+        kernel(
+            kinds, scenes.rows[part], *scenes.fences(part), times[part].copy(), rtol, policy,
             body, state, rows, found[part], changes[part],
         )  # fmt: skip
 
-    with announced(_block):
+    with announced(kernel):
         run(0)
     in_threads(run, range(block, size, block))
     return found, changes
