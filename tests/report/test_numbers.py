@@ -58,6 +58,30 @@ CHECKS = [
 ]
 
 
+#: Claims on random supports, and values of others on any slider.
+ON_SAMPLES = (
+    "normal-push-on-random-supports",
+    "cones-of-random-supports",
+    "centers-of-random-supports",
+)
+ANY_SLIDER = {
+    "l-pulls-along-normal": "-4.32669445424",
+    "l-leans-against-its-rod": "-1.51435825277",
+    "curve-of-l-leans": "0.0423644914",
+    "least-force-of-l": "7.6664",
+    "one-pivot-for-many-forces": "70.528779365509308631",
+    "tripod-pivots": "3.7320508075688772935",
+    "corner-of-a-line": "306.86989764584402130",
+    "foot-ahead-holds": "0.18329875861916679000",
+    "center-beyond-bound": "1.9999992499999062500",
+    "integration-constant-of-square": "0.54107508004674399000",
+    "integration-constant-of-rectangle": "0.53060409794183500000",
+    "integration-constant-of-strip": "0.51455358851011300000",
+    "integration-constant-of-disc": "0.66666666666666666667",
+    "integration-constant-of-ring": "1.0000000000000000000",
+}
+
+
 @pytest.fixture(scope="module")
 def results(tmp_path_factory):
     """Datasets of the small study, a verdict and a ledger."""
@@ -83,6 +107,8 @@ def results(tmp_path_factory):
         claim("force-at-the-dip", value="1.40897274354"),
         claim("force-at-the-return", value="2.2251848605567233649"),
     ]
+    thresholds += [claim(name, points=4321) for name in ON_SAMPLES]
+    thresholds += [claim(name, value=value) for name, value in ANY_SLIDER.items()]
     write_text(json_text(verdict(CHECKS)), folder / "tables/golden_verdict.json")
     ledger = {"counts": {}, "claims": claims() + thresholds}
     write_text(json.dumps(ledger), folder / "tables/claims.json")
@@ -123,12 +149,16 @@ def numbers(results):
         ("golden-values", "340"),
         ("golden-variables", "3"),
         ("golden-precision", "192"),
-        ("claims", "11"),
+        ("claims", str(11 + len(ON_SAMPLES) + len(ANY_SLIDER))),
         ("claims-ours", "1"),
-        ("claims-proved", "8"),
+        ("claims-proved", str(8 + len(ON_SAMPLES) + len(ANY_SLIDER))),
         ("claims-not-reproducible", "1"),
         ("threshold-friction", "1.2699"),
         ("dip", "-0.0400"),
+        ("random-cones", "4321"),
+        ("l-cone-right", "-4.3"),
+        ("pivot-offset", "3.732"),
+        ("constant-square", "0.5411"),
         ("figures", "2"),
     ],
 )
