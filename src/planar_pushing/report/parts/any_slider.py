@@ -5,9 +5,9 @@ from __future__ import annotations
 from planar_pushing.report.quantities import Numbers, Quantity, claimed
 
 
-def _constant(support: str) -> Quantity:
+def _constant(support: str, digits: int = 4) -> Quantity:
     """Make the integration constant of a support, in units of its weight and reach."""
-    return claimed(f"integration-constant-of-{support}", "value", digits=4)
+    return claimed(f"integration-constant-of-{support}", "value", digits=digits)
 
 
 def _points(claim: str) -> Quantity:
@@ -31,9 +31,7 @@ CLAIMS: Numbers = {
     "pivot-offset": claimed("tripod-pivots", "value", digits=3),
     "corner-span": _degrees("corner-of-a-line"),
     "foot-margin": claimed("foot-ahead-holds", "value", digits=3, unit="W"),
-    "center-product": claimed("center-beyond-bound", "value", digits=3),
-    **{
-        f"constant-{name}": _constant(name)
-        for name in ("square", "rectangle", "strip", "disc", "ring")
-    },
+    "center-product": claimed("center-beyond-bound", "value", digits=6),
+    "constant-ring": _constant("ring", 0),
+    **{f"constant-{name}": _constant(name) for name in ("square", "rectangle", "strip", "disc")},
 }
