@@ -21,6 +21,7 @@ from planar_pushing.report.quantities import rounded, significant
 from planar_pushing.report.results import Results
 from planar_pushing.report.tables import (
     cones_text,
+    ellipsoids_text,
     figures_text,
     numbers_text,
     provenance_text,
@@ -28,9 +29,10 @@ from planar_pushing.report.tables import (
 )
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.slices import study_slice
+from planar_pushing.study.sliders_file import load_any
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
@@ -38,6 +40,7 @@ from report.costs import write_costs
 from report.setting import claim, claims
 
 STUDY = load_study("workflow/config/paper.yaml")
+SLIDERS = load_any("workflow/config/sliders.yaml")
 #: Axes cut down to what the numbers read.
 GRID = {
     "rod_length": (1.0, 2.0, 5.0, 10.0),
@@ -98,6 +101,13 @@ def results(tmp_path_factory):
     for name in [*FIGURES, *OURS]:
         picture = Image.new("RGB", (10, 20), "black")
         picture.save(folder / "figures" / f"{name}.png")
+    sliders = folder / "studies/sliders"
+    write_dataset(
+        build_dataset("supports", study_slice(SLIDERS, "supports")), sliders / "data/supports.nc"
+    )
+    (sliders / "figures").mkdir()
+    for name in GALLERY:
+        Image.new("RGB", (10, 20), "black").save(sliders / "figures" / f"{name}.png")
     write_costs(folder)
     thresholds = [
         claim("inertia-threshold", value="1.5"),
@@ -237,9 +247,20 @@ def test_provenance_names_versions_and_no_folder(results):
 
 def test_figures_table(results):
     found = json.loads(figures_text(results))
-    assert list(found) == [*FIGURES, *OURS]
-    assert [found[name]["number"] for name in OURS] == ["16", "17"]
+    assert list(found) == [*FIGURES, *GALLERY, *OURS]
+    assert [found[name]["number"] for name in OURS] == ["21", "22"]
+    assert found["figure_06"]["file"] == "figures/figure_06"
+    assert found["figure_16"]["file"] == "studies/sliders/figures/figure_16"
     assert found["figure_06"]["section"].startswith("Sec. 3.1")
+
+
+def test_ellipsoids_by_support(results):
+    rows = {row["support"]: row for row in csv.DictReader(io.StringIO(ellipsoids_text(results)))}
+    assert rows["ring"]["constant"] == "1.0000"
+    assert rows["square"]["constant"] == "0.5411"
+    errors = [float(text) for row in rows.values() for text in list(row.values())[2:]]
+    assert 0 < min(errors) < max(errors) < 90
+    assert all(float(row["force, mean"]) < float(row["force, worst"]) for row in rows.values())
 
 
 @pytest.mark.parametrize(

@@ -20,12 +20,12 @@ KEY = "study"
 
 
 def chosen_studies(config: Mapping[str, object]) -> tuple[str, ...]:
-    """Files of the studies that the workflow builds: the one that its configuration chooses, or ours.
+    """Files of the studies that the workflow builds: the one that its configuration chooses.
 
-    Errors as in `chosen_study`.
+    That of sliders is built with the paper's, whose report shows both. Errors as in `chosen_study`.
     """
     chosen = chosen_study(config)
-    return (chosen,) if KEY in config else (PAPER_FILE, SLIDERS_FILE)
+    return (PAPER_FILE, SLIDERS_FILE) if chosen == PAPER_FILE else (chosen,)
 
 
 def chosen_study(config: Mapping[str, object]) -> str:

@@ -21,10 +21,10 @@ from planar_pushing.figures.sliders.gallery import (
     limit_forces,
     scene,
     supports,
-    words,
 )
 from planar_pushing.figures.style import DARK, FORCE, GREY
 from planar_pushing.mechanics.contact import InfiniteFriction
+from planar_pushing.study.datasets.gallery import words
 from planar_pushing.study.files.sliders_model import RodEntry
 
 #: Force angles of a curve, degrees.

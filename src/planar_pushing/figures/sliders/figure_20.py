@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts.curves import titled
 from planar_pushing.figures.settings import Sources
-from planar_pushing.figures.sliders.gallery import words
 from planar_pushing.figures.style import DARK, FORCE, MOTION
+from planar_pushing.study.datasets.gallery import words
 from planar_pushing.study.files.sliders_model import RodEntry
 
 #: What the errors are of: title, and colour.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
@@ -46,12 +45,6 @@ def supports(dataset: xr.Dataset) -> dict[str, Any]:
         str(name): entry.validate_python(json.loads(str(text))).build()
         for name, text in texts.items()
     }
-
-
-def words(name: str) -> str:
-    """Name of a support in a picture: rectangle_2_1 is "rectangle 2:1", l_shape "L shape"."""
-    parts = re.sub(r"(\d)_(?=\d)", r"\1:", name).split("_")
-    return " ".join(part.upper() if len(part) == 1 else part for part in parts)
 
 
 def is_area(support: Any) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,12 @@ from planar_pushing.study.datasets.base import axis
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.sliders_model import SlidersFile
 from planar_pushing.terms.quantities import SLIDERS, SLIDERS_NOTES
+
+
+def words(name: str) -> str:
+    """Name of a support in prose: rectangle_2_1 is "rectangle 2:1", l_shape "L shape"."""
+    parts = re.sub(r"(\d)_(?=\d)", r"\1:", name).split("_")
+    return " ".join(part.upper() if len(part) == 1 else part for part in parts)
 
 
 def support_axis(supports: dict[str, Any]) -> xr.DataArray:
