@@ -11,7 +11,7 @@ from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
 from planar_pushing.report.quantities import Numbers
 from planar_pushing.report.supplement import NUMBERS as TIMES
-from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 
 Entries = dict[str, dict[str, str]]
 #: Tables of the numbers of the report and of its supplement.
@@ -98,25 +98,27 @@ def set_up(root: Path) -> Setting:
     pictures = root / "results" / "figures"
     pictures.mkdir(parents=True)
     setting.tables.mkdir()
-    for name in [*FIGURES, *OURS, *PICTURES]:
+    for name in [*FIGURES, *GALLERY, *OURS, *PICTURES]:
         (pictures / f"{name}.svg").write_text(PICTURE, encoding="utf-8")
     figures = {
         name: {
             "caption": figure.caption,
             "promise": figure.promise,
             "section": figure.section,
+            "file": f"figures/{name}",
             "margins": {"top": 1.0, "bottom": 2.0},
         }
-        for name, figure in FIGURES.items()
+        for name, figure in (FIGURES | GALLERY | OURS).items()
     }
-    for number, (name, figure) in enumerate(OURS.items(), len(FIGURES) + 1):
-        figures[name] = figures["figure_01"] | {"caption": figure.caption, "number": str(number)}
+    for number, name in enumerate(OURS, len(FIGURES | GALLERY) + 1):
+        figures[name]["number"] = str(number)
     setting.write_numbers(zeros(NUMBERS))
     setting.write_numbers(zeros(TIMES), SUPPLEMENT)
     tables = {
         "figures.json": json.dumps(figures),
         "claims.json": json.dumps({"counts": {}, "claims": claims()}),
         "infinite_friction_cones.csv": CONES + "0.5" + ",-1.25,178.75" * 4 + "\n",
+        "ellipsoids.csv": "a,b,c,d,e,f\nsome support,0.4725,1.1,2.2,3.3,4.4\n",
         "golden_summary.csv": "a,b,c,d,e\nmotion cones,7,65432,1.5e-15,2e-14\n",
         "provenance.csv": "what,version\nnumpy,9.8.7\n",
         "accuracy_wrench.csv": "method,setting,calls,worst error,at k\nsome rule,64,4711,3.5e-09,0.25\n",

@@ -21,6 +21,7 @@ from planar_pushing.report.quantities import rounded, significant
 from planar_pushing.report.results import Results
 from planar_pushing.report.tables import (
     cones_text,
+    ellipsoids_text,
     figures_text,
     numbers_text,
     provenance_text,
@@ -28,9 +29,10 @@ from planar_pushing.report.tables import (
 )
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.slices import study_slice
+from planar_pushing.study.sliders_file import load_any
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
@@ -38,6 +40,7 @@ from report.costs import write_costs
 from report.setting import claim, claims
 
 STUDY = load_study("workflow/config/paper.yaml")
+SLIDERS = load_any("workflow/config/sliders.yaml")
 #: Axes cut down to what the numbers read.
 GRID = {
     "rod_length": (1.0, 2.0, 5.0, 10.0),
@@ -58,6 +61,30 @@ CHECKS = [
 ]
 
 
+#: Claims on random supports, and values of others on any slider.
+ON_SAMPLES = (
+    "normal-push-on-random-supports",
+    "cones-of-random-supports",
+    "centers-of-random-supports",
+)
+ANY_SLIDER = {
+    "l-pulls-along-normal": "-4.32669445424",
+    "l-leans-against-its-rod": "-1.51435825277",
+    "curve-of-l-leans": "0.0423644914",
+    "least-force-of-l": "7.6664",
+    "one-pivot-for-many-forces": "70.528779365509308631",
+    "tripod-pivots": "3.7320508075688772935",
+    "corner-of-a-line": "306.86989764584402130",
+    "foot-ahead-holds": "0.18329875861916679000",
+    "center-beyond-bound": "1.9999992499999062500",
+    "integration-constant-of-square": "0.54107508004674399000",
+    "integration-constant-of-rectangle": "0.53060409794183500000",
+    "integration-constant-of-strip": "0.51455358851011300000",
+    "integration-constant-of-disc": "0.66666666666666666667",
+    "integration-constant-of-ring": "1.0000000000000000000",
+}
+
+
 @pytest.fixture(scope="module")
 def results(tmp_path_factory):
     """Datasets of the small study, a verdict and a ledger."""
@@ -74,6 +101,13 @@ def results(tmp_path_factory):
     for name in [*FIGURES, *OURS]:
         picture = Image.new("RGB", (10, 20), "black")
         picture.save(folder / "figures" / f"{name}.png")
+    sliders = folder / "studies/sliders"
+    write_dataset(
+        build_dataset("supports", study_slice(SLIDERS, "supports")), sliders / "data/supports.nc"
+    )
+    (sliders / "figures").mkdir()
+    for name in GALLERY:
+        Image.new("RGB", (10, 20), "black").save(sliders / "figures" / f"{name}.png")
     write_costs(folder)
     thresholds = [
         claim("inertia-threshold", value="1.5"),
@@ -83,6 +117,8 @@ def results(tmp_path_factory):
         claim("force-at-the-dip", value="1.40897274354"),
         claim("force-at-the-return", value="2.2251848605567233649"),
     ]
+    thresholds += [claim(name, points=4321) for name in ON_SAMPLES]
+    thresholds += [claim(name, value=value) for name, value in ANY_SLIDER.items()]
     write_text(json_text(verdict(CHECKS)), folder / "tables/golden_verdict.json")
     ledger = {"counts": {}, "claims": claims() + thresholds}
     write_text(json.dumps(ledger), folder / "tables/claims.json")
@@ -123,12 +159,16 @@ def numbers(results):
         ("golden-values", "340"),
         ("golden-variables", "3"),
         ("golden-precision", "192"),
-        ("claims", "11"),
+        ("claims", str(11 + len(ON_SAMPLES) + len(ANY_SLIDER))),
         ("claims-ours", "1"),
-        ("claims-proved", "8"),
+        ("claims-proved", str(8 + len(ON_SAMPLES) + len(ANY_SLIDER))),
         ("claims-not-reproducible", "1"),
         ("threshold-friction", "1.2699"),
         ("dip", "-0.0400"),
+        ("random-cones", "4321"),
+        ("l-cone-right", "-4.3"),
+        ("pivot-offset", "3.732"),
+        ("constant-square", "0.5411"),
         ("figures", "2"),
     ],
 )
@@ -207,9 +247,20 @@ def test_provenance_names_versions_and_no_folder(results):
 
 def test_figures_table(results):
     found = json.loads(figures_text(results))
-    assert list(found) == [*FIGURES, *OURS]
-    assert [found[name]["number"] for name in OURS] == ["16", "17"]
+    assert list(found) == [*FIGURES, *GALLERY, *OURS]
+    assert [found[name]["number"] for name in OURS] == ["21", "22"]
+    assert found["figure_06"]["file"] == "figures/figure_06"
+    assert found["figure_16"]["file"] == "studies/sliders/figures/figure_16"
     assert found["figure_06"]["section"].startswith("Sec. 3.1")
+
+
+def test_ellipsoids_by_support(results):
+    rows = {row["support"]: row for row in csv.DictReader(io.StringIO(ellipsoids_text(results)))}
+    assert rows["ring"]["constant"] == "1.0000"
+    assert rows["square"]["constant"] == "0.5411"
+    errors = [float(text) for row in rows.values() for text in list(row.values())[2:]]
+    assert 0 < min(errors) < max(errors) < 90
+    assert all(float(row["force, mean"]) < float(row["force, worst"]) for row in rows.values())
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from pypdf import PdfReader
 
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.typeset import compiled, typeset
-from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.terms.errors import InvalidFile
 from report.setting import REPORT, SUPPLEMENT, set_up
 
@@ -68,6 +68,7 @@ def test_the_tables_of_costs_are_in_the_text(text):
     for part in ("some rule 64 4711 3.5x10-9 0.25", "some solver 10-12 4712 3.6x10-10"):
         assert part in text
     assert "some place 41 2 3 4713" in text
+    assert "some support 0.4725 1.1 2.2 3.3 4.4" in text
     assert "one push 4714 0 0 4715 4716 4717" in text
     assert "3.7x108 7 3.8x106" in text
 
@@ -101,9 +102,9 @@ def test_units_and_thousands(setting):
 
 
 def test_every_figure_has_our_caption(text):
-    for number in range(1, len(FIGURES) + len(OURS) + 1):
+    for number in range(1, len(FIGURES | GALLERY | OURS) + 1):
         assert f"Figure {number}." in text
-    ours = [name for name, figure in FIGURES.items() if not figure.promise]
+    ours = [name for name, figure in (FIGURES | GALLERY).items() if not figure.promise]
     assert text.count("Not in the paper.") == len(ours)
     assert "Limit curves for several rod lengths" in text
 

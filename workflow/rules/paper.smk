@@ -1,7 +1,7 @@
 # The report: the tables that it is set from, then the PDF. It is about a whole study that golden data
-# certify, and built for such a one.
+# certify, with that of sliders, and built for such a one.
 WHOLE = COMPUTED == list(DATASETS) and DRAWN == list(FIGURES)
-REPORTED = STUDY.golden and WHOLE
+REPORTED = STUDY.golden and WHOLE and GALLERY is not None
 
 #: What the report and its supplement are set from, beside the results.
 SOURCES = sorted(
@@ -20,6 +20,8 @@ rule report_tables:
             name=["accuracy_errors", "evaluations", "hard_cases"],
         ),
         pictures=expand("<results>/figures/{figure}.png", figure=[*FIGURES, *OURS]),
+        supports="<sliders>/data/supports.nc",
+        gallery=expand("<sliders>/figures/{figure}.png", figure=GALLERY_FIGURES),
         verdict="<results>/tables/golden_verdict.json",
         claims="<results>/tables/claims.json",
         study=STUDY_FILE,
@@ -32,6 +34,12 @@ rule report_tables:
             category="Tables",
             labels={"table": "motion cones of infinite friction"},
             caption="../report/cones.rst",
+        ),
+        ellipsoids=report(
+            "<results>/tables/ellipsoids.csv",
+            category="Tables",
+            labels={"table": "ellipsoids in the supports' place"},
+            caption="../report/ellipsoids.rst",
         ),
         verdict=report(
             "<results>/tables/golden_summary.csv",
@@ -95,6 +103,7 @@ rule paper_pdf:
         rules.report_tables.output,
         claims="<results>/tables/claims.json",
         figures=expand("<results>/figures/{figure}.svg", figure=[*FIGURES, *OURS]),
+        gallery=expand("<sliders>/figures/{figure}.svg", figure=GALLERY_FIGURES),
         source="paper/report.typ",
         parts=SOURCES,
     output:

@@ -15,6 +15,7 @@ with job_log(snakemake.log[0]):
         "numbers": tables.numbers_text(results),
         "figures": tables.figures_text(results),
         "cones": tables.cones_text(results),
+        "ellipsoids": tables.ellipsoids_text(results),
         "verdict": tables.verdict_text(results),
         "provenance": tables.provenance_text(results, snakemake.input.study),
     }

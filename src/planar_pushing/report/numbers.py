@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_pushing.report.parts import costs, evidence, mechanics
+from planar_pushing.report.parts import any_slider, costs, evidence, mechanics
 from planar_pushing.report.quantities import Numbers
 from planar_pushing.report.results import Results
 
@@ -14,6 +14,7 @@ NUMBERS: Numbers = {
     **mechanics.DYNAMIC,
     **mechanics.BOTH_EFFECTS,
     **mechanics.MODES,
+    **any_slider.CLAIMS,
     **costs.ACCURACY,
     **costs.HARD_CASES,
     **costs.EFFECTS,

@@ -21,11 +21,17 @@ FRICTION, INERTIA, BOTH = EFFECTS
 MEASURED = ("accuracy", "accuracy_errors", "effects", "evaluations", "hard_cases")
 
 
+#: The study of sliders, whose datasets are named behind it and a slash.
+SLIDERS = "sliders"
+
+
 @cache
 def _opened(name: str, folder: Path) -> xr.Dataset:
     kind, _, part = name.partition("/")
     if kind == "figures":
         return read_dataset(folder / "figures" / "data" / f"{part}.nc")
+    if kind == SLIDERS:
+        return open_dataset(part, folder, study=SLIDERS)
     if kind in MEASURED:
         return read_dataset(folder / "data" / f"{kind}.nc", part or None)
     return open_dataset(name, folder)
@@ -49,8 +55,8 @@ class Results:
     def dataset(self, name: str) -> xr.Dataset:
         """Dataset as `open_dataset` names it, one of `MEASURED`, or what a figure plots; read once.
 
-        A group is named as "accuracy_errors/cone", a figure as "figures/figure_06". Errors as in
-        `open_dataset`.
+        A group is named as "accuracy_errors/cone", a figure as "figures/figure_06", a dataset of the
+        study of sliders as "sliders/supports". Errors as in `open_dataset`.
         """
         return _opened(name, self.folder)
 

@@ -14,9 +14,11 @@ from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.margins import margins
 from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
-from planar_pushing.report.results import FRICTION, INERTIA, Results
+from planar_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from planar_pushing.report.verdict import verdict_rows
-from planar_pushing.study.figures import FIGURES, OURS
+from planar_pushing.study.datasets.gallery import words
+from planar_pushing.study.figures import FIGURES, GALLERY, OURS
+from planar_pushing.study.figures.base import Figure
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.terms.errors import InvalidFile
 
@@ -43,26 +45,42 @@ def numbers_text(results: Results) -> str:
 
 
 def figures_text(results: Results) -> str:
-    """Table of the figures: captions, what the paper's promise, sections, and margins in points.
+    """Table of the figures: captions, what the paper's promise, files, and margins in points.
 
-    Figures about our own work are numbered on from those of the paper's subjects.
+    Figures about our own work are numbered on from those of the paper's subjects and of any slider.
     """
-
-    def white(name: str) -> dict[str, float]:
-        return margins(results.folder / "figures" / f"{name}.png")
-
-    found: dict[str, dict[str, object]] = {
-        name: {
-            "caption": figure.caption,
-            "promise": figure.promise,
-            "section": figure.section,
-            "margins": white(name),
-        }
-        for name, figure in FIGURES.items()
-    }
-    for number, (name, figure) in enumerate(OURS.items(), len(FIGURES) + 1):
-        found[name] = {"caption": figure.caption, "number": str(number), "margins": white(name)}
+    found = {name: _figure(results, figure, "figures") for name, figure in FIGURES.items()}
+    for name, figure in GALLERY.items():
+        found[name] = _figure(results, figure, f"studies/{SLIDERS}/figures")
+    for number, (name, figure) in enumerate(OURS.items(), len(found) + 1):
+        found[name] = _figure(results, figure, "figures") | {"number": str(number)}
     return json_text(found)
+
+
+def _figure(results: Results, figure: Figure, folder: str) -> dict[str, object]:
+    file = f"{folder}/{figure.name}"
+    return {
+        "caption": figure.caption,
+        "promise": figure.promise,
+        "section": figure.section,
+        "file": file,
+        "margins": margins(results.folder / f"{file}.png"),
+    }
+
+
+def ellipsoids_text(results: Results) -> str:
+    """Table of the ellipsoids in the supports' place: integration constants, and errors in degrees."""
+    found = results.dataset(f"{SLIDERS}/supports")
+    rows = []
+    for name in found.support.values:
+        one = found.sel(support=name)
+        constant = rounded(float(one.integration_constant), 4)
+        row = {"support": words(str(name)), "constant": constant}
+        for what in ("force", "motion"):
+            for size in ("mean", "worst"):
+                row[f"{what}, {size}"] = rounded(float(one[f"{size}_{what}_error"]), 1)
+        rows.append(row)
+    return csv_text(rows)
 
 
 def cones_text(results: Results) -> str:

@@ -8,7 +8,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
-from planar_pushing.evidence.claims import checks as checks  # registers every check
+from planar_pushing.evidence.claims import any_slider as any_slider  # registers its checks
+from planar_pushing.evidence.claims import checks as checks  # registers every other
 from planar_pushing.evidence.claims.proofs.registry import CHECKS, numbers_of
 from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 from planar_pushing.study.files.fields import FileModel, NotEmpty, Number, refuse

@@ -83,6 +83,20 @@ WRONG = [
     ("infinite-velocity-cone-spans-180", {"span": 170}),
     ("infinite-friction-cone", {"left": 170}),
     ("closed-and-open-interval", {"right": 10}),
+    # any support
+    ("one-pivot-for-many-forces", {"rod_length": 2.1}),
+    ("tripod-pivots", {"nearest": 0.268}),
+    ("tripod-pivots", {"farthest": 3.73}),
+    ("corner-of-a-line", {"distance": 2.1}),
+    ("foot-ahead-holds", {"distance": 0.5}),
+    ("center-beyond-bound", {"spin_ratio": 900}),
+    ("center-beyond-bound", {"spin_ratio": 0.9, "product": 0.5, "within": 1}),
+    ("integration-constant-of-strip", {"aspect": 3}),
+    ("integration-constant-of-ring", {"hole": 0.9}),
+    ("gallery-pulls-and-slips", {"rod_angle": 90}),
+    ("l-pulls-along-normal", {"rod_angle": 91}),
+    ("curve-of-l-leans", {"turn": 29}),
+    ("least-force-of-l", {"rod_length": 0.6}),
 ]
 
 
@@ -90,6 +104,9 @@ WRONG = [
 SAMPLES = {"sideways-force", "closed-forms-on-grid", "rotation-sense-as-printed"}
 #: Without a rod the cones agree for every coefficient.
 SAMPLES |= {"aligned-without-rod"}
+#: How many supports and contacts are drawn.
+SAMPLES |= {f"{name}-random-supports" for name in
+            ("normal-push-on", "slip-outside-cone-on", "cones-of", "centers-of")}  # fmt: skip
 
 
 def test_every_check_that_reads_numbers_has_a_wrong_one():

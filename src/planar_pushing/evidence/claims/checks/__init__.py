@@ -1,6 +1,7 @@
 """The checks, by theme; importing the package registers them all."""
 
 from planar_pushing.evidence.claims.checks import acceleration_centers as acceleration_centers
+from planar_pushing.evidence.claims.checks import any_support as any_support
 from planar_pushing.evidence.claims.checks import contact_laws as contact_laws
 from planar_pushing.evidence.claims.checks import dynamics as dynamics
 from planar_pushing.evidence.claims.checks import findings as findings

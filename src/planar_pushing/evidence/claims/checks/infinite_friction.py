@@ -10,8 +10,8 @@ from planar_pushing.certified.balls import rational
 from planar_pushing.certified.cones import friction_cone, motion_cone
 from planar_pushing.certified.contact.modes import INFINITE_FREE, Mode
 from planar_pushing.certified.setting import Effects, Slider
+from planar_pushing.evidence.claims.proofs import any_support, lemmas
 from planar_pushing.evidence.claims.proofs import identities as ids
-from planar_pushing.evidence.claims.proofs import lemmas
 from planar_pushing.evidence.claims.proofs.examples import METHOD, found_modes, modes_are
 from planar_pushing.evidence.claims.proofs.registry import check
 from planar_pushing.evidence.claims.proofs.verdicts import (
@@ -136,10 +136,18 @@ def normal_push_sticks() -> Evidence:
 
 @check
 def normal_push_sticks_on_any_support() -> Evidence:
-    """Slip by `a` under the force (-1, 0) or (1, 0) against it works -|a|: no support allows it."""
+    """Slip by `a` under the force (-1, 0) or (1, 0) against it works -|a|: no support allows it.
+
+    Sticking is there: its motion is (0, 1), so its force has the normal part f . v_s > 0.
+    """
     work = {
         f"slip to the {side}": ids.dot((-turn * ids.ONE, 0 * ids.ONE), (turn * ids.a, ids.b))
         + ids.a
         for side, turn in (("right", 1), ("left", -1))
     }
-    return identity(work, "f . v_s is minus the slip for a unit force on an edge, exactly")
+    method = (
+        "f . v_s is the power of friction, a sum of p |v| > 0. Sticking: it is f_n v_n, so f_n > 0, and "
+        "infinite friction transmits the force. Slip: the force is along the fence against the slip, so "
+        "f . v_s = -|f| |slip| < 0. Both by identities, exactly"
+    )
+    return together(identity(work, method), any_support.power())

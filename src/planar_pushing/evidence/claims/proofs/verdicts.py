@@ -88,10 +88,17 @@ def inequality(
     )
 
 
-def near(value: arb, claimed: float, within: float, method: str, unit: str = "1") -> Evidence:
+def near(
+    value: arb,
+    claimed: float,
+    within: float,
+    method: str,
+    unit: str = "1",
+    holds: Verdict = Verdict.PROVED,
+) -> Evidence:
     """Evidence for a number to within the accuracy that it is given with."""
     margin = arb(rational(within)) - abs(value - rational(claimed))
-    return inequality(margin, method, value=value, unit=unit, claimed=claimed)
+    return inequality(margin, method, value=value, unit=unit, claimed=claimed, holds=holds)
 
 
 def equal(
@@ -145,7 +152,7 @@ def facts(found: Mapping[str, bool], method: str, **numbers: Any) -> Evidence:
 
 
 def on_grid(wrong: Sequence[str], points: int, method: str) -> Evidence:
-    """Evidence for a statement at every point of a grid; `wrong` names where it fails."""
+    """Evidence for a statement at every point of a grid or sample; `wrong` names where it fails."""
     verdict = Verdict.REFUTED if wrong else Verdict.VERIFIED
     reason = f"fails at {len(wrong)} points, first {wrong[0]}" if wrong else None
     return Evidence(verdict=verdict, method=method, points=points, reason=reason)
