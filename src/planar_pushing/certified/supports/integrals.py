@@ -1,7 +1,7 @@
 """Moments of a support by their defining integrals, rigorously: `acb.integral`.
 
 It shares nothing with the closed forms. An even plate is integrated in polar coordinates about the centre
-of rotation: along the radius its integrands are powers, and ``R^2 dtheta`` is ``r' x dr'`` along its border.
+of rotation: along the radius its integrands are powers, and ``R^2 dtheta`` is ``r' x dr'`` on its border.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def _parts(support: Pieces, c: Vector) -> Iterable[Means]:
 
 def _along_line(line: Line, c: Vector) -> Means:
     """A segment: means over its length."""
-    found = _integrals(_on_line(line, c), 0, arb(1), lambda x, y: acb(1))
+    found = _integrals(_on_line(line, c), 0, arb(1), lambda *_: acb(1))
     return _scaled(found, (arb(line.share), arb(line.share)))
 
 
@@ -60,7 +60,7 @@ def _under_line(line: Line, c: Vector) -> Means:
     swept = (line.start[0] - c[0]) * d_y - (line.start[1] - c[1]) * d_x
     if swept.is_zero():
         return arb(0), arb(0), arb(0)
-    found = _integrals(_on_line(line, c), 0, arb(1), lambda x, y: acb(swept))
+    found = _integrals(_on_line(line, c), 0, arb(1), lambda *_: acb(swept))
     return _scaled(found, (arb(line.share) / 3, arb(line.share) / 2))
 
 
@@ -71,7 +71,7 @@ def _on_line(line: Line, c: Vector) -> Curve:
 
 def _along_rim(circle: Circle, c: Vector) -> Means:
     """A ring: means over its circle."""
-    found = _integrals(_on_rim(circle, c), -1, arb.pi(), lambda x, y: acb(1))
+    found = _integrals(_on_rim(circle, c), -1, arb.pi(), lambda *_: acb(1))
     rate = circle.share / (2 * arb.pi())
     return _scaled(found, (rate, rate))
 

@@ -96,7 +96,9 @@ def segment(line: Line, c: Vector) -> Part:
         rate * at.whole,
         rate * (along * at.t_x + across * at.t_y),
         rate * (along * at.t_y - across * at.t_x),
-        *(rate * each for each in second),
+        rate * second[0],
+        rate * second[1],
+        rate * second[2],
     )
 
 
