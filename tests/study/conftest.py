@@ -1,4 +1,4 @@
-"""Results with the datasets of the smoke study."""
+"""Results with the datasets of the smoke studies."""
 
 import shutil
 from pathlib import Path
@@ -6,16 +6,18 @@ from pathlib import Path
 import pytest
 
 from planar_pushing.study.builders import build_dataset
-from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.catalog import DATASETS, SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
+from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
+SLIDERS_SMOKE = "workflow/config/sliders_smoke.yaml"
 
 
 @pytest.fixture(scope="session")
@@ -29,6 +31,16 @@ def results(tmp_path_factory):
     log = simulate_file(load_scene_file(study.simulations["figure_15"]))
     write_dataset(of_study(log, "figure_15", marks), folder / "data/simulations/figure_15.nc")
     return folder
+
+
+@pytest.fixture(scope="session")
+def sliders(results):
+    """The same folder, with the datasets of the smoke study of sliders beside them."""
+    study, marks = load_sliders(SLIDERS_SMOKE), provenance(SLIDERS_SMOKE)
+    for name in SLIDERS:
+        built = of_study(build_dataset(name, study_slice(study, name)), name, marks)
+        write_dataset(built, results / f"studies/sliders_smoke/data/{name}.nc")
+    return results
 
 
 @pytest.fixture

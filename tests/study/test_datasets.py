@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.study.catalog import DIMS
+from planar_pushing.study.catalog import AXES, DIMS
 from planar_pushing.study.datasets.contact_modes import contacts
 from planar_pushing.study.store import group_names
 from planar_pushing.study.study_file import load_study
@@ -25,13 +25,13 @@ NAMED = {
 
 
 def every(results):
-    for name in DIMS:
+    for name in AXES:
         yield name, pp.open_dataset(name, results)
     for group in group_names(results / "data/scenes.nc"):
         yield f"scenes/{group}", pp.open_dataset(f"scenes/{group}", results)
 
 
-@pytest.mark.parametrize("name", DIMS)
+@pytest.mark.parametrize("name", AXES)
 def test_axes_and_variables(results, name):
     dataset = pp.open_dataset(name, results)
     assert tuple(dataset.sizes) == DIMS[name]

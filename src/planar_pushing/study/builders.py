@@ -18,19 +18,24 @@ from planar_pushing.study.datasets import (
     limit_curves,
     motion_cones,
     scenes,
+    support_cones,
+    support_modes,
+    supports,
 )
-from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.slices import sliced_study
 
 Built = xr.Dataset | dict[str, xr.Dataset]
 
-BUILDERS: dict[str, Callable[[StudyFile], Built]] = {
+BUILDERS: dict[str, Callable[[Any], Built]] = {
     "limit_curves": limit_curves.build,
     "motion_cones": motion_cones.build,
     "contact_modes": contact_modes.build,
     "acceleration_centers": acceleration_centers.build,
     "center_regions": center_regions.build,
     "scenes": scenes.build,
+    "supports": supports.build,
+    "support_cones": support_cones.build,
+    "support_modes": support_modes.build,
 }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from planar_pushing.terms.errors import InvalidValue
 
@@ -14,6 +15,13 @@ DATASETS = {
     "acceleration_centers": "motion centres with friction and inertia, exact and conservative",
     "center_regions": "regions of acceleration centres, the paper's bound and the exact set",
     "scenes": "the scenes of the figures, one group each",
+}
+
+#: What each dataset of a study of sliders holds.
+SLIDERS = {
+    "supports": "wrench over centres of rotation, and the ellipsoid in the place of each support",
+    "support_cones": "motion cones of each support, and what their edges pivot about",
+    "support_modes": "consistent contact modes of each support over the pusher's motion",
 }
 
 #: Folder of the logs of motion over time.
@@ -67,18 +75,30 @@ DIMS: dict[str, tuple[str, ...]] = {
     ),
     "acceleration_centers": ("rod_length", "force_angle", "inertia_share"),
     "center_regions": ("rod_length", "rod_angle", "force_angle", "bound_end", "exact_end"),
+    "supports": ("support", "center_x", "center_y"),
+    "support_cones": ("support", "rod_length", "rod_angle", "friction_coefficient", "edge"),
+    "support_modes": (
+        "support", "rod_length", "rod_angle", "friction_coefficient", "pusher_angle", "mode",
+    ),
 }  # fmt: skip
 
 #: The grid axis that a dimension without one of its name reads.
 _GRID = {
     "contact": ("contact_friction_coefficient",),
-    **dict.fromkeys(("mode", "bound_end", "exact_end"), ()),
+    **dict.fromkeys(("mode", "bound_end", "exact_end", "support", "edge"), ()),
 }
-#: The grid axes that each reads.
-AXES: dict[str, tuple[str, ...]] = {
-    name: tuple(axis for dim in dims for axis in _GRID.get(dim, (dim,)))
-    for name, dims in DIMS.items()
-}
+
+
+def _axes(names: Iterable[str]) -> dict[str, tuple[str, ...]]:
+    return {
+        name: tuple(axis for dim in DIMS[name] for axis in _GRID.get(dim, (dim,)))
+        for name in names
+        if name in DIMS
+    }
+
+
+#: The grid axes that each reads, of a study like the paper's and of a study of sliders.
+AXES, SLIDERS_AXES = _axes(DATASETS), _axes(SLIDERS)
 #: A name in a folder, or of a group or a study.
 NAME = re.compile(r"[A-Za-z0-9_]+")
 
@@ -97,7 +117,7 @@ def dataset_place(name: str) -> tuple[str, str | None]:
         Where there is no dataset of this name.
     """
     stem, slash, part = name.partition("/") if isinstance(name, str) else ("", "", "")
-    whole = DATASETS | EVIDENCE | TIMES
+    whole = DATASETS | SLIDERS | EVIDENCE | TIMES
     named = NAME.fullmatch(part) is not None
     if stem in FOLDERS and named:
         return f"{FOLDERS[stem]}/{part}.nc", None

@@ -9,16 +9,24 @@ import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.entries import to_json, versions
-from planar_pushing.study.catalog import DATASETS, EVIDENCE, TIMES
-from planar_pushing.terms.quantities import DATASET, GLOBAL, NOTES, PAPER, attributes
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, SLIDERS, TIMES
+from planar_pushing.terms.quantities import DATASET, GLOBAL, NOTES, PAPER, Quantities, attributes
 
 FLAGS = {"mode": ContactMode, "outcome": Outcome}
 
 
-def describe(dataset: xr.Dataset, *, title: str, source: str, parameters: object) -> xr.Dataset:
+def describe(
+    dataset: xr.Dataset,
+    *,
+    title: str,
+    source: str,
+    parameters: object,
+    quantities: Quantities = DATASET,
+    notes: Mapping[str, str] = NOTES,
+) -> xr.Dataset:
     """Give every variable its unit and name, and the dataset its title, source and provenance."""
     for name, variable in dataset.variables.items():
-        variable.attrs = dict(attributes(DATASET, str(name)))
+        variable.attrs = dict(attributes(quantities, str(name)))
         flags = FLAGS.get(str(name))
         if flags and variable.dtype.kind == "i":
             variable.attrs["flag_values"] = np.array(flags, variable.dtype)
@@ -28,7 +36,7 @@ def describe(dataset: xr.Dataset, *, title: str, source: str, parameters: object
         "source": f"{PAPER}, {source}",
         **GLOBAL,
         "parameters": to_json(parameters),
-        "unit_notes": to_json(NOTES),
+        "unit_notes": to_json(dict(notes)),
         "versions": versions(),
     }
     return dataset
@@ -49,7 +57,7 @@ def of_study(
         Name of the study and digest of its file, as `provenance` gives them.
     """
     marks = {**GLOBAL, **study}
-    title = (DATASETS | EVIDENCE | TIMES).get(name, name)
+    title = (DATASETS | SLIDERS | EVIDENCE | TIMES).get(name, name)
     if isinstance(built, xr.Dataset):
         return built.assign_attrs({"title": title} | built.attrs | marks)
     groups = {

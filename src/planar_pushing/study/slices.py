@@ -6,33 +6,41 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from planar_pushing.study.catalog import AXES
-from planar_pushing.study.files.models import Grid, PushEntry, StudyFile
+from planar_pushing.study.catalog import AXES, SLIDERS_AXES
+from planar_pushing.study.files.models import Grid, PushEntry
+from planar_pushing.study.files.sliders_model import KEY, SlidersFile, SlidersGrid, Study, kind_of
 from planar_pushing.terms.options import EffectKind
 
 COMMON = ("slider", *map(str, EffectKind))
 
 
-def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
+def study_slice(study: Study, name: str) -> dict[str, Any]:
     """Plain values of a study that the dataset `name` reads."""
+    if isinstance(study, SlidersFile):
+        entries = {key: entry.model_dump() for key, entry in study.supports.items()}
+        return {KEY: entries, "grid": _axes(study, SLIDERS_AXES[name])}
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
-    grid = {axis: list(getattr(study.grid, axis)) for axis in AXES[name]}
     common = {part: getattr(study, part) for part in COMMON}
     listed = {part: each.model_dump() for part, each in common.items() if each is not None}
-    return listed | {"grid": grid}
+    return listed | {"grid": _axes(study, AXES[name])}
 
 
-def sliced_study(values: dict[str, Any]) -> StudyFile:
+def _axes(study: Study, names: tuple[str, ...]) -> dict[str, list[Any]]:
+    return {axis: list(getattr(study.grid, axis)) for axis in names}
+
+
+def sliced_study(values: dict[str, Any]) -> Study:
     """Study of a slice; what the slice leaves out cannot be read."""
-    fields = StudyFile.model_fields
-    parts: dict[str, Any] = {
-        part: TypeAdapter[Any](fields[part].annotation or Any).validate_python(values[part])
-        for part in COMMON
-        if part in values
+    model = kind_of(values)
+    parts = {
+        part: TypeAdapter[Any](model.model_fields[part].annotation or Any).validate_python(given)
+        for part, given in values.items()
+        if part in (*COMMON, KEY)
     }
     if "scenes" in values:
         parts["scenes"] = {k: PushEntry.model_validate(v) for k, v in values["scenes"].items()}
     if "grid" in values:
-        parts["grid"] = Grid.model_construct(**values["grid"])
-    return StudyFile.model_construct(**parts)
+        grid = SlidersGrid if model is SlidersFile else Grid
+        parts["grid"] = grid.model_construct(**values["grid"])
+    return model.model_construct(**parts)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 
 from planar_pushing.study.catalog import AXES
@@ -49,7 +49,7 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
     yield from _effects_problems(study)
     yield from _size_problems(study.grid)
     yield from _scene_problems(study)
-    yield from _simulation_problems(study)
+    yield from simulation_problems(study.simulations)
     yield from _entry_problems(study, "scenes", study.scenes, SCENES)
     yield from _entry_problems(
         study, "figures", study.figures, [name for name, figure in FIGURES.items() if figure.takes]
@@ -119,9 +119,9 @@ def _axis_problems(study: StudyFile) -> Iterator[str]:
             )
 
 
-def _simulation_problems(study: StudyFile) -> Iterator[str]:
+def simulation_problems(simulations: Mapping[str, str]) -> Iterator[str]:
     """Scene files that cannot be simulated."""
-    for name, path in study.simulations.items():
+    for name, path in simulations.items():
         try:
             section = load_scene_file(path).simulate
         except InvalidFile as error:

@@ -144,6 +144,50 @@ BATCH: Quantities = {
     "velocity": ("length/time", "velocity of the fence"),
 }
 
+#: What the datasets of a study of sliders hold; a name may mean something else than for the paper's ring.
+SLIDERS: Quantities = {
+    **DATASET,
+    "center_of_pressure_x": ("length", "centre of pressure in the body frame, along the rod"),
+    "center_of_pressure_y": ("length", "centre of pressure in the body frame, across the rod"),
+    "center_x": ("length", "centre of rotation in the body frame, along the rod"),
+    "center_y": ("length", "centre of rotation in the body frame, across the rod"),
+    "consistent": ("1", "whether the mode is consistent"),
+    "description": ("1", "the support as scene files have it, in JSON"),
+    "edge": ("1", "edge of the cone"),
+    "ellipsoid": (
+        "1",
+        "ellipsoid in the support's place: wrenches w about the centre of pressure with w . M w = 1 slide "
+        "along M w, per unit weight",
+    ),
+    "extent": ("length", "largest distance of the support from its centre of pressure"),
+    "force_angle_end": ("degree", "other end of the force angles that a pivot leaves open"),
+    "force_x": ("force", "force that sustains the rotation, along the rod"),
+    "force_y": ("force", "force that sustains the rotation, across the rod"),
+    "integration_constant": (
+        "1",
+        "mean distance from the centre of pressure over the extent: the torque of spinning about it",
+    ),
+    "mean_distance": ("length", "mean distance of the pressure from the centre of rotation"),
+    "mean_force_error": ("degree", "mean angle between the ellipsoid's wrench and the support's"),
+    "mean_motion_error": ("degree", "mean angle between the ellipsoid's motion and the support's"),
+    "motion_angle": ("degree", "angle of the contact motion"),
+    "pivot": ("1", "number of the support point about which the slider pivots, -1 without one"),
+    "rod_length": ("length", "rod length, from the contact to the slider's centre"),
+    "spin": ("1", "rotation times the support's extent, in units of the pusher's motion"),
+    "support": ("1", "support of the slider"),
+    "torque": ("force length", "torque about the slider's centre that sustains the rotation"),
+    "width": ("degree", "angle between the edges of the motion cone"),
+    "worst_force_error": (
+        "degree",
+        "largest angle between the ellipsoid's wrench and the support's",
+    ),
+    "worst_motion_error": (
+        "degree",
+        "largest angle between the ellipsoid's motion and the support's",
+    ),
+    "wrench_component": ("1", "component of a wrench"),
+}
+
 #: What the functions of the mechanics give for labelled arrays: angles are radians.
 MECHANICS: Quantities = {
     **DATASET,
@@ -170,6 +214,12 @@ NOTES = {
     "length": "the unit of the study's radius",
     "force": "the unit of the study's weight; without friction mass times a unit motion",
     "motion": "speed in a quasi-static scene, initial acceleration from rest otherwise",
+}
+#: What the units of a dataset of a study of sliders stand for.
+SLIDERS_NOTES = {
+    "length": "the unit of the study's lengths",
+    "force": "the friction of the whole support in a translation",
+    "motion": NOTES["motion"],
 }
 #: What the units of a log stand for.
 LOG_NOTES = {

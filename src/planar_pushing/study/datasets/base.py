@@ -9,11 +9,14 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.study.files.models import StudyFile, contact_law
+from planar_pushing.study.files.sliders_model import Study
 
 
-def axis(study: StudyFile, name: str) -> xr.DataArray:
+def axis(study: Study, name: str) -> xr.DataArray:
     """An axis of the study's grid, with its own values as coordinate."""
     values = list(getattr(study.grid, name))
     return xr.DataArray(values, dims=name, coords={name: values}, name=name)
@@ -24,6 +27,12 @@ def law_axis(name: str, labels: Sequence[Any], laws: Sequence[ContactLaw]) -> xr
     values = np.empty(len(laws), dtype=object)
     values[:] = laws
     return xr.DataArray(values, dims=name, coords={name: list(labels)})
+
+
+def friction_axis(study: Study) -> xr.DataArray:
+    """The laws of the grid's coefficients of friction."""
+    coefficients = list(study.grid.friction_coefficient)
+    return law_axis("friction_coefficient", coefficients, list(map(contact_law, coefficients)))
 
 
 def over_effects(study: StudyFile, part: Callable[[tuple[Any, ...]], xr.Dataset]) -> xr.Dataset:
@@ -60,3 +69,10 @@ def friction_angle(coefficients: npt.ArrayLike) -> npt.NDArray[np.float64]:
     """Angles of friction in degrees: finite where the coefficient is infinite, NaN without one."""
     angles: npt.NDArray[np.float64] = np.arctan(np.asarray(coefficients, dtype=float))
     return np.degrees(angles)
+
+
+def angles_of(vectors: npt.ArrayLike) -> Array:
+    """Angles of vectors, shape S + (2,), in (-180, 180] degrees."""
+    x, y = np.moveaxis(np.asarray(vectors, dtype=float), -1, 0)
+    angle = np.arctan2(y, x)
+    return np.rad2deg(np.where(angle <= -np.pi + RESOLUTION, np.pi, angle))

@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import (
     ContactLaw,
     ContactMode,
@@ -22,6 +21,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study import catalog
 from planar_pushing.study.datasets.base import (
+    angles_of,
     axis,
     friction_angle,
     law_axis,
@@ -56,12 +56,6 @@ def coefficient(law: ContactLaw) -> float:
     return np.nan if isinstance(law, PerfectlyRough) else friction_coefficient(law)
 
 
-def _force_angles(force: Array) -> Array:
-    """Force angles in (-180, 180] degrees."""
-    angle = np.arctan2(force[..., 1], force[..., 0])
-    return np.rad2deg(np.where(angle <= -np.pi + RESOLUTION, np.pi, angle))
-
-
 def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
     """How many solutions each mode has, and spin ratio and force angle of its slowest and fastest motion.
 
@@ -70,7 +64,7 @@ def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
     speed = np.linalg.norm(found.twist.values * [1.0, 1.0, radius], axis=-1)
     values = {
         "spin_ratio": found.spin_ratio.values,
-        "force_angle": _force_angles(found.force.values),
+        "force_angle": angles_of(found.force.values),
     }
     modes = [_of_mode(found.mode.values == mode, speed, values) for mode in ContactMode]
     rest = np.where(modes[ContactMode.SEPARATE]["consistent"] > 0, 0.0, np.nan)

@@ -18,20 +18,18 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import (
     axis,
     friction_angle,
-    law_axis,
+    friction_axis,
     over_effects,
     parameters,
 )
 from planar_pushing.study.describe import describe
-from planar_pushing.study.files.models import StudyFile, contact_law
+from planar_pushing.study.files.models import StudyFile
 
 
 def build(study: StudyFile) -> xr.Dataset:
     """Build the dataset of a study."""
     slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
-    friction = axis(study, "friction_coefficient")
-    coefficients = friction.values.tolist()
-    laws = law_axis("friction_coefficient", coefficients, list(map(contact_law, coefficients)))
+    laws = friction_axis(study)
 
     def part(effects: tuple[Any, ...]) -> xr.Dataset:
         scene = Scene(slider=slider, contact=laws, effects=effects)
@@ -49,7 +47,7 @@ def build(study: StudyFile) -> xr.Dataset:
         }
         return xr.Dataset(found).transpose(*cone.right.dims)
 
-    angle = ("friction_coefficient", friction_angle(coefficients))
+    angle = ("friction_coefficient", friction_angle(study.grid.friction_coefficient))
     return describe(
         over_effects(study, part).assign_coords(friction_angle=angle),
         title="Friction cones and the motion cones they map to",

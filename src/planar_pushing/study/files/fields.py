@@ -199,6 +199,7 @@ MethodName = choice(Method)
 AtZeroNormalName = choice(AtZeroNormal)
 EffectsName = choice(EffectSet)
 
+Coordinates = axis(FiniteNumber)
 Lengths = axis(NonNegative)
 Magnitudes = axis(Positive)
 RodAngles = axis(RodAngle)

@@ -81,7 +81,7 @@ def _key(location: tuple[int | str, ...]) -> str:
     key, previous = "", None
     for index, part in enumerate(location):
         tag = previous in ("contact", "support") or (
-            isinstance(previous, int) and location[index - 2] == "effects"
+            index > 1 and location[index - 2] in ("effects", "supports")
         )
         if isinstance(part, int):
             key += f"[{part}]"
