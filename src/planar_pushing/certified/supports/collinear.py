@@ -55,13 +55,21 @@ def center_between(push: Push, ends: tuple[Place, Place]) -> Vector:
     return place(increasing_root(lack, arb(0), arb(1), arb(2) ** -130))
 
 
-def corner(push: Push) -> tuple[Vector, Vector] | None:
-    """Ends of the interval of centres of rotation, where one force has several motions.
+def center_beyond(push: Push) -> Vector | None:
+    """Centre of rotation of a contact that moves along t, where it is on the support's line at a corner.
 
-    A force that crosses the line of the support in the centre of pressure meets the same friction whatever
-    centre on that line, beyond the support's ends, the slider turns about.
+    It is the place across t from the contact, if that is not between the support's ends.
     """
-    ends = crossed(push)
-    if ends is None or push.side(push.support.center):
+    ends = line_ends(push.support)
+    if ends is None:
         return None
-    return ball(ends[0]), ball(ends[1])
+    (a, b), (c, d) = ends
+    x, y = push.support.center
+    if (x + push.length) * (c - a) + y * (d - b) != 0:
+        return None
+    sides = [push.along((end[0] + push.length, end[1])) for end in ends]
+    if sides[0] * sides[1] < 0 or sides == [0, 0]:
+        return None
+    near, far = push.reach(ball(ends[0])), push.reach(ball(ends[1]))
+    part = arb(1 - (sides[0] == 0)) if 0 in sides else near / (near - far)
+    return a + part * (c - a), b + part * (d - b)

@@ -8,7 +8,7 @@ centre c at which the friction has no part across t and no torque about the cont
 The potential is convex, so that there is one such motion. It is found otherwise where a line of force
 through the centre of pressure translates the slider; where a point of the support is a pivot, because it
 would have to take less than its share; and on a support's own line. Where a force leaves an interval of
-motions (`collinear.corner`) its ends are the turns of `Moved`.
+motions its ends are the turns of `Moved`.
 """
 
 from __future__ import annotations
@@ -16,17 +16,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from flint import arb, ctx
+from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Undecided, in_degrees, sign
 from planar_pushing.certified.supports import collinear
 from planar_pushing.certified.supports.moments import Vector, moments
 from planar_pushing.certified.supports.newton import enclosed
+from planar_pushing.certified.supports.pieces import is_mirrored
 from planar_pushing.certified.supports.pivots import pivot
-from planar_pushing.certified.supports.push import Push, ball
-
-#: Precisions that are tried in turn.
-PRECISIONS = (320, 640, 1280)
+from planar_pushing.certified.supports.push import PRECISIONS, Push, ball
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,10 +96,10 @@ def _open_turns(push: Push) -> tuple[arb, arb]:
 
     A contact on the line of the support moves along the force, whatever the rotation.
     """
-    ends = collinear.corner(push)
-    if ends is None or push.side(collinear.line_ends(push.support)[0]) == 0:
+    ends = collinear.crossed(push)
+    if ends is None or push.side(ends[0]) == 0:
         return arb(0), arb(0)
-    turns = [_turn(push, end) for end in ends]
+    turns = [_turn(push, ball(end)) for end in ends]
     return arb.min(*turns), arb.max(*turns)
 
 
@@ -112,8 +110,17 @@ def _turn(push: Push, c: Vector) -> arb:
 
 def _about(push: Push, c: Vector) -> Moved:
     now = moments(push.support, c)
-    size, turn = (now.x * now.x + now.y * now.y).sqrt(), _turn(push, c)
+    size = (now.x * now.x + now.y * now.y).sqrt()
+    turn = arb(0) if _is_even(push) else _turn(push, c)
     return Moved((turn, turn), size, c, sign(push.arm(c)))
+
+
+def _is_even(push: Push) -> bool:
+    """Whether the contact moves along the force by symmetry.
+
+    Mirrored in the rod, a force across it and all motions change their signs.
+    """
+    return push.along((fmpq(1), fmpq(0))) == 0 and is_mirrored(push.support)
 
 
 def _center(push: Push) -> Vector:

@@ -21,7 +21,7 @@ class About(NamedTuple):
     force : tuple of arb
         Force at the contact.
     own : arb
-        Size of the force that the point takes.
+        Square of the force that the point takes.
     """
 
     sense: int
@@ -44,7 +44,7 @@ def about(push: Push, i: int) -> About | None:
     across, arm = push.x * f_y - push.y * f_x, push.arm(c)
     e_x = (torque * push.x - (c[0] + push.length) * across) / arm
     e_y = (torque * push.y - c[1] * across) / arm
-    return About(sense, (f_x + e_x, f_y + e_y), (e_x * e_x + e_y * e_y).sqrt())
+    return About(sense, (f_x + e_x, f_y + e_y), e_x * e_x + e_y * e_y)
 
 
 def pivot(push: Push) -> tuple[int, About] | None:
@@ -57,6 +57,6 @@ def pivot(push: Push) -> tuple[int, About] | None:
     """
     for i, point in enumerate(push.support.points):
         found = about(push, i)
-        if found is not None and sign(found.own - point.share) < 0:
+        if found is not None and sign(found.own - point.share**2) < 0:
             return i, found
     return None

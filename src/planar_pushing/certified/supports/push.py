@@ -19,6 +19,9 @@ from planar_pushing.certified.balls import (
 from planar_pushing.certified.supports.moments import Vector
 from planar_pushing.certified.supports.pieces import Pieces, Place
 
+#: Precisions in bits that are tried in turn.
+PRECISIONS = (320, 640, 1280)
+
 
 @dataclass(frozen=True, slots=True)
 class Push:
