@@ -11,13 +11,20 @@ import xarray as xr
 from planar_pushing.certified.balls import precise
 from planar_pushing.evidence.golden.residual.edges import ALONG, EDGE
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON, Finding, same
-from planar_pushing.evidence.golden.residual.sliders.gallery import SIDES, Edge, edges, gap, rods
+from planar_pushing.evidence.golden.residual.sliders.gallery import (
+    SIDES,
+    Edge,
+    edges,
+    expected_pivot,
+    gap,
+    rods,
+)
 
 
 @precise
 def residuals(dataset: xr.Dataset, study: Any) -> Iterable[Finding]:
     """Findings of every variable."""
-    stored = dataset["motion_angle"].values
+    stored, stored_pivot = dataset["motion_angle"].values, dataset["pivot"].values
     angle, middle, pivot = np.zeros(stored.shape), np.zeros(stored.shape), np.zeros(stored.shape)
     for rod in rods(dataset, study):
         for i, friction in enumerate(dataset["friction_coefficient"].values):
@@ -25,13 +32,14 @@ def residuals(dataset: xr.Dataset, study: Any) -> Iterable[Finding]:
             for j, name in enumerate(dataset["edge"].values.astype(str)):
                 at, place = found[SIDES[name]], (*rod.place, i, j)
                 angle[place] = outside(stored[place], at)
-                middle[place], pivot[place] = float(at.angle), at.moved.pivot
+                middle[place] = float(at.angle)
+                pivot[place] = expected_pivot(rod, friction, SIDES[name], stored_pivot[place])
     length = dataset["rod_length"].values.reshape(1, -1, 1, 1, 1)
     rounding = EDGE * (1 + length**2) * EPSILON * DEGREE
     right, left = middle[..., 0], middle[..., 1]
     return [
         Finding("motion_angle", angle, rounding),
-        same("pivot", dataset["pivot"].values, pivot),
+        same("pivot", stored_pivot, pivot),
         Finding("width", np.abs(dataset["width"].values - (left - right)), 2 * rounding[..., 0]),
         same("pulls", dataset["pulls"].values, _leaves(right, left)),
         same("slips_while_pushing", dataset["slips_while_pushing"].values, _omits(right, left)),

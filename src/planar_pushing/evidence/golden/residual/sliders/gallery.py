@@ -15,12 +15,15 @@ from flint import arb, fmpq
 from planar_pushing.certified.balls import in_degrees, rational
 from planar_pushing.certified.supports.moving import Moved, moved
 from planar_pushing.certified.supports.pieces import Pieces, pieces
+from planar_pushing.certified.supports.pivots import about
 from planar_pushing.certified.supports.push import on_edge
 
 #: Sign of an edge of a cone, by its name in the datasets.
 SIDES = {"right": 1, "left": -1}
 #: Axes of the rods.
 ROD = ("rod_length", "rod_angle")
+#: Relative difference of the square of a point's force from that of its share that rounding explains.
+OPEN = 2e-12
 
 
 class Rod(NamedTuple):
@@ -81,6 +84,17 @@ def edge(support: Pieces, length: fmpq, angle: fmpq, friction: float, side: int)
 def edges(rod: Rod, friction: float) -> dict[int, Edge]:
     """The motions at both edges, by their signs."""
     return {side: edge(*rod[1:], float(friction), side) for side in SIDES.values()}
+
+
+def expected_pivot(rod: Rod, friction: float, side: int, stored: int) -> int:
+    """Number of the point that an edge pivots about; the stored one where rounding leaves it open."""
+    found = edge(*rod[1:], float(friction), side).moved.pivot
+    number = max(found, int(stored))
+    if found == stored or number >= len(rod.support.points):
+        return found
+    at = about(on_edge(*rod[1:], float(friction), side), number)
+    share = rod.support.points[number].share
+    return int(stored) if at is not None and abs(at.own / share**2 - 1) < OPEN else found
 
 
 def gap(stored: float, ball: arb) -> float:
