@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from flint import acb, arb, fmpq
+from flint import acb, arb, ctx, fmpq
 
 from planar_pushing.certified import ring as friction
 
@@ -66,8 +66,14 @@ def _series(a: fmpq, b: fmpq, c: int, z: arb) -> arb:
 def _at_rim(c: arb) -> tuple[arb, arb, arb]:
     """D, |G| and the mean of 1 / rho, by elliptic integrals.
 
-    On the rim K is infinite, but its factors vanish: the limits are exact.
+    On the rim K is infinite, but its factors vanish: the limits are exact. D and |G| increase with the
+    distance and the mean of 1 / rho falls, so that the ends of a ball across the rim enclose them.
     """
+    if c.contains(1) and not c.is_exact():
+        with ctx.workprec(3 * ctx.prec):  # that the ends are told from the rim
+            ends = list(zip(_at_rim(c.lower()), _at_rim(c.upper()), strict=True))
+        whole, slope, inverse = (low.union(high) for low, high in ends)
+        return whole, slope, inverse
     if c == 1:
         return 32 / (9 * arb.pi()), 8 / (3 * arb.pi()), 4 / arb.pi()
     m = c * c if c < 1 else 1 / (c * c)
