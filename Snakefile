@@ -1,7 +1,7 @@
 # Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
-# Surfaces. `snakemake` builds everything; `snakemake data`, `figures` and `golden` build parts,
+# Surfaces. `snakemake` builds everything; `snakemake data`, `figures`, `golden` and `sliders` build parts,
 # `snakemake accuracy` measures what accuracy costs.
-# Another study: snakemake --config study=workflow/config/smoke.yaml
+# Another study, alone: snakemake --config study=workflow/config/smoke.yaml
 
 
 report: "workflow/report/workflow.rst"
@@ -12,39 +12,59 @@ include: "workflow/rules/common.smk"
 
 pathvars:
     results=RESULTS,
+    sliders=folder_of(GALLERY_FILE),
 
 
-include: "workflow/rules/data.smk"
-include: "workflow/rules/simulations.smk"
-include: "workflow/rules/figures.smk"
-include: "workflow/rules/golden.smk"
-include: "workflow/rules/claims.smk"
-include: "workflow/rules/paper.smk"
-include: "workflow/rules/hard_cases.smk"
-include: "workflow/rules/accuracy.smk"
+if STUDY:
+
+    include: "workflow/rules/data.smk"
+    include: "workflow/rules/simulations.smk"
+    include: "workflow/rules/figures.smk"
+    include: "workflow/rules/golden.smk"
+    include: "workflow/rules/claims.smk"
+    include: "workflow/rules/paper.smk"
+    include: "workflow/rules/hard_cases.smk"
+    include: "workflow/rules/accuracy.smk"
+
+    localrules:
+        accuracy,
+        data,
+        figures,
+        simulations,
+        golden,
+        claims,
+        paper,
+        hard_cases,
+        counts,
+
+
+if GALLERY:
+
+    include: "workflow/rules/sliders.smk"
+
+    localrules:
+        sliders,
 
 
 localrules:
-    accuracy,
     all,
-    data,
-    figures,
-    simulations,
-    golden,
-    claims,
-    paper,
-    hard_cases,
-    counts,
 
 
 rule all:
     default_target: True
     input:
-        rules.data.input,
-        rules.simulations.input,
-        rules.figures.input,
-        rules.golden.input,
-        rules.claims.input,
-        rules.paper.input,
-        rules.hard_cases.input,
-        rules.counts.input,
+        (
+            [
+                rules.data.input,
+                rules.simulations.input,
+                rules.figures.input,
+                rules.golden.input,
+                rules.claims.input,
+                rules.paper.input,
+                rules.hard_cases.input,
+                rules.counts.input,
+            ]
+            if STUDY
+            else []
+        ),
+        rules.sliders.input if GALLERY else [],

@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.study.catalog import DIMS
+from planar_pushing.study.catalog import AXES, SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.store import group_names, read_attributes
 from planar_pushing.study.studies import provenance

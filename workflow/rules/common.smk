@@ -1,17 +1,25 @@
-# The study, validated before any job starts, and what the rules look up in it.
+# The studies, validated before any job starts, and what the rules look up in them.
 import sys
 
 from snakemake.exceptions import WorkflowError
 
 from planar_pushing.terms.errors import PlanarPushingError
-from planar_pushing.study.catalog import DATASETS, dataset_file
+from planar_pushing.study.catalog import DATASETS, SLIDERS, dataset_file
 from planar_pushing.study.dependencies import code_of
-from planar_pushing.study.figures import FIGURES, OURS, SUPPLEMENT, computes
-from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.study.figures import (
+    FIGURES,
+    GALLERY as GALLERY_FIGURES,
+    OURS,
+    SUPPLEMENT,
+    computes,
+    shows,
+)
+from planar_pushing.study.files.models import FigureEntry, StudyFile
 from planar_pushing.study.locks import own_the_folder
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.studies import chosen_study, provenance, study_folder
-from planar_pushing.study.study_file import load_study
+from planar_pushing.study.files.sliders_model import SlidersFile
+from planar_pushing.study.sliders_file import load_any
+from planar_pushing.study.studies import chosen_studies, provenance, study_folder
 
 if any(" " in path for path in (sys.executable, workflow.basedir)):
     raise WorkflowError(
@@ -19,15 +27,26 @@ if any(" " in path for path in (sys.executable, workflow.basedir)):
     )
 
 try:
-    STUDY_FILE = chosen_study(config)
-    STUDY = load_study(STUDY_FILE)
-    #: Name of the study and digest of its file, which every dataset holds.
-    PROVENANCE = provenance(STUDY_FILE)
+    LOADED = {file: load_any(file) for file in chosen_studies(config)}
+    #: Name of each study and digest of its file, which every dataset holds.
+    MARKS = {file: provenance(file) for file in LOADED}
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
 
-#: The folder that this study fills, and no other.
-RESULTS = str(study_folder(PROVENANCE["study"]))
+
+def file_of(kind):
+    """File of the study of a kind, None where none is built."""
+    return next((file for file, each in LOADED.items() if isinstance(each, kind)), None)
+
+
+def folder_of(file):
+    """The folder that a study fills, and no other."""
+    return str(study_folder(MARKS[file]["study"])) if file else "results"
+
+
+STUDY_FILE, GALLERY_FILE = file_of(StudyFile), file_of(SlidersFile)
+STUDY, GALLERY = LOADED.get(STUDY_FILE), LOADED.get(GALLERY_FILE)
+PROVENANCE, RESULTS = MARKS.get(STUDY_FILE), folder_of(STUDY_FILE)
 
 own_the_folder(".snakemake")
 
@@ -35,8 +54,8 @@ own_the_folder(".snakemake")
 FIRST, LAST = 1, -1
 
 #: What the study's effects allow: nothing else has a job.
-COMPUTED = [name for name in DATASETS if computes(STUDY, name)]
-DRAWN = [name for name in FIGURES if computes(STUDY, name)]
+COMPUTED = [name for name in DATASETS if STUDY and computes(STUDY, name)]
+DRAWN = [name for name in FIGURES if STUDY and computes(STUDY, name)]
 
 
 def scene_files(wildcards):

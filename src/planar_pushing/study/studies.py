@@ -13,8 +13,19 @@ from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
 #: The study of the paper: its file, and its name, whose results are not in a folder of their own.
 PAPER_FILE, PAPER = "workflow/config/paper.yaml", "paper"
+#: The study of sliders that is built beside it.
+SLIDERS_FILE = "workflow/config/sliders.yaml"
 #: The one key of the workflow's configuration.
 KEY = "study"
+
+
+def chosen_studies(config: Mapping[str, object]) -> tuple[str, ...]:
+    """Files of the studies that the workflow builds: the one that its configuration chooses, or ours.
+
+    Errors as in `chosen_study`.
+    """
+    chosen = chosen_study(config)
+    return (chosen,) if KEY in config else (PAPER_FILE, SLIDERS_FILE)
 
 
 def chosen_study(config: Mapping[str, object]) -> str:

@@ -10,16 +10,18 @@ from typing import TYPE_CHECKING
 
 from planar_pushing.study.figures.ours import OURS, SUBJECTS, SUPPLEMENT
 from planar_pushing.study.figures.paper import BOTH, PAPER
+from planar_pushing.study.figures.sliders import GALLERY
 
 if TYPE_CHECKING:  # a job that draws a figure validates no file
     from planar_pushing.study.files.models import StudyFile
+    from planar_pushing.study.files.sliders_model import SlidersFile
 
-__all__ = ["ALL", "FIGURES", "OURS", "SCENES", "SUPPLEMENT", "computes"]
+__all__ = ["ALL", "FIGURES", "GALLERY", "OURS", "SCENES", "SUPPLEMENT", "computes", "shows"]
 
 #: Figures 1 to 15, in the order of the report.
 FIGURES = PAPER | SUBJECTS
 #: Every figure that is registered.
-ALL = FIGURES | OURS | SUPPLEMENT
+ALL = FIGURES | GALLERY | OURS | SUPPLEMENT
 
 #: Figures by the scenes that they show.
 SCENES = {scene: figure for figure in FIGURES.values() for scene in figure.groups("scenes")}
@@ -34,3 +36,8 @@ def computes(study: StudyFile, name: str) -> bool:
         return True
     simulated = set(figure.groups("simulations")) <= set(study.simulations)
     return simulated and (figure.needs is None or figure.needs in study.grid.effects)
+
+
+def shows(study: SlidersFile, name: str) -> bool:
+    """Whether a study of sliders has the simulations that a figure of its gallery needs."""
+    return set(GALLERY[name].groups("simulations")) <= set(study.simulations)

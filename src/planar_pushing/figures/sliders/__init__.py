@@ -1,0 +1,1 @@
+"""Figures 16 to 20: any slider."""

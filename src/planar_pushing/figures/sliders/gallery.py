@@ -1,0 +1,121 @@
+"""What the figures of sliders share: the supports of a dataset, their names and styles, and scenes."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from pydantic import TypeAdapter
+
+from planar_pushing.figures.parts.curves import named
+from planar_pushing.figures.style import BLUE, CENTER, DARK, GREEN, SLIP, VERMILION
+from planar_pushing.mechanics.contact import ContactLaw, ContactMode, PerfectlyRough
+from planar_pushing.mechanics.effects import SupportFriction
+from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.mechanics.supports import Composite, Points, Ring, Segment
+from planar_pushing.study.datasets.gallery import support_axis
+from planar_pushing.study.files.sliders_model import RodEntry
+from planar_pushing.study.files.support_model import SupportEntry
+
+#: The paper's support, to which the others are compared.
+RING = Ring(1.0)
+#: Colours and dashes of the supports of a panel, in their order.
+STYLES = (
+    (BLUE, "-"),
+    (VERMILION, "-"),
+    (GREEN, "-"),
+    (CENTER, (0, (5, 1.5))),
+    (SLIP, (0, (5, 1.5))),
+    (DARK, "-"),
+)
+
+
+def supports(dataset: xr.Dataset) -> dict[str, Any]:
+    """The supports that a dataset describes, by name."""
+    entry: TypeAdapter[Any] = TypeAdapter(SupportEntry)
+    texts = dict(zip(dataset.support.values, dataset.description.values, strict=True))
+    return {
+        str(name): entry.validate_python(json.loads(str(text))).build()
+        for name, text in texts.items()
+    }
+
+
+def words(name: str) -> str:
+    """Name of a support in a picture: rectangle_2_1 is "rectangle 2:1", l_shape "L shape"."""
+    parts = re.sub(r"(\d)_(?=\d)", r"\1:", name).split("_")
+    return " ".join(part.upper() if len(part) == 1 else part for part in parts)
+
+
+def is_area(support: Any) -> bool:
+    """Whether a support presses on an area, not on points and lines alone."""
+    if isinstance(support, Composite):
+        return any(is_area(member) for _, member in support.members)
+    return not isinstance(support, (Ring, Points, Segment))
+
+
+def families(found: dict[str, Any]) -> tuple[list[str], list[str]]:
+    """Names of the supports on areas, and of those on points and lines; the paper's ring apart."""
+    others = [name for name, support in found.items() if support != RING]
+    areas = [name for name in others if is_area(found[name])]
+    return areas, [name for name in others if name not in areas]
+
+
+def styled(names: Iterable[str]) -> list[tuple[str, Any, Any]]:
+    """Names with a colour and a dash for each."""
+    listed = list(names)
+    return [(name, *STYLES[i % len(STYLES)]) for i, name in enumerate(listed)]
+
+
+def scene(found: dict[str, Any], length: Any, angle: Any, contact: ContactLaw) -> Scene:
+    """Supports on rods of these lengths and angles in degrees."""
+    return Scene(
+        slider=Slider(rod_length=length, rod_angle=np.deg2rad(angle)),
+        contact=contact,
+        effects=(SupportFriction(support=support_axis(found)),),
+    )
+
+
+def limit_forces(scenes: Scene, angles: Array) -> tuple[Array, Array]:
+    """Limit curves at force angles in degrees: forces, shape (support, angle, xy), and their pivots."""
+    phi = xr.DataArray(np.deg2rad(angles), dims="force_angle")
+    curve = limit_curve(scenes, phi).transpose("support", "force_angle")
+    pivot = sustaining(scenes, curve.motion_angle)[2].transpose("support", "force_angle")
+    return curve.force_size.values[..., None] * direction(phi.values), pivot.values.astype(np.int16)
+
+
+def sustaining(scenes: Scene, motion: Any) -> tuple[xr.DataArray, xr.DataArray, xr.DataArray]:
+    """Least and greatest angle, from the motion's, of the forces that sustain a motion; and its pivot.
+
+    The two angles differ where the slider pivots. A perfectly rough contact sticks in every motion.
+    """
+    angle = xr.DataArray(motion)
+    heading = xr.DataArray(direction(angle.values), dims=(*angle.dims, "xy"))
+    found = solve(replace(scenes, contact=PerfectlyRough()), angle)
+    sticks = found["mode"] == int(ContactMode.STICK)
+    ends = [_between(heading, found[name]).where(sticks) for name in ("force", "force_end")]
+    both, every = xr.concat(ends, "end"), ("end", "solution")
+    return both.min(every), both.max(every), found.pivot.max("solution")
+
+
+def _between(heading: xr.DataArray, force: xr.DataArray) -> xr.DataArray:
+    """Angle from a heading to a force, radians in (-pi, pi]."""
+    (c, s), (x, y) = ([each.isel(xy=i, drop=True) for i in (0, 1)] for each in (heading, force))
+    angle: xr.DataArray = np.arctan2(c * y - s * x, c * x + s * y)
+    return angle
+
+
+def described_supports(grid: xr.Dataset, rod: RodEntry) -> xr.Dataset:
+    """What a figure's numbers say of the supports, and of the rod where it is no axis."""
+    data = grid[["extent"]]
+    text = "rod length, from the contact to the slider's centre"
+    data["rod_length"] = named((), rod.rod_length, "length", text)
+    data["rod_angle"] = named((), rod.rod_angle, "degree", "rod angle")
+    return data
