@@ -40,6 +40,8 @@ def printed(support: Pieces, c: Vector) -> Means:
 def _parts(support: Pieces, c: Vector) -> Iterable[Means]:
     for point in support.points:
         x, y = point.place[0] - c[0], point.place[1] - c[1]
+        if x.is_zero() and y.is_zero():
+            continue  # it has no direction
         rho = (x * x + y * y).sqrt()
         yield point.share * rho, point.share * x / rho, point.share * y / rho
     yield from (_along_line(each, c) for each in support.segments)

@@ -67,6 +67,8 @@ def _log(length: arb, s: Vector, rho: Vector, h: arb) -> arb:
     parts = 1 / (rho[0] + abs(s[0])) + 1 / (rho[1] + abs(s[1]))
     if h.contains(0):
         return _next_to_line(abs(h).upper(), (sigma + length) / parts)
+    if 2 * length < sigma:  # far away, where the logarithm is that of nearly one
+        return 2 * h * (length / sigma).atanh()
     rest = h * h * parts if between else sigma - length
     return h * ((sigma + length) / rest).log()
 

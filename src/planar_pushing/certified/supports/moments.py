@@ -6,7 +6,7 @@ the second derivatives of D by c those of ``(1 - r' r'^T / rho^2) / rho``.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from flint import arb, fmpq
@@ -19,6 +19,9 @@ from planar_pushing.certified.supports.pieces import Circle, Pieces, Point
 Vector = tuple[arb, arb]
 #: D, G_x, G_y, and the second derivatives xx, xy, yy of one piece.
 Part = tuple[arb, arb, arb, arb, arb, arb]
+#: Evaluates D and G at an exact centre of rotation; a process has the closed forms until `use`.
+Route = Callable[[Pieces, Vector], tuple[arb, arb, arb]]
+_route: Route | None = None
 
 
 class Moments(NamedTuple):
@@ -58,9 +61,18 @@ def moments(support: Pieces, c: Vector) -> Moments:
     for part in _parts(support, c):
         total = [whole + each for whole, each in zip(total, part, strict=True)]
     found = Moments(*total)
+    if _route is not None and c[0].is_exact() and c[1].is_exact():
+        distance, x, y = _route(support, c)
+        found = found._replace(distance=distance, x=x, y=y)
     if not all(each.is_finite() for each in found[:3]):
         raise Undecided(f"no moments at {c}")
     return found
+
+
+def use(route: Route) -> None:
+    """Evaluate D and G at exact centres by this route from now on: call it before anything else."""
+    global _route
+    _route = route
 
 
 def _parts(support: Pieces, c: Vector) -> Iterable[Part]:

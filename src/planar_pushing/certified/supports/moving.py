@@ -16,15 +16,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 
 from planar_pushing.certified.balls import Undecided, in_degrees, sign
 from planar_pushing.certified.supports import collinear
 from planar_pushing.certified.supports.moments import Vector, moments
 from planar_pushing.certified.supports.newton import enclosed
-from planar_pushing.certified.supports.pieces import is_mirrored
 from planar_pushing.certified.supports.pivots import pivot
-from planar_pushing.certified.supports.push import PRECISIONS, Push, ball
+from planar_pushing.certified.supports.push import PRECISIONS, Push, ball, is_even
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,16 +110,8 @@ def _turn(push: Push, c: Vector) -> arb:
 def _about(push: Push, c: Vector) -> Moved:
     now = moments(push.support, c)
     size = (now.x * now.x + now.y * now.y).sqrt()
-    turn = arb(0) if _is_even(push) else _turn(push, c)
+    turn = arb(0) if is_even(push) else _turn(push, c)
     return Moved((turn, turn), size, c, sign(push.arm(c)))
-
-
-def _is_even(push: Push) -> bool:
-    """Whether the contact moves along the force by symmetry.
-
-    Mirrored in the rod, a force across it and all motions change their signs.
-    """
-    return push.along((fmpq(1), fmpq(0))) == 0 and is_mirrored(push.support)
 
 
 def _center(push: Push) -> Vector:

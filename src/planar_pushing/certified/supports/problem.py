@@ -1,7 +1,7 @@
 """What Newton's method solves: the motion of least potential under a line of force.
 
-The contact moves by ``u = t + a n``, n to the left of the force's direction t, and the slider turns by omega
-about ``c = P + J u / omega``; its potential is ``|omega| D(c)``.
+The contact moves by ``u = t + a n``, n to the left of the force's direction t, and the slider turns by
+omega about ``c = P + J u / omega``; its potential is ``|omega| D(c)``.
 """
 
 from __future__ import annotations
@@ -58,4 +58,5 @@ class Problem(NamedTuple):
 
 
 def product(now: Moments, v: Vector) -> Vector:
+    """Second derivatives times a vector."""
     return now.xx * v[0] + now.xy * v[1], now.xy * v[0] + now.yy * v[1]

@@ -17,7 +17,7 @@ from planar_pushing.certified.balls import (
     sign,
 )
 from planar_pushing.certified.supports.moments import Vector
-from planar_pushing.certified.supports.pieces import Pieces, Place
+from planar_pushing.certified.supports.pieces import Pieces, Place, is_mirrored
 
 #: Precisions in bits that are tried in turn.
 PRECISIONS = (320, 640, 1280)
@@ -85,6 +85,14 @@ class Push:
 def ball(place: Place) -> Vector:
     """An exact place as balls."""
     return arb(place[0]), arb(place[1])
+
+
+def is_even(push: Push) -> bool:
+    """Whether force and motion of the contact are parallel by symmetry.
+
+    Mirrored in the rod, a force or a motion across it and all that follows change their signs.
+    """
+    return push.along((fmpq(1), fmpq(0))) == 0 and is_mirrored(push.support)
 
 
 def at_angle(support: Pieces, length: fmpq, rod_angle: fmpq, force_angle: fmpq) -> Push:

@@ -16,7 +16,7 @@ from planar_pushing.certified.balls import Undecided, sign
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.supports import collinear
 from planar_pushing.certified.supports.moments import Vector, moments
-from planar_pushing.certified.supports.push import PRECISIONS, Push, ball
+from planar_pushing.certified.supports.push import PRECISIONS, Push, ball, is_even
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +42,8 @@ class Stuck:
 
 
 NOTHING = arb(0), arb(0)
+#: Relative width of a rotation's enclosure.
+WIDTH = arb(2) ** -200
 
 
 def stuck(push: Callable[[], Push]) -> Stuck:
@@ -73,9 +75,13 @@ def _stuck(push: Push) -> Stuck:
     beyond = collinear.center_beyond(push)
     if beyond is not None:
         return _on_line(push, beyond)
-    spin = side * increasing_root(lambda s: torque(push, side * s)[0] * side, *_range(push))
-    _, force = torque(push, spin)
-    return Stuck(spin, force, NOTHING)
+    low, high = _range(push)
+    spin = side * increasing_root(lambda s: torque(push, side * s)[0] * side, low, high, WIDTH)
+    _, (x, y) = torque(push, spin)
+    if is_even(push):
+        size = (x * x + y * y).sqrt()
+        x, y = size * push.x, size * push.y
+    return Stuck(spin, (x, y), NOTHING)
 
 
 def _on_line(push: Push, c: Vector) -> Stuck:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
-from functools import lru_cache
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -12,8 +10,8 @@ import numpy as np
 import xarray as xr
 from flint import arb, fmpq
 
-from planar_pushing.certified.balls import in_degrees, rational
-from planar_pushing.certified.supports.moving import Moved, moved
+from planar_pushing.certified.balls import rational
+from planar_pushing.certified.supports.cone_edges import Edge, edge
 from planar_pushing.certified.supports.pieces import Pieces, pieces
 from planar_pushing.certified.supports.pivots import about
 from planar_pushing.certified.supports.push import on_edge
@@ -29,7 +27,7 @@ OPEN = 2e-12
 class Rod(NamedTuple):
     """A support on a rod, and its place in the grid."""
 
-    place: tuple[int, int, int]
+    place: tuple[int, ...]
     support: Pieces
     length: fmpq
     angle: fmpq
@@ -47,38 +45,6 @@ def rods(dataset: xr.Dataset, study: Any) -> Iterator[Rod]:
     for place in product(*(range(len(axis)) for axis in axes)):
         name, length, angle = (axis[i] for axis, i in zip(axes, place, strict=True))
         yield Rod(place, supports[str(name)], rational(length), rational(angle))
-
-
-class Edge(NamedTuple):
-    """The motion at an edge of a friction cone; angles in degrees.
-
-    Attributes
-    ----------
-    force_angle : arb
-    low, high : arb
-        Ends of the angles of the contact's motion, the same but at a corner.
-    moved : Moved
-    """
-
-    force_angle: arb
-    low: arb
-    high: arb
-    moved: Moved
-
-    @property
-    def angle(self) -> arb:
-        """Angle of the contact's motion."""
-        return (self.low + self.high) / 2
-
-
-@lru_cache(maxsize=1 << 15)
-def edge(support: Pieces, length: fmpq, angle: fmpq, friction: float, side: int) -> Edge:
-    """The motion at an edge; both datasets that need it share it."""
-    found = moved(lambda: on_edge(support, length, angle, friction, side))
-    # Of infinite friction exactly along the fence.
-    half = arb(90) if math.isinf(friction) else in_degrees(arb(rational(friction)).atan())
-    force = 90 - side * half
-    return Edge(force, force + found.turns[0], force + found.turns[1], found)
 
 
 def edges(rod: Rod, friction: float) -> dict[int, Edge]:

@@ -52,11 +52,11 @@ def _one_cone(
     right, left = (np.deg2rad(float(found[side].angle)) for side in (1, -1))
     tables.decide(at, "STICK", _sticks(pushers, right, left, near))
     here = tables.counts[at][:, MODES.index("STICK")]
-    for j in np.flatnonzero(here):
+    for j in np.flatnonzero(here).tolist():
         sticks.check(tables, at, j, friction)
     for mode, side in SLIPS.items():
         tables.decide(at, mode, slips(pushers, found[side], side, near))
-        for j in np.flatnonzero(tables.counts[at][:, MODES.index(mode)]):
+        for j in np.flatnonzero(tables.counts[at][:, MODES.index(mode)]).tolist():
             slip_values(tables, rod, (*at, j), mode, friction, pushers[j])
 
 

@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.certified.supports.cone_edges import Edge
 from planar_pushing.evidence.golden.residual.contact_modes.push import MODES, SLIPS, Decision
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON
-from planar_pushing.evidence.golden.residual.sliders.gallery import Edge, Rod, edges, expected_pivot
+from planar_pushing.evidence.golden.residual.sliders.gallery import Rod, edges, expected_pivot
 from planar_pushing.evidence.golden.residual.sliders.table import Tables, turned
 
 #: Roundings of an angle and of a rotation.
@@ -41,15 +42,7 @@ def slip_values(
     pivots = expected_pivot(rod, friction, SLIPS[mode], stored)
     tables.put("pivot", place, 0.0 if stored == pivots else np.inf, 0.0)
     normal = abs(np.sin(np.deg2rad(angle)))
-    spin = _rotation(rod, edge) * abs(np.sin(np.deg2rad(pusher))) / normal
+    turn = float(edge.rotation(rod.length) * rod.support.extent)
+    spin = turn * abs(np.sin(np.deg2rad(pusher))) / normal
     error = abs(tables.values["spin"][place] - spin)
     tables.put("spin", place, error, SPIN * rounding / ANGLE * (1 + abs(spin)) / min(normal, 1.0))
-
-
-def _rotation(rod: Rod, edge: Edge) -> float:
-    """Rotation times the extent while the contact moves by one unit."""
-    if edge.moved.center is None:
-        return 0.0
-    x, y = edge.moved.center
-    reach = ((x + rod.length) ** 2 + y * y).sqrt()
-    return float(edge.moved.sense * rod.support.extent / reach)

@@ -16,7 +16,7 @@ from planar_pushing.certified.supports.moments import Moments, Vector, moments
 from planar_pushing.evidence.golden.residual.contact_modes.push import MODES
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON
 from planar_pushing.evidence.golden.residual.sliders.gallery import Rod
-from planar_pushing.evidence.golden.residual.sliders.pivoting import Pivot, pivot
+from planar_pushing.evidence.golden.residual.sliders.pivoting import pivot
 from planar_pushing.evidence.golden.residual.sliders.table import Tables, turned
 
 #: Roundings of a balance of torques, and of an angle in radians.
@@ -122,4 +122,3 @@ def _slopes(now: Moments, r: Vector) -> tuple[float, float]:
 
 def _degrees(turn: arb) -> float:
     return float(turn * 180 / arb.pi())
-
