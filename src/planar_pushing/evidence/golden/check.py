@@ -14,13 +14,14 @@ from planar_pushing.evidence.golden.by_rule import check_dataset
 from planar_pushing.evidence.golden.compare import Check, compare
 from planar_pushing.evidence.golden.expected import Expectation, Groups
 from planar_pushing.evidence.golden.rules import Rule
-from planar_pushing.study.catalog import AXES, SIMULATIONS
-from planar_pushing.study.figures import FIGURES, computes
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.catalog import AXES, SIMULATIONS, SLIDERS
+from planar_pushing.study.figures import ALL, FIGURES, GALLERY, computes, shows
+from planar_pushing.study.files.models import FigureEntry, StudyFile
 from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.files.sliders_model import SlidersFile, Study
+from planar_pushing.study.sliders_file import load_any
 from planar_pushing.study.store import group_names, read_dataset
 from planar_pushing.study.studies import provenance
-from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
 #: Name of a file, and what gives the expectations of its groups.
@@ -59,7 +60,7 @@ class Results:
 
     def path(self, name: str) -> Path:
         """File of a figure, a simulation or a dataset."""
-        if name in FIGURES:
+        if name in ALL:
             return self.folder / "figures" / "data" / f"{name}.nc"
         return self.folder / "data" / f"{name}.nc"
 
@@ -115,19 +116,20 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
     """
     if not any(folder.glob("data/*.nc")):
         raise InvalidFile(f"{folder}: holds no datasets; build them with make or snakemake")
-    study, results = load_study(file), Results(folder)
+    study, results = load_any(file), Results(folder)
     checks = []
     for name, groups in expectations(study, provenance(file), results):
         checks += check_file(name, groups, results)
     return checks + (check_enclosures(results, study) if study.golden else [])
 
 
-def expectations(study: StudyFile, marks: Mapping[str, str], results: Results) -> Iterator[Named]:
+def expectations(study: Study, marks: Mapping[str, str], results: Results) -> Iterator[Named]:
     """Name of every file of a study, and what gives the expectations of its groups.
 
     `marks` are the name of the study and the digest of its file, as `provenance` gives them.
     """
-    for name, groups in _computed(study, results):
+    every = _of_sliders if isinstance(study, SlidersFile) else _of_paper
+    for name, groups in every(study, results):
         yield name, partial(_in_study, name, groups, marks)
 
 
@@ -135,28 +137,41 @@ def _in_study(name: str, groups: Callable[[], Groups], marks: Mapping[str, str])
     return expected.in_study(groups(), name.rpartition("/")[2], marks)
 
 
-def _computed(study: StudyFile, results: Results) -> Iterator[Named]:
+def _of_paper(study: Any, results: Results) -> Iterator[Named]:
+    """Files of the paper's study and of those like it."""
     yield "scenes", partial(expected.scene_expectations, study)
     for name in (name for name in AXES if computes(study, name)):
         yield name, partial(_single, expected.grid_expectation, name, study)
-    for name in study.simulations:
-        single = partial(_single, expected.simulation_expectation, name, study)
-        yield f"{SIMULATIONS}/{name}", single
+    yield from _simulations(study)
     for name in (name for name in FIGURES if computes(study, name)):
-        yield name, partial(_figure, name, study, results)
+        settings = study.figures.get(name, FigureEntry())
+        yield name, partial(_figure, name, settings, results)
     if study.golden:
         yield from _costs(study)
 
 
-def _single(
-    expectation: Callable[[str, StudyFile], Expectation], name: str, study: StudyFile
-) -> Groups:
+def _of_sliders(study: Any, results: Results) -> Iterator[Named]:
+    """Files of a study of sliders."""
+    for name in SLIDERS:
+        yield name, partial(_single, expected.grid_expectation, name, study)
+    yield from _simulations(study)
+    for name in (name for name in GALLERY if shows(study, name)):
+        yield name, partial(_figure, name, study.slider, results)
+
+
+def _simulations(study: Study) -> Iterator[Named]:
+    for name in study.simulations:
+        single = partial(_single, expected.simulation_expectation, name, study)
+        yield f"{SIMULATIONS}/{name}", single
+
+
+def _single(expectation: Callable[[str, Any], Expectation], name: str, study: Study) -> Groups:
     return {"": expectation(name, study)}
 
 
-def _figure(name: str, study: StudyFile, results: Results) -> Groups:
-    sources = {source: results.dataset(*_place(source)) for source in FIGURES[name].datasets}
-    return _groups(derived.figure(name, study, sources))
+def _figure(name: str, settings: Any, results: Results) -> Groups:
+    sources = {source: results.dataset(*_place(source)) for source in ALL[name].datasets}
+    return _groups(derived.figure(name, settings, sources))
 
 
 def _place(source: str) -> tuple[str, str]:
@@ -198,7 +213,7 @@ def check_file(name: str, groups: Callable[[], Groups], results: Results) -> lis
     return checks
 
 
-def check_enclosures(results: Results, study: StudyFile) -> list[Check]:
+def check_enclosures(results: Results, study: Study) -> list[Check]:
     """Compare every golden file with what it certifies."""
     golden, checks = Path(study.golden or ""), []
     for name in golden_names(golden):

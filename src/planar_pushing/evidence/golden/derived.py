@@ -13,14 +13,14 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.study.figures import ALL
-from planar_pushing.study.files.models import FigureEntry, StudyFile
+from planar_pushing.study.files.models import StudyFile
 
 
-def figure(name: str, study: StudyFile, sources: Mapping[str, xr.Dataset]) -> xr.Dataset:
+def figure(name: str, settings: Any, sources: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """What a figure plots, from datasets that are verified themselves."""
     # By its name: only a process that draws imports what draws.
     drawing: Any = pkgutil.resolve_name(f"planar_pushing.{ALL[name].drawing}")
-    found: xr.Dataset = drawing.select(sources, study.figures.get(name, FigureEntry()))
+    found: xr.Dataset = drawing.select(sources, settings)
     return found
 
 

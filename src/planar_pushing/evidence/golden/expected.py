@@ -10,10 +10,11 @@ import xarray as xr
 
 from planar_pushing.evidence.golden.rules import RESIDUALS, RULES, Rule
 from planar_pushing.study.builders import build_dataset
-from planar_pushing.study.catalog import AXES
+from planar_pushing.study.catalog import AXES, SLIDERS_AXES
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.sliders_model import Study
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.terms.options import Method
@@ -58,18 +59,18 @@ class Expectation:
 Groups = dict[str, Expectation]
 
 
-def _expectation(family: str, study: StudyFile, **parts: Any) -> Expectation:
+def _expectation(family: str, study: Study, **parts: Any) -> Expectation:
     def residuals(dataset: xr.Dataset) -> Any:
         return RESIDUALS[family](dataset, study)
 
     return Expectation(rules=RULES[family], residuals=residuals, **parts)
 
 
-def grid_expectation(name: str, study: StudyFile) -> Expectation:
+def grid_expectation(name: str, study: Study) -> Expectation:
     """Expectation of a dataset over a grid, built axis by axis with one value of all others."""
     values = study_slice(study, name)
     axes: dict[str, xr.DataArray] = {}
-    for axis in AXES[name]:
+    for axis in (AXES | SLIDERS_AXES)[name]:
         built: Any = build_dataset(name, values | {"grid": _narrowed(values["grid"], axis)})
         for key, each in built.coords.items():
             axes[str(key)] = max(axes.get(str(key), each), each, key=lambda coord: coord.size)
@@ -87,7 +88,7 @@ def scene_expectations(study: StudyFile) -> dict[str, Expectation]:
     return {name: _expectation("scenes", study, structure=each) for name, each in built.items()}
 
 
-def simulation_expectation(name: str, study: StudyFile) -> Expectation:
+def simulation_expectation(name: str, study: Study) -> Expectation:
     """Expectation of a simulation, from a run of its scene.
 
     Time stepping meets the force law on average over a step alone, and the equations are those of a

@@ -12,6 +12,7 @@ from planar_pushing.evidence.golden.residual import (
     motion_cones,
     scenes,
     simulations,
+    sliders,
 )
 from planar_pushing.evidence.golden.residual.finding import Residuals
 
@@ -21,7 +22,7 @@ class Rule(StrEnum):
 
     #: By an interval that is proved to hold the true value: the golden sample.
     ENCLOSURE = "enclosure"
-    #: By the equation that every value solves, in numbers of 32 digits.
+    #: By the equation that every value solves, in numbers of 32 digits, or in balls.
     RESIDUAL = "residual"
     #: By equality with what the study says: labels, coordinates, parameters, flags, attributes.
     EXACT = "exact"
@@ -38,6 +39,9 @@ RESIDUALS: dict[str, Residuals] = {
     "center_regions": center_regions.residuals,
     "scenes": scenes.residuals,
     "simulations": simulations.residuals,
+    "supports": sliders.supports.residuals,
+    "support_cones": sliders.cones.residuals,
+    "support_modes": sliders.modes.residuals,
 }
 
 
@@ -75,5 +79,15 @@ RULES: dict[str, dict[str, Rule]] = {
         Rule.RESIDUAL,
         "position rod_angle twist fence slip gap force spin_ratio dissipated contact_dissipated work "
         "kinetic_energy",
+    ),
+    "supports": _by(
+        Rule.RESIDUAL,
+        "mean_distance force_x force_y torque center_of_pressure_x center_of_pressure_y extent "
+        "integration_constant ellipsoid worst_force_error mean_force_error worst_motion_error "
+        "mean_motion_error",
+    ),
+    "support_cones": _by(Rule.RESIDUAL, "motion_angle pivot width pulls slips_while_pushing"),
+    "support_modes": _by(
+        Rule.RESIDUAL, "consistent force_angle force_angle_end motion_angle spin pivot outcome"
     ),
 }

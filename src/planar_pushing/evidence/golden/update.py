@@ -16,16 +16,17 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.evidence.golden.build.enclosures import disjoint, golden_variables
-from planar_pushing.evidence.golden.build.jobs import STEP, Study, contacts, golden_jobs
+from planar_pushing.evidence.golden.build.jobs import STEP, contacts, golden_jobs
 from planar_pushing.evidence.golden.build.motions import INSTANTS
 from planar_pushing.evidence.golden.build.scenes import CONE_SAMPLES
 from planar_pushing.evidence.golden.build.second import agreement, second_route
 from planar_pushing.evidence.golden.compare import MARKS
-from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.sliders_model import SlidersFile, Study
 from planar_pushing.study.jobs import run_command
+from planar_pushing.study.sliders_file import load_any
 from planar_pushing.study.store import read_dataset, write_dataset
-from planar_pushing.study.study_file import load_study
+from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from planar_pushing.terms.errors import InvalidResult
 
 PROCESSES = 2
@@ -33,9 +34,11 @@ PROCESSES = 2
 CHECKED = "checked_by_integrals"
 
 
-def plain(study: StudyFile) -> dict[str, Any]:
+def plain(study: Study) -> dict[str, Any]:
     """The study as plain values: the golden data share no code with the mechanics."""
     values: dict[str, Any] = study.model_dump()
+    if isinstance(study, SlidersFile):
+        return values
     samples = {"cone_samples": tuple(range(CONE_SAMPLES))}
     values["scenes"] = {
         name: (load_scene_file(push.file).model_dump(), push.model_dump() | samples)
@@ -50,7 +53,7 @@ def plain(study: StudyFile) -> dict[str, Any]:
     return values
 
 
-def golden_files(values: Study) -> dict[str, xr.Dataset]:
+def golden_files(values: dict[str, Any]) -> dict[str, xr.Dataset]:
     """Content of every golden file of a study, given as plain values; second route included.
 
     Raises
@@ -99,30 +102,39 @@ def differences(name: str, new: xr.Dataset, path: Path) -> list[str]:
 def main(arguments: list[str] | None = None) -> int:
     """Print the differences; store the new data if asked to; 1 where anything differs."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--study", default="workflow/config/paper.yaml")
-    parser.add_argument("--golden", default="tests/golden", type=Path)
+    parser.add_argument("--study", nargs="+", default=[PAPER_FILE, SLIDERS_FILE])
+    parser.add_argument("--golden", type=Path, help="folder in the place of the studies' own")
     parser.add_argument("--write", action="store_true", help="store the new golden data")
     args = parser.parse_args(arguments)
-    start, changed = time.perf_counter(), 0
-    files = golden_files(plain(load_study(args.study)))
+    start = time.perf_counter()
+    studies = [load_any(file) for file in args.study]
+    changed = sum(
+        _update(each, args.golden or Path(each.golden or ""), args.write) for each in studies
+    )
+    print(f"{changed} differences, {time.perf_counter() - start:.0f} s")
+    if changed and args.write:
+        print("stored; look at them, commit them, and run the check")
+    elif changed:
+        print("nothing was stored; --write stores the new golden data")
+    return 1 if changed else 0
+
+
+def _update(study: Study, golden: Path, write: bool) -> int:
+    """Compute the golden data of a study, store them if asked to, and count the differences."""
+    files, changed = golden_files(plain(study)), 0
     for name, new in files.items():
-        path = args.golden / f"{name}.nc"
+        path = golden / f"{name}.nc"
         found = differences(name, new, path)
         changed += len(found)
         print("\n".join(found) if found else f"{name}: unchanged", flush=True)
-        if found and args.write:
+        if found and write:
             write_dataset(new, path)
-    for name in sorted(set(stored_names(args.golden)) - set(files)):
+    for name in sorted(set(stored_names(golden)) - set(files)):
         changed += 1
         print(f"{name}: no longer a part of the study; remove its file")
     checked = sum(each.attrs[CHECKED] for each in files.values())
     print(f"{checked} numbers lie in the enclosures of both routes")
-    print(f"{changed} differences, {time.perf_counter() - start:.0f} s")
-    if changed and args.write:
-        print(f"stored in {args.golden}; look at them, commit them, and run the check")
-    elif changed:
-        print("nothing was stored; --write stores the new golden data")
-    return 1 if changed else 0
+    return changed
 
 
 if __name__ == "__main__":

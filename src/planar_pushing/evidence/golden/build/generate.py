@@ -37,15 +37,15 @@ def coefficient(law: modes.Law) -> float:
 def limit_curves(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
     """Limit curves over effects, rod_length, rod_angle and force_angle (Eqs. 2-7, Sec. 4)."""
     dims = ("effects", "rod_length", "rod_angle", "force_angle")
-    variables = _tabulate(grid, dims, partial(cells.limit_point, parameters), processes)
-    return _dataset(grid, dims, variables, "Limit curves", "Eqs. (2)-(7), Sec. 4")
+    variables = tabulated(grid, dims, partial(cells.limit_point, parameters), processes)
+    return assembled(grid, dims, variables, "Limit curves", "Eqs. (2)-(7), Sec. 4")
 
 
 def motion_cones(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
     """Motion cones over effects, rod_length, rod_angle and friction_coefficient (Secs. 3 and 4)."""
     dims = ("effects", "rod_length", "rod_angle", "friction_coefficient")
-    variables = _tabulate(grid, dims, partial(cells.motion_cone, parameters), processes)
-    return _dataset(grid, dims, variables, "Motion cones", "Secs. 3.1, 3.2 and 4")
+    variables = tabulated(grid, dims, partial(cells.motion_cone, parameters), processes)
+    return assembled(grid, dims, variables, "Motion cones", "Secs. 3.1, 3.2 and 4")
 
 
 def contact_modes(
@@ -63,9 +63,9 @@ def contact_modes(
     dims = ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle")
     laws = {label: law for label, (_, law) in contacts.items()}
     cell = partial(cells.contact_mode, parameters, rod_angle, laws)
-    variables = _tabulate(coords, dims, cell, processes, inner=("mode",))
+    variables = tabulated(coords, dims, cell, processes, inner=("mode",))
     coords["mode"] = [mode.name for mode in modes.Mode]
-    dataset = _dataset(coords, (*dims, "mode"), variables, "Contact modes", "Secs. 2 to 5")
+    dataset = assembled(coords, (*dims, "mode"), variables, "Contact modes", "Secs. 2 to 5")
     return dataset.assign_coords(
         law=("contact", [kind for kind, _ in contacts.values()], marks("law")),
         friction_coefficient=(
@@ -83,9 +83,9 @@ def acceleration_centers(
     dims = ("rod_length", "force_angle", "inertia_share")
     centers = partial(cells.center, parameters, rod_angle)
     bounds = partial(cells.acceleration_cones, parameters, rod_angle)
-    variables = _tabulate(grid, dims, centers, processes)
-    variables |= _tabulate(grid, dims[:1], bounds, processes)
-    return _dataset(grid, dims, variables, "Acceleration centres and cones", "Sec. 4")
+    variables = tabulated(grid, dims, centers, processes)
+    variables |= tabulated(grid, dims[:1], bounds, processes)
+    return assembled(grid, dims, variables, "Acceleration centres and cones", "Sec. 4")
 
 
 def center_regions(grid: Grid, parameters: Parameters = UNIT, processes: int = 1) -> xr.Dataset:
@@ -95,11 +95,11 @@ def center_regions(grid: Grid, parameters: Parameters = UNIT, processes: int = 1
     made = {"bound_end": cells.bound_ends, "exact_end": cells.exact_ends}
     variables: dict[str, Any] = {}
     for end, cell in made.items():
-        variables |= _tabulate(grid, dims, partial(cell, parameters), processes, inner=(end,))
-    return _dataset({**grid, **ends}, (*dims, *ends), variables, "Regions of centres", "Sec. 4")
+        variables |= tabulated(grid, dims, partial(cell, parameters), processes, inner=(end,))
+    return assembled({**grid, **ends}, (*dims, *ends), variables, "Regions of centres", "Sec. 4")
 
 
-def _tabulate(
+def tabulated(
     grid: Grid, dims: tuple[str, ...], cell: Cell, processes: int, inner: tuple[str, ...] = ()
 ) -> dict[str, Any]:
     """Evaluate a cell at every point of the grid; lists in its record run along `inner`."""
@@ -129,9 +129,10 @@ def _packed(cell: Cell, point: tuple[Any, ...]) -> dict[str, Any]:
     return {part: array for name, value in record for part, array in parts(name, value).items()}
 
 
-def _dataset(
+def assembled(
     grid: Grid, dims: tuple[str, ...], variables: dict[str, Any], title: str, source: str
 ) -> xr.Dataset:
+    """Dataset of tabulated variables over axes."""
     coords = {name: (name, list(grid[name]), marks(name)) for name in dims}
     values = {name: (*value, marks(name)) for name, value in variables.items()}
     return xr.Dataset(values, coords, provenance(title) | {"source": source})

@@ -9,7 +9,7 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.certified.contact import modes
-from planar_pushing.evidence.golden.build import generate, pictures, plotted
+from planar_pushing.evidence.golden.build import generate, pictures, plotted, sliders
 
 Study = plotted.Study
 #: Builds a golden file on a number of processes.
@@ -33,7 +33,10 @@ def contacts(coefficients: tuple[float, ...]) -> dict[str, tuple[str, modes.Law]
 
 
 def golden_jobs(study: Study) -> Iterator[tuple[str, Job]]:
-    """Name and job of every golden file of a study, given as plain values."""
+    """Name and job of every golden file of a study of either kind, given as plain values."""
+    if "supports" in study:
+        yield from _slider_jobs(study).items()
+        return
     for name, job in _dataset_jobs(study).items():
         yield name, job
     for name in study["scenes"]:
@@ -44,6 +47,14 @@ def golden_jobs(study: Study) -> Iterator[tuple[str, Job]]:
 
 def _alone(build: Callable[[str, Study], xr.Dataset], name: str, study: Study, _: int) -> Any:
     return build(name, study)
+
+
+def _slider_jobs(study: Study) -> dict[str, Job]:
+    return {
+        "supports": partial(sliders.supports, study),
+        "support_cones": partial(sliders.cones, study),
+        "support_modes": partial(sliders.modes, study),
+    }
 
 
 def _dataset_jobs(study: Study) -> dict[str, Job]:

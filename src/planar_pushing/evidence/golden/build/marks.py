@@ -20,6 +20,7 @@ FLAGS = {
 #: A name that ends in one of these words is an angle, unless a list below has it.
 DEGREES = ("angle", "right", "left", "start", "stop")
 RATIOS = {
+    *("edge", "ellipsoid", "integration_constant", "pivot", "spin", "support", "wrench_component"),
     *(
         "adhesive",
         "bound_end",
@@ -35,6 +36,7 @@ RATIOS = {
     *("path_mode", "path_spin_ratio", "policy"),
 }
 LENGTHS = {
+    *("center_of_pressure_x", "center_of_pressure_y", "extent", "mean_distance"),
     *("center", "center_left", "center_right", "center_x", "center_y", "cone_center"),
     *("bound_x", "bound_y", "exact_x", "exact_y"),
     *("exact_center_x", "exact_center_y", "mapped_rod_length", "radius", "ring_center"),
@@ -44,8 +46,17 @@ FORCES = {
     *("force", "force_x", "force_y", "infinite_rod_x", "infinite_rod_y", "mapped_force_x"),
     *("limit_force_left", "limit_force_right", "mapped_force_y", "parallel_force", "path_force"),
 }
+#: Angles that no word above ends, and composed units.
+COMPOSED = {
+    "force_angle_end": "degree",
+    "support_force": "force/radian",
+    "torque": "force length",
+    "width": "degree",
+}
 #: Units that UDUNITS does not read, and what stands for them.
-SCALED = {"force/radian": "radian-1"} | dict.fromkeys(("length", "force", "motion", "time"), "1")
+SCALED = {"force/radian": "radian-1"} | dict.fromkeys(
+    ("length", "force", "force length", "motion", "time"), "1"
+)
 MOTIONS = {"contact_motion", "pusher_magnitude", "pusher_motion", "slip", "support_motion", "twist"}
 
 
@@ -56,8 +67,8 @@ def unit_of(name: str) -> str:
     for unit, names in (("1", RATIOS), ("length", LENGTHS), ("force", FORCES), ("motion", MOTIONS)):
         if name in names:
             return unit
-    if name == "support_force":
-        return "force/radian"
+    if name in COMPOSED:
+        return COMPOSED[name]
     if name.removesuffix("_fast").rpartition("_")[2] in DEGREES:
         return "degree"
     raise KeyError(name)

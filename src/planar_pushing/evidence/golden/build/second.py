@@ -1,4 +1,6 @@
-"""The second route: a part of the golden data computed from the integrals of Eqs. (2)-(3) as printed.
+"""The second route: a part of the golden data computed from the integrals that define friction.
+
+They are those of Eqs. (2)-(3) as printed for the ring, and of PHYSICS.md, section 7, for other supports.
 
 The part is a thinner study, computed like the whole one in processes of their own, so that no number
 of the first route is at hand. Its enclosures must overlap those of the first.
@@ -15,6 +17,7 @@ import xarray as xr
 
 from planar_pushing.certified import ring
 from planar_pushing.certified.integrals import printed
+from planar_pushing.certified.supports import integrals, moments
 from planar_pushing.evidence.golden.build.enclosures import disjoint, golden_variables
 from planar_pushing.evidence.golden.build.jobs import Study, golden_jobs
 
@@ -37,6 +40,15 @@ CURVE_ANGLES = (45, 60, 90, 135, 180)
 CONE_SAMPLES = (0, 45, 90, 180)
 #: Motion over time starts from numbers of this route; its integrals over the spin ratio are of the first.
 FIRST = (0.0,)
+#: Values kept of a study of sliders: centres off the lines and rims of its supports, and one rod.
+SLIDERS: dict[str, tuple[Any, ...]] = {
+    "center_x": (-1.5, -0.5, 0.5, 1.5),
+    "center_y": (-1.5, -0.5, 0.5, 1.5),
+    "rod_length": (5,),
+    "rod_angle": (45,),
+    "friction_coefficient": (0.25,),
+    "pusher_angle": (-45, 90),
+}
 
 
 class Agreement(NamedTuple):
@@ -51,24 +63,36 @@ class Agreement(NamedTuple):
 
 def thinned(study: Study) -> dict[str, Any]:
     """The part of a study that is computed from the integrals."""
-    grid = {
-        axis: [each for each in values if each in GRID[axis]] if axis in GRID else values
-        for axis, values in study["grid"].items()
-    }
+    if "supports" in study:
+        return {**study, "grid": _thinned(study["grid"], SLIDERS)}
     scenes = {
         name: (file, {**push, "cone_samples": CONE_SAMPLES})
         for name, (file, push) in study["scenes"].items()
     }
     contacts = {label: law for label, law in study["contacts"].items() if label in CONTACTS}
+    grid = _thinned(study["grid"], GRID)
     part = {"grid": grid, "scenes": scenes, "contacts": contacts, "curve_angles": CURVE_ANGLES}
     part["instants"] = FIRST
     return {**study, **part}
 
 
+def _thinned(grid: Any, part: dict[str, tuple[Any, ...]]) -> dict[str, Any]:
+    return {
+        axis: [each for each in values if each in part[axis]] if axis in part else values
+        for axis, values in grid.items()
+    }
+
+
+def use_integrals() -> None:
+    """Evaluate every support by its integrals from now on."""
+    ring.use(printed)
+    moments.use(integrals.printed)
+
+
 def second_route(study: Study, processes: int) -> Iterator[tuple[str, xr.Dataset]]:
     """Golden files of the thinned study, computed from the integrals."""
     names = [name for name, _ in golden_jobs(thinned(study))]
-    with get_context("spawn").Pool(processes, ring.use, (printed,)) as pool:
+    with get_context("spawn").Pool(processes, use_integrals) as pool:
         built = pool.imap(_build, [(study, name) for name in names])
         yield from zip(names, built, strict=True)
 

@@ -1,0 +1,1 @@
+"""Any support pressure in ball arithmetic (PHYSICS.md, section 7)."""

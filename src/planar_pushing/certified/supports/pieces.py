@@ -1,0 +1,244 @@
+"""A support as exact pieces: points, lines, rings, discs, and plates bounded by lines.
+
+The entries are those of a scene file as plain values. Doubles are taken as exact, so that shares, areas
+and the centre of pressure are rational.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from flint import arb, fmpq
+
+from planar_pushing.certified.balls import rational
+
+Entry = Mapping[str, Any]
+Place = tuple[fmpq, fmpq]
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """A point and its share."""
+
+    place: Place
+    share: fmpq
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A directed line with a share: of a segment, or the pressure on its left of an edge of plates."""
+
+    start: Place
+    end: Place
+    share: fmpq
+
+    @property
+    def along(self) -> Place:
+        """From the start to the end."""
+        return self.end[0] - self.start[0], self.end[1] - self.start[1]
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """A ring or a disc with its share, which is negative for the hole of an annulus."""
+
+    center: Place
+    radius: fmpq
+    share: fmpq
+
+
+@dataclass(frozen=True, slots=True)
+class Pieces:
+    """Pieces whose shares add to 1."""
+
+    points: tuple[Point, ...] = ()
+    segments: tuple[Line, ...] = ()
+    rings: tuple[Circle, ...] = ()
+    discs: tuple[Circle, ...] = ()
+    edges: tuple[Line, ...] = ()
+
+    @property
+    def center(self) -> Place:
+        """Centre of pressure."""
+        loads = [(each.share, each.place) for each in self.points]
+        loads += [(each.share, _middle(each)) for each in self.segments]
+        loads += [(each.share, each.center) for each in (*self.rings, *self.discs)]
+        loads += [_wedge(each) for each in self.edges]
+        x, y = (sum((share * place[i] for share, place in loads), fmpq(0)) for i in (0, 1))
+        return x, y
+
+    @property
+    def extent(self) -> arb:
+        """Largest distance from the centre of pressure."""
+        lines = (*self.segments, *self.edges)
+        places = [(each.place, fmpq(0)) for each in self.points]
+        places += [(end, fmpq(0)) for each in lines for end in (each.start, each.end)]
+        places += [(each.center, each.radius) for each in (*self.rings, *self.discs)]
+        found, (x, y) = arb(0), self.center
+        for place, radius in places:
+            square = (place[0] - x) ** 2 + (place[1] - y) ** 2
+            found = arb.max(found, arb(square).sqrt() + radius)
+        return found
+
+
+def is_mirrored(support: Pieces) -> bool:
+    """Whether a support is its own mirror image in the x axis."""
+    return _loads(support) == _loads(support, flip=-1)
+
+
+def _loads(support: Pieces, flip: int = 1) -> dict[tuple[Any, ...], fmpq]:
+    """Shares by the kinds and places of the pieces, with y times `flip`.
+
+    An edge counts in the direction in which it has the pressure on its left: a mirror turns it round.
+    """
+
+    def at(place: Place) -> tuple[str, str]:
+        return str(place[0]), str(flip * place[1])
+
+    found: dict[tuple[Any, ...], fmpq] = {
+        ("point", at(each.place)): each.share for each in support.points
+    }
+    for kind, circles in (("ring", support.rings), ("disc", support.discs)):
+        found |= {(kind, at(each.center), str(each.radius)): each.share for each in circles}
+    for line in support.segments:
+        found["segment", *sorted((at(line.start), at(line.end)))] = line.share
+    for line in support.edges:
+        ends = at(line.start), at(line.end)
+        first, last = sorted(ends)
+        found["edge", first, last] = line.share * (1 if ends == (first, last) else -1) * flip
+    return found
+
+
+def _middle(line: Line) -> Place:
+    return (line.start[0] + line.end[0]) / 2, (line.start[1] + line.end[1]) / 2
+
+
+def _wedge(line: Line) -> tuple[fmpq, Place]:
+    """Load and centre of the triangle from the origin to an edge."""
+    (a, b), (c, d) = line.start, line.end
+    return line.share * (a * d - b * c) / 2, ((a + c) / 3, (b + d) / 3)
+
+
+def pieces(entry: Entry) -> Pieces:
+    """Pieces of a support's entry in a scene file."""
+    return SHAPES[entry["shape"]](entry)
+
+
+def _place(given: Sequence[float]) -> Place:
+    return rational(given[0]), rational(given[1])
+
+
+def _points(entry: Entry) -> Pieces:
+    loads: dict[Place, fmpq] = {}
+    for position, weight in zip(entry["positions"], entry["weights"], strict=True):
+        place = _place(position)
+        loads[place] = loads.get(place, fmpq(0)) + rational(weight)
+    whole = sum(loads.values(), fmpq(0))
+    return Pieces(points=tuple(Point(place, load / whole) for place, load in loads.items()))
+
+
+def _segment(entry: Entry) -> Pieces:
+    return Pieces(segments=(Line(_place(entry["start"]), _place(entry["end"]), fmpq(1)),))
+
+
+def _ring(entry: Entry) -> Pieces:
+    radius = entry.get("radius")
+    return Pieces(rings=(_circle((0, 0), 1 if radius is None else radius),))
+
+
+def _disc(entry: Entry) -> Pieces:
+    return Pieces(discs=(_circle(entry.get("center", (0, 0)), entry["radius"]),))
+
+
+def _circle(center: Sequence[float], radius: float, share: fmpq | None = None) -> Circle:
+    return Circle(_place(center), rational(radius), fmpq(1) if share is None else share)
+
+
+def _annulus(entry: Entry) -> Pieces:
+    squares = [rational(entry[name]) ** 2 for name in ("outer", "inner")]
+    area, center = squares[0] - squares[1], entry.get("center", (0, 0))
+    discs = (
+        _circle(center, entry["outer"], squares[0] / area),
+        _circle(center, entry["inner"], -squares[1] / area),
+    )
+    return Pieces(discs=discs)
+
+
+def _polygon(entry: Entry) -> Pieces:
+    corners = list(map(_place, entry["vertices"]))
+    sides = pairwise([*corners, corners[0]])
+    return Pieces(edges=_even([Line(a, b, fmpq(1)) for a, b in sides]))
+
+
+def _pressure_map(entry: Entry) -> Pieces:
+    x, y = (list(map(rational, entry[name])) for name in "xy")
+    steps: dict[tuple[Place, Place], fmpq] = {}
+    for j, row in enumerate(entry["pressure"]):
+        for i, pressure in enumerate(row):
+            west, east, south, north = x[i], x[i + 1], y[j], y[j + 1]
+            corners = [(west, south), (east, south), (east, north), (west, north), (west, south)]
+            for a, b in pairwise(corners):
+                _step(steps, a, b, rational(pressure))
+    return Pieces(edges=_even([Line(a, b, step) for (a, b), step in steps.items() if step]))
+
+
+def _step(steps: dict[tuple[Place, Place], fmpq], a: Place, b: Place, pressure: fmpq) -> None:
+    """Add the pressure on the left of an edge; that of its other cell counts against it."""
+    ends, sign = ((a, b), 1) if a < b else ((b, a), -1)
+    steps[ends] = steps.get(ends, fmpq(0)) + sign * pressure
+
+
+def _even(edges: Iterable[Line]) -> tuple[Line, ...]:
+    """Edges of plates that together carry 1."""
+    edges = list(edges)
+    load = sum((_wedge(each)[0] for each in edges), fmpq(0))
+    return tuple(Line(each.start, each.end, each.share / load) for each in edges)
+
+
+def _composite(entry: Entry) -> Pieces:
+    shares = [rational(member["share"]) for member in entry["members"]]
+    whole = sum(shares, fmpq(0))
+    found = [pieces(member["support"]) for member in entry["members"]]
+    parts = [_shared(each, share / whole) for each, share in zip(found, shares, strict=True)]
+    return Pieces(
+        points=_merged([point for each in parts for point in each.points]),
+        segments=tuple(line for each in parts for line in each.segments),
+        rings=tuple(ring for each in parts for ring in each.rings),
+        discs=tuple(disc for each in parts for disc in each.discs),
+        edges=tuple(edge for each in parts for edge in each.edges),
+    )
+
+
+def _shared(whole: Pieces, share: fmpq) -> Pieces:
+    """Pieces that together carry a share."""
+    return Pieces(
+        points=tuple(Point(each.place, each.share * share) for each in whole.points),
+        segments=tuple(Line(each.start, each.end, each.share * share) for each in whole.segments),
+        rings=tuple(Circle(each.center, each.radius, each.share * share) for each in whole.rings),
+        discs=tuple(Circle(each.center, each.radius, each.share * share) for each in whole.discs),
+        edges=tuple(Line(each.start, each.end, each.share * share) for each in whole.edges),
+    )
+
+
+def _merged(points: Sequence[Point]) -> tuple[Point, ...]:
+    """Points of which those at one place are one."""
+    loads: dict[Place, fmpq] = {}
+    for each in points:
+        loads[each.place] = loads.get(each.place, fmpq(0)) + each.share
+    return tuple(Point(place, load) for place, load in loads.items())
+
+
+#: What makes the pieces of each shape.
+SHAPES: dict[str, Callable[[Entry], Pieces]] = {
+    "points": _points,
+    "segment": _segment,
+    "ring": _ring,
+    "disc": _disc,
+    "annulus": _annulus,
+    "polygon": _polygon,
+    "pressure_map": _pressure_map,
+    "composite": _composite,
+}
