@@ -76,9 +76,22 @@ def slider(
     color: str = SLIDER,
 ) -> None:
     """Ring, its centre, the rod from the ring centre to the contact and the contact's dot."""
-    middle, end = np.asarray(center, dtype=float), np.asarray(contact, dtype=float)
-    ring = Circle(tuple(middle), radius, fill=False, linewidth=width, edgecolor=color, zorder=3)
+    middle = tuple(np.asarray(center, dtype=float))
+    ring = Circle(middle, radius, fill=False, linewidth=width, edgecolor=color, zorder=3)
     ax.add_patch(ring)
+    rod(ax, center, contact=contact, width=width, color=color)
+
+
+def rod(
+    ax: Axes,
+    center: npt.ArrayLike,
+    *,
+    contact: npt.ArrayLike = (0.0, 0.0),
+    width: float = 2.2,
+    color: str = SLIDER,
+) -> None:
+    """Slider's centre, the rod from there to the contact, and the contact's dot."""
+    middle, end = np.asarray(center, dtype=float), np.asarray(contact, dtype=float)
     ax.plot(*np.stack([end, middle], axis=1), color=color, linewidth=0.6 * width, zorder=3)
     ax.plot(*middle, "o", color=color, markersize=2.2, zorder=4)
     dot(ax, end, color=color)
