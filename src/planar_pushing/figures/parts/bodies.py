@@ -11,11 +11,12 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 from matplotlib.path import Path
 
 from planar_pushing.figures.parts import drawing, labels
 from planar_pushing.figures.parts.supports import Ink, Pose, draw_support, extents
-from planar_pushing.figures.style import ABOVE, GREY, NOTE_SIZE
+from planar_pushing.figures.style import ABOVE, DARK, NOTE_SIZE
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.study.datasets.rubbing import support_of
@@ -25,11 +26,12 @@ from planar_pushing.study.files.scene_model import SceneFile
 OWN = ("slider", "contact", "effects")
 #: A centre nearer to the origin of the body than this, in units of the support's size, is there.
 NEAR = 1e-6
+#: By how much dots and signs reach beyond their places, in units of half the support.
+RIM = 0.07
 #: Two quarters of a disc, the sign of a centre of mass.
 QUARTERS = Path.make_compound_path(Path.wedge(0, 90), Path.wedge(180, 270))
 #: Diameters of the signs, points.
 MASS, PRESSURE = 7.5, 7.0
-NAMES = {"pressure": "centre of\npressure", "mass": "centre\nof mass"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,9 +62,9 @@ class Body:
 
     def box(self, pose: Pose) -> Array:
         """Corners of the upright box around the support and what is marked, in a place."""
-        corners = extents(self.support, pose)
-        points = [*corners, *(pose.at(place) for _, place in self.centers)]
-        return np.array([np.min(points, axis=0), np.max(points, axis=0)])
+        points = [*extents(self.support, pose), *(pose.at(place) for _, place in self.centers)]
+        rim = 0.0 if isinstance(self.support, Ring) else RIM * self.half
+        return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
 
 
 def body_of(data: xr.Dataset) -> Body:
@@ -103,26 +105,39 @@ def draw_body(
     draw_support(ax, body.support, pose, own)
     drawing.rod(ax, pose.origin, contact=contact, width=own.width, color=own.color)
     for name, place in body.centers:
-        SIGNS[name](ax, pose.at(place), own.color)
+        for sign in SIGNS[name](own.color):
+            ax.plot(*pose.at(place), zorder=ABOVE - 0.5, **sign)
 
 
-def _pressure_sign(ax: Axes, place: Array, color: str) -> None:
-    ax.plot(*place, "+", color=color, markersize=PRESSURE, mew=1.3, zorder=ABOVE - 0.6)
+def _pressure_signs(color: str) -> list[dict[str, Any]]:
+    return [{"marker": "P", "mfc": color, "mec": "white", "mew": 0.6, "markersize": PRESSURE}]
 
 
-def _mass_sign(ax: Axes, place: Array, color: str) -> None:
-    edge: dict[str, Any] = {"mec": color, "markersize": MASS, "mew": 0.9, "zorder": ABOVE - 0.5}
-    ax.plot(*place, "o", mfc="white", **edge)
-    ax.plot(*place, marker=QUARTERS, mfc=color, **(edge | {"mew": 0}))
+def _mass_signs(color: str) -> list[dict[str, Any]]:
+    disc = {"marker": "o", "mfc": "white", "mec": color, "mew": 0.9, "markersize": MASS}
+    return [disc, {"marker": QUARTERS, "mfc": color, "mew": 0.0, "markersize": MASS}]
 
 
-#: How each centre is marked.
-SIGNS = {"pressure": _pressure_sign, "mass": _mass_sign}
+#: Name of each centre, and the markers of its sign.
+NAMES = {"pressure": "centre of\npressure", "mass": "centre\nof mass"}
+SIGNS = {"pressure": _pressure_signs, "mass": _mass_signs}
 
 
 def name_centers(ax: Axes, body: Body, pose: Pose) -> None:
     """Write the names of the centres beside their signs."""
+    back = {"boxstyle": "square,pad=0.1", "facecolor": "white", "linewidth": 0, "alpha": 0.75}
+    note: dict[str, Any] = {"color": DARK, "size": NOTE_SIZE, "bbox": back}
     for name, place in body.centers:
-        labels.label(
-            ax, pose.at(place), NAMES[name], offset=(0.0, -14.0), color=GREY, size=NOTE_SIZE
-        )
+        labels.label(ax, pose.at(place), NAMES[name], offset=(0.0, -14.0), **note)
+
+
+def explain_centers(ax: Axes, body: Body) -> None:
+    """Legend of the centres' signs, where there are any."""
+    if body.centers:
+        names = [NAMES[name].replace("\n", " ") for name, _ in body.centers]
+        signs = [
+            tuple(Line2D([], [], linestyle="none", **sign) for sign in SIGNS[name](DARK))
+            for name, _ in body.centers
+        ]
+        row: dict[str, Any] = {"ncols": len(names), "borderpad": 0.0, "borderaxespad": 0.15}
+        ax.legend(signs, names, loc="lower left", handletextpad=0.3, columnspacing=1.2, **row)

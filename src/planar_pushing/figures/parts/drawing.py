@@ -181,6 +181,13 @@ def center_mark(
         label(ax, at, text, offset=offset, color=color)
 
 
+def pivot_mark(ax: Axes, xy: npt.ArrayLike, *, size: float = 5.5) -> None:
+    """Support point about which the slider pivots: a motion centre with a wide circle around it."""
+    at = np.asarray(xy, dtype=float)
+    ax.plot(*at, "o", color=CENTER, markersize=2.3 * size, mfc="none", mew=1.2, zorder=ABOVE + 1)
+    center_mark(ax, at, size=size)
+
+
 def guide(
     ax: Axes, start: npt.ArrayLike, stop: npt.ArrayLike, *, color: str = GUIDE, style: str = "--"
 ) -> None:

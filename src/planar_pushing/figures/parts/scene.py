@@ -11,7 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, bodies, drawing, labels
-from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch, shown
+from planar_pushing.figures.parts.shown import shown
+from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import (
     ABOVE,
@@ -23,6 +24,7 @@ from planar_pushing.figures.style import (
     PUSHER,
     SLIP,
 )
+from planar_pushing.mechanics.plane import Array
 
 Layer = Callable[[Axes, Sketch], None]
 
@@ -112,6 +114,8 @@ def center(ax: Axes, sketch: Sketch) -> None:
         drawing.guide(ax, sketch.ring, sketch.center, color=CENTER)
         noun = "acceleration" if sketch.symbol == "a" else "velocity"
         name = "pivot" if sketch.pivots else f"{noun}\ncentre"
+        if sketch.pivots:
+            drawing.pivot_mark(ax, sketch.center)
         drawing.center_mark(ax, sketch.center, name, offset=(30 * ahead[0], 17 * ahead[1]))
     elif np.any(ahead):
         drawing.guide(ax, sketch.ring, sketch.far_center, color=CENTER)

@@ -10,58 +10,17 @@ import xarray as xr
 
 from planar_pushing.figures.parts.arrows import unit
 from planar_pushing.figures.parts.bodies import Body, body_of
+from planar_pushing.figures.parts.shown import shown
 from planar_pushing.figures.parts.supports import Pose
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.plane import Array
 
-#: Variables of a scene dataset that its picture shows.
-PLOTTED = (
-    "rod_length",
-    "rod_angle",
-    "radius",
-    "ring_center",
-    "friction_cone_right",
-    "friction_cone_left",
-    "motion_cone_right",
-    "motion_cone_left",
-    "pusher_motion",
-    "outcome",
-    "mode",
-    "adhesive",
-    "force",
-    "contact_motion",
-    "spin_ratio",
-    "center",
-)
-#: What else it shows: friction around the ring, or at places of any support, and pivots.
-MORE = ("support_force", "place_position", "place_force", "force_end", "pivot")
 #: A centre further away than this, in units of the slider's span, is pointed to.
 FAR = 2.0
 #: Radius of the motion cone, in units of the longest motion.
 CONE = 0.72
 #: Length of the arrows of support friction, in units of the radius.
 SUPPORT_LENGTH = 0.36
-
-
-def shown(dataset: xr.Dataset) -> xr.Dataset:
-    """Select the solution to draw: the sticking one, else the first that moves, else the first.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A scene's dataset, or what this function made of one.
-
-    Returns
-    -------
-    xarray.Dataset
-        The plotted variables; ``solution`` has one entry, or none where no solution is consistent.
-    """
-    modes = dataset["mode"].values
-    ranks = np.select([modes == ContactMode.STICK, modes != ContactMode.SEPARATE], [0, 1], 2)
-    best = np.argsort(ranks, kind="stable")[:1]
-    more = [name for name in MORE if name in dataset]
-    chosen = dataset[[*PLOTTED, *more, "effect"]].isel(solution=best)
-    return chosen.assign_attrs(title=dataset.attrs.get("title", ""))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

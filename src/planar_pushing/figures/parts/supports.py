@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -92,9 +93,7 @@ def _annulus(ax: Axes, annulus: supports.Annulus, pose: Pose, ink: Ink) -> None:
 
 def _polygon(ax: Axes, polygon: supports.Polygon, pose: Pose, ink: Ink) -> None:
     corners = pose.at(polygon.vertices)
-    ax.add_patch(
-        Polygon(corners, facecolor=tint(ink.color, AREA), linewidth=0, zorder=BELOW)
-    )
+    ax.add_patch(Polygon(corners, facecolor=tint(ink.color, AREA), linewidth=0, zorder=BELOW))
     ax.add_patch(_outline(corners, ink))
 
 
@@ -153,7 +152,7 @@ def _composite(ax: Axes, composite: supports.Composite, pose: Pose, ink: Ink) ->
 
 
 #: How each kind of support is drawn.
-DRAWN = {
+DRAWN: dict[type, Callable[..., None]] = {
     supports.Annulus: _annulus,
     supports.Composite: _composite,
     supports.Disc: _disc,

@@ -1,4 +1,4 @@
-"""Places that stand for a support where its friction is shown: few, and spread over all that it presses on."""
+"""A few places that stand for a support where its friction is shown, spread over all of it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MEASURED = 40
 
 
 def places(pieces: Pieces) -> Array:
-    """Places and their shares of the weight, body frame, shape (n, 3); support points keep their numbers."""
+    """Places in the body frame and their shares of the weight, shape (n, 3); support points come first."""
     rings = [_around(*each) for each in pieces.rings]
     segments = [_along(*each) for each in pieces.segments]
     return np.concatenate([pieces.atoms, *rings, *segments, _spread(pieces)])

@@ -64,4 +64,4 @@ def _heading(motion: Array, still: float) -> Array:
     """Directions of motions; zero for those that are slower than the fastest times `still`."""
     speed = np.linalg.norm(motion, axis=-1, keepdims=True)
     moves = speed > still * speed.max(axis=1, keepdims=True, initial=0.0)
-    return np.divide(motion, speed, out=np.zeros_like(motion), where=moves)
+    return np.asarray(np.divide(motion, speed, out=np.zeros_like(motion), where=moves))
