@@ -63,7 +63,7 @@ class Body:
     def box(self, pose: Pose) -> Array:
         """Corners of the upright box around the support and what is marked, in a place."""
         points = [*extents(self.support, pose), *(pose.at(place) for _, place in self.centers)]
-        rim = 0.0 if isinstance(self.support, Ring) else RIM * self.half
+        rim = 0.0 if self.is_ring else RIM * self.half
         return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -52,13 +53,19 @@ def draw_support(ax: Axes, support: Any, pose: Pose, ink: Ink) -> None:
 
 def extents(support: Any, pose: Pose) -> Array:
     """Corners of the smallest upright box around a support, shape (2, 2)."""
-    pieces = support.pieces()
-    ends = [each[:, :4].reshape(-1, 2) for each in (pieces.segments, *pieces.plates)]
-    points = pose.at(np.concatenate([pieces.atoms[:, :2], *ends]))
-    circles = np.concatenate([pieces.rings, pieces.discs])
-    middles, radii = pose.at(circles[:, :2]), circles[:, 2, None]
-    every = np.concatenate([points, middles - radii, middles + radii])
+    ends, circles = _rim(support)
+    middles, radii = pose.at(circles[:, :2]), circles[:, 2:]
+    every = np.concatenate([pose.at(ends), middles - radii, middles + radii])
     return np.array([every.min(axis=0), every.max(axis=0)])
+
+
+@lru_cache(maxsize=16)
+def _rim(support: Any) -> tuple[Array, Array]:
+    """Points and ends of edges of a support, and its circles: x, y and radius."""
+    pieces = support.pieces()
+    edges = [each[:, :4].reshape(-1, 2) for each in (pieces.segments, *pieces.plates)]
+    ends = np.concatenate([pieces.atoms[:, :2], *edges])
+    return ends, np.concatenate([pieces.rings, pieces.discs])[:, :3]
 
 
 def _circle(ax: Axes, middle: Array, radius: float, ink: Ink) -> None:
