@@ -24,6 +24,13 @@ def test_animate(run, log, tmp_path):
     assert path.read_bytes() == first
 
 
+def test_any_support_is_animated(run, tmp_path):
+    log, path = tmp_path / "log.nc", tmp_path / "motion.gif"
+    run("simulate", "workflow/scenes/tripod.yaml", "-o", str(log))
+    code, out, _ = run("animate", str(log), "-o", str(path), "--frames", "3", "--json")
+    assert (code, json.loads(out)["frames"]) == (0, 3)
+
+
 WRONG = [
     (["animate", "none.nc", "-o", "motion.gif"],
      "none.nc: no such file; give the log that simulate wrote"),

@@ -20,6 +20,16 @@ def test_draw(run, tmp_path):
     assert path.read_text(encoding="utf-8").lstrip().startswith("<?xml")
 
 
+@pytest.mark.parametrize("name", ["tripod", "box", "plate"])
+def test_any_support_is_drawn(run, tmp_path, name):
+    path = tmp_path / "scene.svg"
+    code, out, _ = run("draw", f"workflow/scenes/{name}.yaml", "-o", str(path))
+    assert (code, out) == (0, f"written: {path}\n")
+    first = path.read_bytes()
+    run("draw", f"workflow/scenes/{name}.yaml", "-o", str(path))
+    assert path.read_bytes() == first
+
+
 @pytest.mark.parametrize("angle", [27.0, 90.0, 153.0, 150.0 - 360.0])
 def test_the_force_that_is_asked_for_is_drawn(run, tmp_path, monkeypatch, angle):
     drawn = {}

@@ -8,6 +8,19 @@ from planar_pushing.study.simulations import simulate_file
 LOGS = ("figure_14a", "figure_14b", "figure_15", "pulling_with_inertia", "impact")
 
 
+#: Logs of sliders on other supports.
+OTHERS = ("stool", "box")
+
+
+def simulated(name):
+    return simulate_file(load_scene_file(f"workflow/scenes/{name}.yaml"))
+
+
 @pytest.fixture(scope="session")
 def logs():
-    return {name: simulate_file(load_scene_file(f"workflow/scenes/{name}.yaml")) for name in LOGS}
+    return {name: simulated(name) for name in LOGS}
+
+
+@pytest.fixture(scope="session")
+def others():
+    return {name: simulated(name) for name in OTHERS}

@@ -4,7 +4,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.motion import over_time, simulation
-from planar_pushing.figures.motion.timeline import MODES, impacts, plotted
+from planar_pushing.figures.motion.timeline import MODES, impacts, pivots, plotted
 from planar_pushing.figures.style import paper_style
 
 
@@ -54,6 +54,20 @@ def test_hatching_has_a_legend_where_there_is_any(logs):
             found[name] = figure.axes[-1].get_legend()
     assert [text.get_text() for text in found["figure_14a"].get_texts()] == ["several consistent"]
     assert found["figure_15"] is None
+
+
+def test_pivots_are_a_bar_on_the_strip_with_a_legend(others):
+    motion = plotted(others["stool"])
+    figure = Figure(figsize=(7.0, 2.9))
+    with paper_style():
+        simulation.draw(figure, motion)
+    strip = figure.axes[-1]
+    (text,) = strip.get_legend().get_texts()
+    assert text.get_text() == "pivots about a support point"
+    (span,) = pivots(motion)
+    (bar,) = (each for each in strip.patches if each.get_height() == over_time.PIVOT)
+    times = motion.time.values[[span.start, span.stop]]
+    assert (bar.get_x(), bar.get_x() + bar.get_width()) == pytest.approx(tuple(times))
 
 
 @pytest.mark.parametrize("color", [color for color, _ in MODES.values()])

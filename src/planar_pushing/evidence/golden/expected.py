@@ -83,9 +83,17 @@ def _narrowed(grid: dict[str, list[Any]], axis: str) -> dict[str, list[Any]]:
 
 
 def scene_expectations(study: StudyFile) -> dict[str, Expectation]:
-    """Expectation of each scene, by name."""
+    """Expectation of each scene, by name; the equations are those of a ring, others are computed anew."""
     built: Any = build_dataset("scenes", study_slice(study, "scenes"))
-    return {name: _expectation("scenes", study, structure=each) for name, each in built.items()}
+    rings = {
+        name for name, push in study.scenes.items() if load_scene_file(push.file).build().isotropic
+    }
+    return {
+        name: _expectation("scenes", study, structure=each)
+        if name in rings
+        else derived_expectation(each)
+        for name, each in built.items()
+    }
 
 
 def simulation_expectation(name: str, study: Study) -> Expectation:

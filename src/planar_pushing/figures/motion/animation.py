@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
@@ -16,6 +17,7 @@ from PIL import Image
 from planar_pushing.figures.motion.timeline import MODES, plotted
 from planar_pushing.figures.motion.trajectory import box, paths, scene
 from planar_pushing.figures.parts import drawing
+from planar_pushing.figures.parts.bodies import body_of, explain_centers
 from planar_pushing.figures.render import PathLike
 from planar_pushing.figures.style import GUIDE, NOTE_SIZE, paper_style
 from planar_pushing.study.files.replacing import replacing
@@ -98,13 +100,30 @@ def _pictures(data: xr.Dataset) -> Iterator[Image.Image]:
         ax = drawing.schematic(figure, limits, pad=14.0)
         paths(ax, data, row)
         scene(ax, data, row)
-        center = data["path_center"].values[row]
-        if np.isfinite(center).all():
-            drawing.center_mark(ax, center, size=4.5)
-        mode = MODES[int(data["path_mode"].values[row])][1]
-        several = " (one of several)" if data["path_solutions"].values[row] > 1 else ""
-        text = f"t = {data['time'].values[row]:.2f}   {mode}{several}"
+        _center(ax, data, row)
+        explain_centers(ax, body_of(data))
+        text = f"t = {data['time'].values[row]:.2f}   {_status(data, row)}"
         figure.text(0.02, 0.96, text, size=NOTE_SIZE, color=GUIDE, va="top")
         canvas: Any = FigureCanvasAgg(figure)
         canvas.draw()
         yield Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy())
+
+
+def _pivots(data: xr.Dataset, row: int) -> bool:
+    return "path_pivot" in data and bool(data["path_pivot"].values[row] >= 0)
+
+
+def _center(ax: Axes, data: xr.Dataset, row: int) -> None:
+    """Motion centre, where there is one."""
+    center = data["path_center"].values[row]
+    if np.isfinite(center).all():
+        mark = drawing.pivot_mark if _pivots(data, row) else drawing.center_mark
+        mark(ax, center, size=4.5)
+
+
+def _status(data: xr.Dataset, row: int) -> str:
+    """Contact mode, whether the slider pivots, and whether there was a choice."""
+    mode = MODES[int(data["path_mode"].values[row])][1]
+    pivots = ", pivots" if _pivots(data, row) else ""
+    several = " (one of several)" if data["path_solutions"].values[row] > 1 else ""
+    return f"{mode}{pivots}{several}"

@@ -11,11 +11,13 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
-from planar_pushing.figures.motion.timeline import MODES, runs
-from planar_pushing.figures.style import DARK, GREY, IMPACT, MOTION, NOTE_SIZE, SLIP
+from planar_pushing.figures.motion.timeline import MODES, pivots, runs
+from planar_pushing.figures.style import CENTER, DARK, GREY, IMPACT, MOTION, NOTE_SIZE, SLIP
 
 #: Place of the legend below the strip, points: beside the name of the axis.
 BELOW = 13.0
+#: Height of the bar on the strip that marks a pivot.
+PIVOT = 0.16
 #: Relative luminance at which white and dark text are equally readable.
 LUMINANCE = 0.245
 
@@ -45,12 +47,28 @@ def ribbon(ax: Axes, data: xr.Dataset, bottom: float = 0.0) -> None:
             ink = readable_on(color)
             note: dict[str, Any] = {"ha": "center", "va": "center", "color": ink, "bbox": back}
             ax.annotate(name, middle, size=NOTE_SIZE, **note)
+    for run in pivots(data):
+        start, stop = time[run.start], time[run.stop]
+        bar = Rectangle((start, bottom), stop - start, PIVOT, facecolor=CENTER, edgecolor="white")
+        ax.add_patch(bar)
     ax.set(xlim=(time[0], time[-1]), ylim=(0, max(ax.get_ylim()[1], bottom + 0.9)), yticks=[])
     ax.spines["left"].set_visible(False)
     ax.set_xlabel("time", loc="left")
+    _explain(ax, data)
+
+
+def _explain(ax: Axes, data: xr.Dataset) -> None:
+    """Legend of what the strip marks besides the modes."""
+    found: list[Any] = []
     if any(run.several for run in runs(data)):
-        several = Patch(facecolor=GREY, edgecolor="white", hatch="////", label="several consistent")
-        ax.legend(handles=[several], loc="upper right", bbox_to_anchor=(1.02, -BELOW / _height(ax)))
+        found.append(
+            Patch(facecolor=GREY, edgecolor="white", hatch="////", label="several consistent")
+        )
+    if any(pivots(data)):
+        found.append(Patch(facecolor=CENTER, label="pivots about a support point"))
+    if found:
+        place = (1.02, -BELOW / _height(ax))
+        ax.legend(handles=found, loc="upper right", bbox_to_anchor=place)
 
 
 def _height(ax: Axes) -> float:

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
+from planar_pushing.figures.parts.bodies import Body, body_of
+from planar_pushing.figures.parts.supports import Pose
 from planar_pushing.figures.style import BLUE, DARK, GREY
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.supports import Ring
 from planar_pushing.terms.errors import InvalidFile
-from planar_pushing.terms.quantities import described
+from planar_pushing.terms.quantities import DATASET, attributes, described
 
 #: Variables of a log that a picture shows; in the picture's data they are named path_*.
 PATH = ("position", "fence", "rod_angle", "slip", "gap", "force", "spin_ratio", "mode", "solutions")
@@ -25,6 +28,8 @@ MODES: dict[int, tuple[str, str]] = {
     ContactMode.SLIP_RIGHT: ("#E69F00", "slip right"),
     ContactMode.SLIP_LEFT: ("#CC79A7", "slip left"),
 }
+#: A motion centre that is this near to a support point is on it, in units of the support's size.
+ON_POINT = 1e-6
 #: Speeds that differ by less are equal.
 ROUNDING = 1e-6
 
@@ -48,8 +53,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     """
     missing = [name for name in (*PATH, "twist") if name not in log]
     try:
-        scene = json.loads(log.attrs.get("scene", ""))
-        slider, kinds = scene["slider"], [each["type"] for each in scene["effects"]]
+        slider, body = json.loads(log.attrs.get("scene", ""))["slider"], body_of(log)
     except (ValueError, TypeError, KeyError):
         missing.append("scene")
     if missing:
@@ -57,18 +61,17 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
             f"the dataset lacks {', '.join(missing)}; allowed: a log of planar-pushing simulate; "
             "name another file"
         )
-    if "support_friction" in kinds:
-        raise InvalidFile(
-            "the log is of another support than a ring; allowed: a log of a scene with ring_friction; "
-            "plot the variables of the log itself"
-        )
     data = log[list(PATH)].rename({name: f"path_{name}" for name in PATH})
     data["path_center"] = motion_center(log, slider["radius"])
     for name in ("radius", "rod_length"):
         data[name] = ((), float(slider[name]), described("length", name))
     data["radius"].attrs["long_name"] = "radius of the ring"
     data["rod_length"].attrs["long_name"] = "rod length, from the contact to the ring centre"
-    return data.drop_attrs(deep=False)
+    data = data.drop_attrs(deep=False)
+    if body == Body(support=Ring(float(slider["radius"]))):
+        return data
+    data["path_pivot"] = pivot(data, body)
+    return data.assign_attrs(scene=log.attrs["scene"])
 
 
 def motion_center(log: xr.Dataset, radius: float) -> xr.DataArray:
@@ -81,19 +84,42 @@ def motion_center(log: xr.Dataset, radius: float) -> xr.DataArray:
     return place
 
 
+def pivot(data: xr.Dataset, body: Body) -> xr.DataArray:
+    """Number of the support point that is the motion centre; -1 without one."""
+    atoms = body.support.pieces().atoms[:, :2]
+    angle = np.deg2rad(data["path_rod_angle"].values)[:, None]
+    arm = (data["path_center"] - data["path_position"]).values
+    x, y = np.moveaxis(direction(angle), -1, 0)
+    own = np.hstack([x * arm[:, :1] + y * arm[:, 1:], x * arm[:, 1:] - y * arm[:, :1]])
+    apart = np.linalg.norm(own[:, None] - atoms, axis=-1)
+    limit = np.full((len(own), 1), ON_POINT * body.half)
+    nearest = np.hstack([limit, np.nan_to_num(apart, nan=np.inf)]).argmin(axis=1) - 1
+    named = attributes(DATASET, "pivot")
+    return xr.DataArray(nearest.astype(np.int32), dims="time", attrs=named)
+
+
 def impacts(log: xr.Dataset) -> list[int]:
     """Rows at which the slider's momentum jumps: changes that the forces around would not cause."""
     effects = {each["type"]: each for each in json.loads(log.attrs["scene"])["effects"]}
     if "inertia" not in effects:
         return []
     mass = float(effects["inertia"]["mass"])
-    weight = float(effects.get("ring_friction", {"weight": 0.0})["weight"])
-    momentum = mass * np.hypot(*np.diff(log["twist"].values[:, :2], axis=0).T)
+    weight = sum(float(each.get("weight", 0.0)) for each in effects.values())
+    momentum = mass * np.hypot(*np.diff(_of_mass(log, effects["inertia"]), axis=0).T)
     force = np.hypot(*log["force"].values.T)
     largest = weight + np.maximum(force[1:], force[:-1])
     # Twice, for forces that change between two rows; the rest is rounding.
     allowed = 2 * largest * np.diff(log["time"].values) + ROUNDING * mass
     return [int(row) + 1 for row in np.flatnonzero(momentum > allowed)]
+
+
+def _of_mass(log: xr.Dataset, inertia: dict[str, Any]) -> Array:
+    """Velocity of the centre of mass."""
+    radius = json.loads(log.attrs["scene"])["slider"]["radius"]
+    arm = np.asarray(inertia.get("center", (0.0, 0.0))) / radius
+    turned = np.array([Pose((0.0, 0.0), each).at(arm) for each in np.deg2rad(log["rod_angle"])])
+    v_x, v_y, spin = log["twist"].values.T
+    return np.stack([v_x - spin * turned[:, 1], v_y + spin * turned[:, 0]], axis=-1)
 
 
 def contact(data: xr.Dataset) -> Array:
@@ -111,6 +137,18 @@ def runs(data: xr.Dataset) -> Iterator[Run]:
     stops = [*starts[1:], len(key) - 1]
     for start, stop in zip(starts, stops, strict=True):
         yield Run(int(start), int(stop), int(modes[start]), bool(several[start]))
+
+
+def pivots(data: xr.Dataset) -> Iterator[Run]:
+    """Spans of time in which the slider pivots about one support point; an instant is none."""
+    if "path_pivot" not in data:
+        return
+    points = data["path_pivot"].values
+    starts = np.flatnonzero(np.diff(points, prepend=points[0] - 1))
+    stops = [*(starts[1:] - 1), len(points) - 1]
+    for start, stop in zip(starts, stops, strict=True):
+        if points[start] >= 0 and stop > start:
+            yield Run(int(start), int(stop), int(data["path_mode"].values[start]), False)
 
 
 def rows(data: xr.Dataset, count: int) -> list[int]:

@@ -11,8 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.motion.timeline import MODES, contact, rows, runs
+from planar_pushing.figures.motion.timeline import MODES, contact, pivots, rows, runs
 from planar_pushing.figures.parts import arrows, drawing, labels
+from planar_pushing.figures.parts.bodies import body_of, draw_body, explain_centers
+from planar_pushing.figures.parts.supports import Ink, Pose
 from planar_pushing.figures.style import (
     CENTER,
     FENCE,
@@ -30,23 +32,30 @@ Rect = tuple[float, float, float, float]
 PALEST = 0.22
 #: A longer step of the motion centre between two rows is a jump, in units of the slider's span.
 JUMP = 0.5
+#: Room for the legend of the centres, points.
+LEGEND = 14.0
 #: Length of the drawn force and width of the fence on either side, in units of the slider's span.
 FORCE_LENGTH, FENCE_HALF = 0.42, 0.45
 
 
+def pose(data: xr.Dataset, row: int) -> Pose:
+    """Where the slider is at a row."""
+    angle = float(np.deg2rad(data["path_rod_angle"].values[row]))
+    return Pose(data["path_position"].values[row], angle)
+
+
 def span(data: xr.Dataset) -> float:
-    """Extent of the slider."""
-    return float(data["rod_length"]) + float(data["radius"])
+    """Extent of the slider, from the contact."""
+    body = body_of(data)
+    x, y = body.middle
+    return float(np.hypot(x + float(data["rod_length"]), y)) + body.half
 
 
 def box(data: xr.Dataset) -> Box:
     """xmin, xmax, ymin, ymax of slider and fence over all the motion, and of its last centre if near."""
-    ring, radius, half = (
-        data["path_position"].values,
-        float(data["radius"]),
-        FENCE_HALF * span(data),
-    )
-    points = [*(ring - radius), *(ring + radius), *contact(data), *last_center(data)]
+    body, half = body_of(data), FENCE_HALF * span(data)
+    points = [*contact(data), *last_center(data), *data["path_position"].values]
+    points += [each for row in range(data.sizes["time"]) for each in body.box(pose(data, row))]
     ends = np.array([[-half, -0.1 * half], [half, 0.0]])
     points += [each + end for each in data["path_fence"].values for end in ends]
     low, high = np.min(points, axis=0), np.max(points, axis=0)
@@ -65,11 +74,10 @@ def last_center(data: xr.Dataset) -> list[Array]:
 
 def scene(ax: Axes, data: xr.Dataset, row: int, strength: float = 1.0) -> None:
     """Fence, slider and force at one row."""
-    ring, touch = data["path_position"].values[row], contact(data)[row]
+    touch, ink = contact(data)[row], Ink(drawing.tint(SLIDER, strength), 1.5)
     half, paint = FENCE_HALF * span(data), drawing.tint(FENCE, strength)
     fence(ax, data["path_fence"].values[row], half, paint, hatch=strength == 1)
-    color = drawing.tint(SLIDER, strength)
-    drawing.slider(ax, ring, float(data["radius"]), contact=touch, width=1.5, color=color)
+    draw_body(ax, body_of(data), pose(data, row), contact=touch, ink=ink)
     force = data["path_force"].values[row]
     if np.any(force):
         along = FORCE_LENGTH * span(data) * force / np.hypot(*force)
@@ -129,13 +137,19 @@ def snapshots(
     figure: Figure, data: xr.Dataset, rect: Rect, limits: Box, count: int, more: Sequence[int] = ()
 ) -> Axes:
     """Axes with slider and fence at some instants and rows, paler the earlier, and the paths."""
-    ax = drawing.schematic(figure, limits, rect=rect, pad=3.0)
+    body = body_of(data)
+    ax = drawing.schematic(figure, limits, rect=rect, pad=LEGEND if body.centers else 3.0)
     chosen = sorted({*rows(data, count), *more})
     for strength, row in zip(np.linspace(PALEST, 1.0, len(chosen)), chosen, strict=True):
         scene(ax, data, row, float(strength))
     paths(ax, data)
     for each in last_center(data):
         drawing.center_mark(ax, each, size=4.5)
+    for run in pivots(data):
+        place = data["path_center"].values[run.start]
+        drawing.pivot_mark(ax, place, size=4.5)
+        labels.label(ax, place, "pivot", offset=(0.0, -12.0), color=CENTER, size=NOTE_SIZE)
+    explain_centers(ax, body)
     return ax
 
 

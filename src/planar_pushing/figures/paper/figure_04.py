@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, drawing, labels
-from planar_pushing.figures.parts.sketch import shown
+from planar_pushing.figures.parts.shown import shown
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import CENTER, DARK, FORCE
 

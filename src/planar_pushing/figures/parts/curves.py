@@ -64,7 +64,8 @@ def named(dims: Iterable[str] | str, values: object, units: str, long_name: str)
 def titled(dataset: xr.Dataset, title: str, sources: Sources) -> xr.Dataset:
     """Give the plotted numbers a title, and the sources of the datasets that they come from."""
     origins = dict.fromkeys(str(each.attrs["source"]) for each in sources.values())
-    dataset.attrs = {"title": title, "source": "; ".join(origins)}
+    named = {name: each for name, each in dataset.attrs.items() if name == "scene"}
+    dataset.attrs = {"title": title, "source": "; ".join(origins)} | named
     return dataset
 
 

@@ -76,9 +76,22 @@ def slider(
     color: str = SLIDER,
 ) -> None:
     """Ring, its centre, the rod from the ring centre to the contact and the contact's dot."""
-    middle, end = np.asarray(center, dtype=float), np.asarray(contact, dtype=float)
-    ring = Circle(tuple(middle), radius, fill=False, linewidth=width, edgecolor=color, zorder=3)
+    middle = tuple(np.asarray(center, dtype=float))
+    ring = Circle(middle, radius, fill=False, linewidth=width, edgecolor=color, zorder=3)
     ax.add_patch(ring)
+    rod(ax, center, contact=contact, width=width, color=color)
+
+
+def rod(
+    ax: Axes,
+    center: npt.ArrayLike,
+    *,
+    contact: npt.ArrayLike = (0.0, 0.0),
+    width: float = 2.2,
+    color: str = SLIDER,
+) -> None:
+    """Slider's centre, the rod from there to the contact, and the contact's dot."""
+    middle, end = np.asarray(center, dtype=float), np.asarray(contact, dtype=float)
     ax.plot(*np.stack([end, middle], axis=1), color=color, linewidth=0.6 * width, zorder=3)
     ax.plot(*middle, "o", color=color, markersize=2.2, zorder=4)
     dot(ax, end, color=color)
@@ -166,6 +179,13 @@ def center_mark(
     ax.plot(*at, "o", color=color, markersize=0.3 * size, zorder=ABOVE + 2)
     if text:
         label(ax, at, text, offset=offset, color=color)
+
+
+def pivot_mark(ax: Axes, xy: npt.ArrayLike, *, size: float = 5.5) -> None:
+    """Support point about which the slider pivots: a motion centre with a wide circle around it."""
+    at = np.asarray(xy, dtype=float)
+    ax.plot(*at, "o", color=CENTER, markersize=2.3 * size, mfc="none", mew=1.2, zorder=ABOVE + 1)
+    center_mark(ax, at, size=size)
 
 
 def guide(

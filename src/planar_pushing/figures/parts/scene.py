@@ -10,8 +10,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.parts import arrows, drawing, labels
-from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch, shown
+from planar_pushing.figures.parts import arrows, bodies, drawing, labels
+from planar_pushing.figures.parts.shown import shown
+from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import (
     ABOVE,
@@ -23,15 +24,19 @@ from planar_pushing.figures.style import (
     PUSHER,
     SLIP,
 )
+from planar_pushing.mechanics.plane import Array
 
 Layer = Callable[[Axes, Sketch], None]
+
+#: How much of its colour the fan of a pivot's forces has; it lies over the cones.
+FAN, FAN_ORDER = 0.42, 0.8
 
 
 def body(ax: Axes, sketch: Sketch) -> None:
     """Fence and slider."""
     xmin, xmax, _, _ = sketch.box()
     drawing.fence(ax, xmin, xmax, depth=0.09 * sketch.reach)
-    drawing.slider(ax, sketch.ring, sketch.radius)
+    bodies.draw_body(ax, sketch.body, sketch.pose)
 
 
 def friction_cone(ax: Axes, sketch: Sketch) -> None:
@@ -47,16 +52,34 @@ def motion_cone(ax: Axes, sketch: Sketch) -> None:
 
 
 def force(ax: Axes, sketch: Sketch) -> None:
-    """Force of the pusher on the slider."""
-    if sketch.moves:
-        name = r"$\mathbf{f}$ (adhesive)" if sketch.adhesive else r"$\mathbf{f}$"
-        arrows.force_arrow(ax, (0, 0), sketch.drawn_force, name, width=1.6)
+    """Force of the pusher on the slider; a fan of all those that a pivot leaves open."""
+    if not sketch.moves:
+        return
+    name = r"$\mathbf{f}$ (adhesive)" if sketch.adhesive else r"$\mathbf{f}$"
+    drawn = [sketch.drawn_force(each) for each in sketch.forces]
+    for vector in drawn:
+        arrows.force_arrow(ax, (0, 0), vector, name if len(drawn) == 1 else "", width=1.6)
+    if len(drawn) > 1:
+        _fan(ax, drawn, name)
+
+
+def _fan(ax: Axes, ends: list[Array], name: str) -> None:
+    """Directions between two forces, any of which a pivot can have."""
+    right, left = (float(np.rad2deg(np.arctan2(*each[::-1]))) for each in ends)
+    turn, length = (left - right) % 360, min(float(np.hypot(*each)) for each in ends)
+    drawing.cone(
+        ax, (0, 0), right, right + turn, 0.8 * length, FORCE, strength=FAN, zorder=FAN_ORDER
+    )
+    ahead = arrows.unit(right + turn / 2)
+    shift = (11.0 * float(ahead[0]), 9.0 * float(ahead[1]))
+    labels.label(ax, 0.8 * length * ahead, name, offset=shift, color=FORCE)
 
 
 def line_of_force(ax: Axes, sketch: Sketch) -> None:
     """Line on which the pusher's force and the resistance of the slider act."""
     if sketch.moves:
-        drawing.guide(ax, (0, 0), sketch.end_of_line, color=FORCE)
+        for each in sketch.forces:
+            drawing.guide(ax, (0, 0), sketch.end_of_line(each), color=FORCE)
 
 
 def motions(ax: Axes, sketch: Sketch) -> None:
@@ -90,13 +113,15 @@ def center(ax: Axes, sketch: Sketch) -> None:
     if sketch.center_is_near:
         drawing.guide(ax, sketch.ring, sketch.center, color=CENTER)
         noun = "acceleration" if sketch.symbol == "a" else "velocity"
-        drawing.center_mark(
-            ax, sketch.center, f"{noun}\ncentre", offset=(30 * ahead[0], 17 * ahead[1])
-        )
+        name = "pivot" if sketch.pivots else f"{noun}\ncentre"
+        if sketch.pivots:
+            drawing.pivot_mark(ax, sketch.center)
+        drawing.center_mark(ax, sketch.center, name, offset=(30 * ahead[0], 17 * ahead[1]))
     elif np.any(ahead):
         drawing.guide(ax, sketch.ring, sketch.far_center, color=CENTER)
         far = sketch.center_distance / sketch.radius
-        words = f"centre\n{far:,.0f} radii away" if far < 1e6 else "centre\nalmost at infinity"
+        unit = "radii" if sketch.body.is_ring else "half-widths"
+        words = f"centre\n{far:,.0f} {unit} away" if far < 1e6 else "centre\nalmost at infinity"
         labels.label(ax, sketch.far_center, words, offset=(0.0, 12.0), color=CENTER, size=NOTE_SIZE)
 
 
@@ -108,18 +133,22 @@ def moment_arm(ax: Axes, sketch: Sketch) -> None:
 
 
 def support_friction(ax: Axes, sketch: Sketch) -> None:
-    """Friction of the support on the ring, where it rubs."""
+    """Friction of the support on the slider, where it rubs."""
     if not sketch.moves:
         return
-    pulls = sketch.data["support_force"].isel(solution=0).values
-    angles = sketch.data["support_angle"].values
-    largest = float(np.max(np.hypot(*pulls.T)))
+    places, (pulls,) = sketch.rubbing
+    largest = float(np.max(np.hypot(*pulls.T), initial=0.0))
     length = SUPPORT_LENGTH * sketch.radius
-    head = min(7.0, 0.9 * length * points_per_unit(ax))
-    for angle, pull in zip(angles, pulls, strict=True):
+    for place, pull in zip(places, pulls, strict=True):
         if np.any(pull):
-            tail = sketch.ring + sketch.radius * arrows.unit(angle)
-            arrows.force_arrow(ax, tail, length * pull / largest, width=0.7, head=head)
+            along = length * pull / largest
+            head = min(7.0, 0.9 * float(np.hypot(*along)) * points_per_unit(ax))
+            arrows.force_arrow(ax, place, along, width=0.7, head=head)
+
+
+def centers(ax: Axes, sketch: Sketch) -> None:
+    """Names of the centres of pressure and of mass, where they are apart."""
+    bodies.name_centers(ax, sketch.body, sketch.pose)
 
 
 def status(ax: Axes, sketch: Sketch) -> None:
@@ -136,6 +165,7 @@ LAYERS: tuple[Layer, ...] = (
     motions,
     center,
     support_friction,
+    centers,
     status,
 )
 

@@ -9,55 +9,18 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.figures.parts.arrows import unit
+from planar_pushing.figures.parts.bodies import Body, body_of
+from planar_pushing.figures.parts.shown import shown
+from planar_pushing.figures.parts.supports import Pose
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.plane import Array
 
-#: Variables of a scene dataset that its picture shows.
-PLOTTED = (
-    "rod_length",
-    "rod_angle",
-    "radius",
-    "ring_center",
-    "friction_cone_right",
-    "friction_cone_left",
-    "motion_cone_right",
-    "motion_cone_left",
-    "pusher_motion",
-    "outcome",
-    "mode",
-    "adhesive",
-    "force",
-    "contact_motion",
-    "spin_ratio",
-    "center",
-    "support_force",
-)
 #: A centre further away than this, in units of the slider's span, is pointed to.
 FAR = 2.0
 #: Radius of the motion cone, in units of the longest motion.
 CONE = 0.72
 #: Length of the arrows of support friction, in units of the radius.
 SUPPORT_LENGTH = 0.36
-
-
-def shown(dataset: xr.Dataset) -> xr.Dataset:
-    """Select the solution to draw: the sticking one, else the first that moves, else the first.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A scene's dataset, or what this function made of one.
-
-    Returns
-    -------
-    xarray.Dataset
-        The plotted variables; ``solution`` has one entry, or none where no solution is consistent.
-    """
-    modes = dataset["mode"].values
-    ranks = np.select([modes == ContactMode.STICK, modes != ContactMode.SEPARATE], [0, 1], 2)
-    best = np.argsort(ranks, kind="stable")[:1]
-    chosen = dataset[[*PLOTTED, "effect"]].isel(solution=best)
-    return chosen.assign_attrs(title=dataset.attrs.get("title", ""))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,13 +31,15 @@ class Sketch:
     """
 
     data: xr.Dataset
-    radius: float
+    body: Body
     ring: Array
     pusher: Array
     force: Array
+    force_end: Array
     motion: Array
     center: Array
     spin_ratio: float
+    pivots: bool
 
     @classmethod
     def of(cls, dataset: xr.Dataset) -> Self:
@@ -86,19 +51,36 @@ class Sketch:
 
         return cls(
             data=data,
-            radius=float(data["radius"]),
+            body=body_of(data),
             ring=np.asarray(data["ring_center"].values, dtype=float),
             pusher=np.asarray(data["pusher_motion"].values, dtype=float),
             force=vector("force"),
+            force_end=vector("force_end" if "force_end" in data else "force"),
             motion=vector("contact_motion"),
             center=vector("center"),
             spin_ratio=0.0 if one is None else float(one["spin_ratio"]),
+            pivots=bool(np.any(data["pivot"].values >= 0)) if "pivot" in data else False,
         )
+
+    @property
+    def pose(self) -> Pose:
+        """Where the slider is."""
+        return Pose(self.ring, float(np.deg2rad(self.data["rod_angle"])))
+
+    @property
+    def radius(self) -> float:
+        """Radius of the ring; half the larger side of another support."""
+        return self.body.half
+
+    @property
+    def middle(self) -> Array:
+        """Centre of the ring; the middle of another support."""
+        return self.pose.at(self.body.middle)
 
     @property
     def span(self) -> float:
         """Size of the slider."""
-        return float(np.hypot(*self.ring)) + 2 * self.radius
+        return float(np.hypot(*self.middle)) + 2 * self.radius
 
     @property
     def reach(self) -> float:
@@ -106,28 +88,34 @@ class Sketch:
         return 0.38 * self.span
 
     @property
-    def drawn_force(self) -> Array:
+    def forces(self) -> list[Array]:
+        """The force; where a pivot leaves it open the ends of its interval, the right one first."""
+        one, other = self.force, self.force_end
+        if np.array_equal(one, other):
+            return [one]
+        return [one, other] if one[0] * other[1] > one[1] * other[0] else [other, one]
+
+    def drawn_force(self, force: Array) -> Array:
         """Force at a length that keeps its head off the head of a motion along it."""
-        size, speed = float(np.hypot(*self.force)), float(np.hypot(*self.motion))
-        along = bool(size and self.force @ self.motion > 0.96 * size * speed)
-        return (0.6 if along else 0.95) * self.reach * self.force / size if size else self.force
+        size, speed = float(np.hypot(*force)), float(np.hypot(*self.motion))
+        along = bool(size and force @ self.motion > 0.96 * size * speed)
+        return (0.6 if along else 0.95) * self.reach * force / size if size else force
 
     @property
     def heading(self) -> Array:
         """Unit vector along the force; zero where there is none."""
-        size = float(np.hypot(*self.force)) or 1.0
-        return np.asarray(self.force / size)
+        return _unit(self.force)
 
     @property
     def foot(self) -> Array:
         """Point of the line of force that is nearest to the ring centre."""
-        return np.asarray((self.heading @ self.ring) * self.heading)
+        return np.asarray((self.heading @ self.middle) * self.heading)
 
-    @property
-    def end_of_line(self) -> Array:
-        """Where the line of force is drawn to: past the slider."""
-        past = float(self.heading @ self.ring) < 0
-        return np.asarray(self.foot + (-1 if past else 1) * 1.2 * self.radius * self.heading)
+    def end_of_line(self, force: Array) -> Array:
+        """Where the line of a force is drawn to: past the slider."""
+        heading = _unit(force)
+        along = float(heading @ self.middle)
+        return np.asarray((along + (-1 if along < 0 else 1) * 1.2 * self.radius) * heading)
 
     def drawn_motion(self, motion: Array) -> Array:
         longest = max(float(np.hypot(*self.pusher)), float(np.hypot(*self.motion)))
@@ -152,17 +140,15 @@ class Sketch:
 
     @property
     def toward_center(self) -> Array:
-        """Unit vector from the ring centre to the motion centre; zero where there is no rotation."""
-        size = float(np.hypot(*self.force))
-        if not size or not self.spin_ratio:
+        """Unit vector from the slider's centre to the motion centre; zero where there is no rotation."""
+        if not (np.any(self.force) and self.spin_ratio and np.isfinite(self.center).all()):
             return np.zeros(2)
-        x, y = self.force / size
-        return np.asarray(-np.sign(self.spin_ratio) * np.array([y, -x]))
+        return _unit(self.center - self.ring)
 
     @property
     def center_distance(self) -> float:
-        """Distance of the motion centre from the ring centre; infinite for a translation."""
-        return self.radius / abs(self.spin_ratio) if self.spin_ratio else np.inf
+        """Distance of the motion centre from the slider's centre; infinite for a translation."""
+        return float(np.hypot(*(self.center - self.ring))) if self.spin_ratio else np.inf
 
     @property
     def center_is_near(self) -> bool:
@@ -185,16 +171,26 @@ class Sketch:
             ContactMode.SLIP_LEFT: "slips to the left",
         }
         mode = names[ContactMode(int(self.data["mode"].values[0]))]
+        pivots = ", the slider pivots" if self.pivots else ""
         several = int(self.data["outcome"]) == Outcome.AMBIGUOUS
-        return f"{mode} (one of several solutions)" if several else mode
+        return f"{mode}{pivots} (one of several solutions)" if several else f"{mode}{pivots}"
+
+    @property
+    def rubbing(self) -> tuple[Array, Array]:
+        """Places where the support rubs, and its friction there."""
+        if "place_force" in self.data:
+            return self.data["place_position"].values, self.data["place_force"].values
+        around = [unit(angle) for angle in self.data["support_angle"].values]
+        return self.ring + self.radius * np.array(around), self.data["support_force"].values
 
     def box(self, margin: float = 0.0) -> tuple[float, float, float, float]:
         """xmin, xmax, ymin, ymax of all that is drawn."""
-        rubs = bool(np.any(self.data["support_force"].values)) and self.moves
-        corners = (1 + SUPPORT_LENGTH * rubs) * self.radius * np.array([[-1.0, -1.0], [1.0, 1.0]])
-        points = [np.zeros(2), *(self.ring + corners), self.drawn_force]
+        rubs = bool(np.any(self.rubbing[1])) and self.moves
+        rim = SUPPORT_LENGTH * rubs * self.radius * np.array([[-1.0, -1.0], [1.0, 1.0]])
+        points = [np.zeros(2), self.ring, *(self.body.box(self.pose) + rim)]
+        points += [self.drawn_force(each) for each in self.forces]
         points += [self.drawn_motion(self.pusher), self.drawn_motion(self.motion)]
-        points += [self.end_of_line] if self.moves else []
+        points += [self.end_of_line(each) for each in self.forces if self.moves]
         points += [np.array([sign * 0.7 * self.reach, -0.15 * self.reach]) for sign in (-1.0, 1.0)]
         right, left = (float(self.data[f"motion_cone_{side}"]) for side in ("right", "left"))
         points += [CONE * self.reach * unit(each) for each in np.linspace(right, left, 13)]
@@ -204,3 +200,9 @@ class Sketch:
             points.append(self.far_center)
         low, high = np.min(points, axis=0) - margin, np.max(points, axis=0) + margin
         return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+
+
+def _unit(vector: Array) -> Array:
+    """Unit vector along a vector; zero along none."""
+    size = float(np.hypot(*vector)) or 1.0
+    return np.asarray(vector / size)

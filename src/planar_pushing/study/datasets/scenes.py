@@ -14,16 +14,15 @@ from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solutions
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.study.datasets.rubbing import RING_ANGLES, place_friction, ring_friction
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import PushEntry, StudyFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EFFECT_DEGREES
 
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
-SUPPORT_ANGLES = np.arange(0.0, 360.0, 15.0)
 
 
 def pusher_angle(scene: Scene, push: PushEntry) -> float:
@@ -55,18 +54,12 @@ def _solutions(scene: Scene, solutions: Solutions, pusher: Array) -> dict[str, A
     }
 
 
-def _support(scene: Scene, twists: Array) -> dict[str, Any]:
-    """Motion of points of the ring and, where it rubs, the friction of the support on them."""
-    outward = direction(np.deg2rad(SUPPORT_ANGLES))
-    turned = np.stack([-outward[:, 1], outward[:, 0]], axis=-1)
-    motion = twists[:, None, :2] + twists[:, None, 2:] * turned
-    weight = sum(each.weight for each in scene.friction)
-    speed = np.linalg.norm(motion, axis=-1, keepdims=True)
-    heading = np.divide(motion, speed, out=np.zeros_like(motion), where=speed > 0)
-    dims = ("solution", "support_angle", "xy")
+def _pivots(solutions: Solutions) -> dict[str, Any]:
+    """About which support point each solution pivots, and the other end of the forces of a pivot."""
+    ends = np.reshape([each.force_end for each in solutions], (-1, 2))
     return {
-        "support_motion": (dims, motion),
-        "support_force": (dims, -weight / (2 * np.pi) * heading),
+        "force_end": (("solution", "xy"), ends),
+        "pivot": ("solution", np.array([each.pivot for each in solutions], np.int32)),
     }
 
 
@@ -100,11 +93,6 @@ def _cones(scene: Scene) -> dict[str, Any]:
 def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     """One pushing problem: geometry, cones, the fence's motion and every consistent solution."""
     scene = file.build()
-    if not scene.isotropic:
-        raise InvalidValue(
-            "effects", "a support that is no ring, or a centre of mass off its centre",
-            "pictures of rings", "use solve, cone and simulate, which take any support",
-        )  # fmt: skip
     slider, angle = scene.slider, pusher_angle(scene, push)
     pusher = push.pusher_magnitude * direction(np.deg2rad(angle))
     solutions = solve(scene, np.deg2rad(angle), push.pusher_magnitude)
@@ -120,14 +108,18 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         "outcome": np.int8(solutions.outcome),
         **_cones(scene),
         **values,
-        **_support(scene, values["twist"][1]),
     }
-    coords = {
+    coords: dict[str, Any] = {
         "xy": ["x", "y"],
         "effect": list(map(str, _kinds(scene))),
         "twist_component": ["v_x", "v_y", "R omega"],
-        "support_angle": SUPPORT_ANGLES,
     }
+    twists = values["twist"][1]
+    if scene.isotropic:
+        variables |= ring_friction(scene, twists)
+        coords["support_angle"] = RING_ANGLES
+    else:
+        variables |= _pivots(solutions) | place_friction(scene, twists)
     return describe(
         xr.Dataset(variables, coords=coords),
         title=file.title,

@@ -3,7 +3,7 @@
 import pytest
 
 from figures.parts.conftest import NO_ADHESION, coulomb, scene
-from planar_pushing.figures.parts.sketch import shown
+from planar_pushing.figures.parts.shown import shown
 from planar_pushing.mechanics.contact import ContactMode
 
 
