@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from planar_pushing.terms.errors import InvalidValue
 
@@ -74,10 +75,18 @@ _GRID = {
     "contact": ("contact_friction_coefficient",),
     **dict.fromkeys(("mode", "bound_end", "exact_end"), ()),
 }
+#: Labels of the contact laws without a coefficient, behind those of Coulomb along `contact`.
+CONTACT_LAWS = ("infinite_friction_free", "infinite_friction_none", "perfectly_rough")
+#: The datasets that hold the force angles which push alone, those from 0 to 180 degrees.
+PUSHES = ("acceleration_centers", "center_regions")
 #: The grid axes that each reads.
 AXES: dict[str, tuple[str, ...]] = {
     name: tuple(axis for dim in dims for axis in _GRID.get(dim, (dim,)))
     for name, dims in DIMS.items()
+}
+#: The dimensions of each along which it can be cut: those with an axis.
+SPLIT: dict[str, tuple[str, ...]] = {
+    name: tuple(dim for dim in dims if _GRID.get(dim, (dim,))) for name, dims in DIMS.items()
 }
 #: A name in a folder, or of a group or a study.
 NAME = re.compile(r"[A-Za-z0-9_]+")
@@ -110,6 +119,11 @@ def dataset_place(name: str) -> tuple[str, str | None]:
 def dataset_file(name: str) -> str:
     """File in the results that holds a dataset; errors as in `dataset_place`."""
     return dataset_place(name)[0]
+
+
+def contact_labels(coefficients: Iterable[float]) -> list[str]:
+    """Labels along the axis `contact`: a law of Coulomb for each coefficient, then the others."""
+    return [*(f"coulomb_{number_label(each)}" for each in coefficients), *CONTACT_LAWS]
 
 
 def number_label(number: float) -> str:

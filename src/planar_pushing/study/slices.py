@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from planar_pushing.study.catalog import AXES
+from planar_pushing.study.catalog import AXES, PUSHES
 from planar_pushing.study.files.models import Grid, PushEntry, StudyFile
 from planar_pushing.terms.options import EffectKind
 
@@ -18,6 +18,8 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
     grid = {axis: list(getattr(study.grid, axis)) for axis in AXES[name]}
+    if name in PUSHES:
+        grid["force_angle"] = [angle for angle in grid["force_angle"] if 0 <= angle <= 180]
     common = {part: getattr(study, part) for part in COMMON}
     listed = {part: each.model_dump() for part, each in common.items() if each is not None}
     return listed | {"grid": grid}
