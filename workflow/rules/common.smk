@@ -32,7 +32,9 @@ except PlanarPushingError as error:
 #: The folder that this study fills, and no other.
 RESULTS = str(study_folder(PROVENANCE["study"]))
 
-own_the_folder(".snakemake")
+# Not a job of another run, which may outlive the process that submitted it.
+if workflow.is_main_process:
+    own_the_folder(".snakemake")
 
 #: Priorities: first what the golden check waits for, and last what nothing waits for, to run beside the report.
 FIRST, LAST = 1, -1
