@@ -13,10 +13,9 @@ import time
 
 import pytest
 from workflow.cluster import Cluster, missing, slurm
-from workflow.conftest import PROJECT, copy_project
+from workflow.chunked import ENVIRONMENT, STUDY, copy_workflow
 
 CHUNKS = "chunks: {contact_modes: {pusher_angle: 13, contact: 4}}\n"
-STUDY = "workflow/config/split.yaml"
 TARGET = "results/studies/split/data/contact_modes.nc"
 #: Chunks of contact modes.
 NUMBER = 4
@@ -39,18 +38,13 @@ class Run:
     """A run of the workflow in a folder of its own."""
 
     def __init__(self, root):
-        copy = copy_project(root)
-        self.root = copy.root
-        smoke = (self.root / copy.study).read_text(encoding="utf-8")
-        (self.root / STUDY).write_text(smoke + CHUNKS, encoding="utf-8")
-        # The project's own sources, which are compiled.
-        self.environment = copy.environment | {"PYTHONPATH": str(PROJECT / "src")}
+        self.root = copy_workflow(root, CHUNKS)
 
     def start(self, *arguments):
         log = (self.root / "said").open("a")
         command = [sys.executable, "-m", "snakemake", *arguments, "--config", f"study={STUDY}"]
         return subprocess.Popen(
-            command, cwd=self.root, env=self.environment, stdout=log, stderr=log,
+            command, cwd=self.root, env=ENVIRONMENT, stdout=log, stderr=log,
             start_new_session=True,
         )  # fmt: skip
 
