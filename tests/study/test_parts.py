@@ -72,9 +72,7 @@ def test_sizes_are_those_of_the_dataset(results, name):
 def test_borders_do_not_depend_on_the_number_of_chunks():
     short, long = ({"a": n, "b": 7} for n in (20, 33))
     steps = {"a": 8, "b": 5}
-    before, after = (
-        {chunk_name(part): part for part in ranges(n, steps)} for n in (short, long)
-    )
+    before, after = ({chunk_name(part): part for part in ranges(n, steps)} for n in (short, long))
     same = [name for name in before if before[name] == after[name]]
     assert same == [f"a_{i}.b_{j}" for i, j in itertools.product((0, 8), (0, 5))]
     assert list(after)[-1] == "a_32.b_5"

@@ -13,7 +13,7 @@ SMOKE = load_study("workflow/config/smoke.yaml")
 @pytest.fixture
 def plan(monkeypatch):
     rates = Rates(computed=3.6, copied=0.36, stored=1e6)
-    monkeypatch.setattr("planar_pushing.study.plan.measured_rates", lambda name, values: rates)
+    monkeypatch.setattr("planar_pushing.study.plan.measured_rates", lambda *_: rates)
 
     def of(**changes):
         return {each.dataset: each for each in study_plan(SMOKE.model_copy(update=changes))}

@@ -13,6 +13,7 @@ import signal
 import socket
 import subprocess
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -141,11 +142,11 @@ class Cluster:
                 if name in self.running:
                     daemon = self.running.pop(name)
                     daemon.terminate()
-                    daemon.wait(timeout=30)
+                    daemon.wait(timeout=60)
         finally:
             CONFIGURATION.unlink(missing_ok=True)
 
-    def wait_for(self, reached, seconds: float = 60.0) -> None:
+    def wait_for(self, reached: Callable[[], object], seconds: float = 600.0) -> None:
         """Wait until something holds, or fail with the logs."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:

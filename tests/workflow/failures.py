@@ -10,6 +10,7 @@ import subprocess
 import time
 
 import pytest
+
 from workflow.chunked import ENVIRONMENT, RESULTS, command, copy_workflow, files, snakemake
 
 CHUNKS = "chunks: {contact_modes: {pusher_angle: 13, contact: 4}}\n"

@@ -3,20 +3,19 @@
 Whatever is lost on the way, a run ends with the bytes of one on this machine alone.
 """
 
-import json
 import os
 import re
 import signal
 import subprocess
-import sys
 import time
 
 import pytest
+
+from workflow.chunked import ENVIRONMENT, RESULTS, command, copy_workflow, files
 from workflow.cluster import Cluster, missing, slurm
-from workflow.chunked import ENVIRONMENT, STUDY, copy_workflow
 
 CHUNKS = "chunks: {contact_modes: {pusher_angle: 13, contact: 4}}\n"
-TARGET = "results/studies/split/data/contact_modes.nc"
+TARGET = f"{RESULTS}/data/contact_modes.nc"
 #: Chunks of contact modes.
 NUMBER = 4
 
@@ -39,14 +38,16 @@ class Run:
 
     def __init__(self, root):
         self.root = copy_workflow(root, CHUNKS)
+        self.started = []
 
     def start(self, *arguments):
-        log = (self.root / "said").open("a")
-        command = [sys.executable, "-m", "snakemake", *arguments, "--config", f"study={STUDY}"]
-        return subprocess.Popen(
-            command, cwd=self.root, env=ENVIRONMENT, stdout=log, stderr=log,
-            start_new_session=True,
-        )  # fmt: skip
+        with (self.root / "said").open("a") as log:
+            process = subprocess.Popen(
+                command(*arguments), cwd=self.root, env=ENVIRONMENT, stdout=log, stderr=log,
+                start_new_session=True,
+            )  # fmt: skip
+        self.started.append(process)
+        return process
 
     def submit(self, *targets):
         wait = ("--slurm-init-seconds-before-status-checks", "2", "--latency-wait", "10")
@@ -57,17 +58,19 @@ class Run:
         return (self.root / "said").read_text(encoding="utf-8")
 
     def ends(self, process):
-        assert process.wait(timeout=600) == 0, self.said
-
-    def files(self):
-        folder = self.root / "results/studies/split"
-        paths = [*folder.glob("data/*.nc"), *folder.glob("chunks/*/*.nc")]
-        return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(paths)}
+        assert process.wait(timeout=1800) == 0, self.said
 
     def done(self):
         """How often each rule ended."""
         found = re.findall(r"Finished jobid: \d+ \(Rule: (\w+)\)", self.said)
         return {rule: found.count(rule) for rule in found}
+
+    def kill(self):
+        """End what a test that failed has left."""
+        for process in self.started:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
 
 
 @pytest.fixture(scope="session")
@@ -75,16 +78,20 @@ def local(tmp_path_factory):
     """Files of a run on this machine."""
     run = Run(tmp_path_factory.mktemp("local"))
     run.ends(run.start("--cores", "2", "data"))
-    return run.files()
+    return files(run.root)
 
 
 @pytest.fixture
-def run(tmp_path):
-    return Run(tmp_path)
+def run(tmp_path, cluster):
+    found = Run(tmp_path)
+    yield found
+    found.kill()
+    slurm("scancel", "--user=root")
+    cluster.wait_for(lambda: not slurm("squeue", "--noheader"))
 
 
 def assert_same(run, local):
-    found = run.files()
+    found = files(run.root)
     assert found == {name: local[name] for name in found}
     assert sum("chunks/" in name for name in found) == NUMBER
 
@@ -102,7 +109,7 @@ def wait_until_one_computes(cluster):
 
 def test_a_run_ends_with_the_bytes_of_a_local_one(run, local):
     run.ends(run.submit("data"))
-    assert run.files() == local
+    assert files(run.root) == local
     assert re.search(r"Submitted array job with Snakemake IDs", run.said)
     run.ends(run.start("--cores", "1", "--dry-run", "data"))
     assert "Nothing to be done" in run.said
@@ -122,10 +129,12 @@ def test_a_drained_node_goes_on_when_it_is_resumed(cluster, run, local):
     wait_until_one_computes(cluster)
     node = f"nodename={cluster.host}"
     slurm("scontrol", "update", node, "state=drain", "reason=test")
-    cluster.wait_for(lambda: not chunk_jobs())
-    time.sleep(3)
-    assert process.poll() is None
-    slurm("scontrol", "update", node, "state=resume")
+    try:
+        cluster.wait_for(lambda: not chunk_jobs())
+        time.sleep(3)
+        assert process.poll() is None
+    finally:
+        slurm("scontrol", "update", node, "state=resume")
     run.ends(process)
     assert_same(run, local)
     assert run.done()["chunk"] == NUMBER

@@ -34,7 +34,7 @@ def open_chunks(folder: Path, lengths: Mapping[str, int], steps: Mapping[str, in
     """
     require_extra("chunks")
     files = [_opened(folder / f"{chunk_name(part)}.nc") for part in ranges(lengths, steps)]
-    for dim, step in reversed(steps.items()):
+    for dim, step in reversed(list(steps.items())):
         number = -(-lengths[dim] // step)
         files = [_joined(files[i : i + number], dim) for i in range(0, len(files), number)]
     return files[0]

@@ -21,8 +21,8 @@ PACKAGE = "planar_pushing"
 def job_log(path: str) -> Iterator[logging.Logger]:
     """Log a job to `path`: an error with its traceback, one of ours as its message.
 
-    It is for a process of its own, which imports what it needs inside: a failing import is logged too. A job
-    that was started again while its first process still runs, as on a cluster, waits for it.
+    It is for a process of its own, which imports what it needs inside: a failing import is logged too.
+    A job that was started again while its first process still runs, as on a cluster, waits for it.
     """
     with open(path, "a", encoding="utf-8") as lock:  # noqa: PTH123 - held open
         with suppress(OSError):  # a cluster's file system may know no locks

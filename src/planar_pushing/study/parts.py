@@ -45,7 +45,7 @@ def cut(values: Mapping[str, Any], part: Part) -> dict[str, Any]:
 
 
 def shape(lengths: Sequence[int], most: int) -> tuple[int, ...]:
-    """Lengths of a block of at most `most` points: whole inner dimensions, then a power of two, then one."""
+    """Lengths of a block of at most `most` points: whole inner dimensions, a power of two, then one."""
     found: list[int] = []
     for length in reversed(lengths):
         fits = length <= most

@@ -95,19 +95,20 @@ def _create(file: h5netcdf.File, name: str, like: h5netcdf.Variable) -> None:
 
 def _pieces(made: xr.Dataset, part: Part, layout: Mapping[str, Any]) -> Iterator[Piece]:
     """What a part of a dataset stores; what lies along none of its ranges is stored with the first."""
-    for name, variable in made.variables.items():
-        if any(span.start for dim, span in part.items() if dim not in variable.dims):
+    for name, variable in ((str(name), each) for name, each in made.variables.items()):
+        dims = tuple(map(str, variable.dims))
+        if any(span.start for dim, span in part.items() if dim not in dims):
             continue
-        place = tuple(part.get(dim, slice(None)) for dim in variable.dims)
+        place = tuple(part.get(dim, slice(None)) for dim in dims)
         values = np.asarray(variable.values)
         values = values.astype(np.int8) if values.dtype == bool else values
-        if layout[name] and _whole_pieces(part, variable.dims, layout[name]):
-            yield from _compressed(str(name), values, place, layout[name])
+        if layout[name] and _whole_pieces(part, dims, layout[name]):
+            yield from _compressed(name, values, place, layout[name])
         else:
-            yield Piece(str(name), place, None, values)
+            yield Piece(name, place, None, values)
 
 
-def _whole_pieces(part: Part, dims: tuple[Any, ...], chunk: tuple[int, ...]) -> bool:
+def _whole_pieces(part: Part, dims: tuple[str, ...], chunk: tuple[int, ...]) -> bool:
     """Whether a part of a variable is made of stored pieces: a short last one ends the dimension."""
     if not set(part) <= set(dims):
         return False

@@ -89,8 +89,8 @@ def _chunk_problems(study: StudyFile) -> Iterator[str]:
             yield f"chunks.{name}: {list(chunk)} given; allowed: {', '.join(allowed)}; name some of these"
     for name in study.gather:
         if name not in study.chunks:
-            allowed = ", ".join(study.chunks) or "none, as there are no chunks"
-            yield f"gather.{name}: unknown; allowed: {allowed}; remove it, or give its chunks"
+            known = ", ".join(study.chunks) or "none, as there are no chunks"
+            yield f"gather.{name}: unknown; allowed: {known}; remove it, or give its chunks"
 
 
 def _scene_problems(study: StudyFile) -> Iterator[str]:

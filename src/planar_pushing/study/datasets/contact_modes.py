@@ -42,7 +42,7 @@ Found = npt.NDArray[np.bool_]
 def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
     """Label: (type, law) along the contact axis; the label holds the coefficient of friction."""
     coefficients = study.grid.contact_friction_coefficient
-    laws = [
+    laws: list[tuple[str, ContactLaw]] = [
         *(("coulomb", Coulomb(mu)) for mu in coefficients),
         ("infinite_friction", InfiniteFriction()),
         ("infinite_friction", InfiniteFriction("none")),

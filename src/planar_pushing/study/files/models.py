@@ -127,9 +127,9 @@ class Tolerance(FileModel):
 class StudyFile(FileModel):
     """The grid of every dataset, the scenes, and the values that the paper leaves open.
 
-    `simulations` names the scene files with a section `simulate` that are followed over time. `chunks` gives
-    the most values along dimensions of a dataset that one job computes; `gather` says whether the chunks
-    become one file. Paths are relative to the study's file.
+    `simulations` names the scene files with a section `simulate` that are followed over time.
+    `chunks` gives the most values along dimensions of a dataset that one job computes; `gather` says
+    whether its chunks become one file. Paths are relative to the study's file.
     """
 
     title: Text
