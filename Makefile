@@ -23,7 +23,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test lint bench golden images dictionary schemas lock report clean help
+.PHONY: all test test-slurm test-failures lint bench golden images dictionary schemas lock report clean help
 .DELETE_ON_ERROR:
 
 all: $(COMPILED)
@@ -31,6 +31,12 @@ all: $(COMPILED)
 
 test: $(COMPILED) lint
 	$(BIN)/pytest
+
+test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
+	$(BIN)/pytest tests/workflow/slurm.py
+
+test-failures: $(COMPILED) ## kill runs and fill disks (root, for the disks); some minutes
+	$(BIN)/pytest tests/workflow/failures.py
 
 lint: $(READY)
 	$(BIN)/ruff check src tests workflow/scripts
@@ -69,7 +75,7 @@ clean: ## remove everything that was generated
 	find results -mindepth 1 -not -name README.md -delete
 
 help:
-	@grep -hE '^(# make|[a-z]+:.*## )' $(MAKEFILE_LIST) | sed -E 's/^# //; s/^([a-z]+):.*## /make \1\t/' | expand -t 14
+	@grep -hE '^(# make|[a-z-]+:.*## )' $(MAKEFILE_LIST) | sed -E 's/^# //; s/^([a-z-]+):.*## /make \1\t/' | expand -t 20
 
 ifndef ALONE
 # One at a time: who has waited finds it made.

@@ -4,7 +4,9 @@ import sys
 from snakemake.exceptions import WorkflowError
 
 from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.study import effort
 from planar_pushing.study.catalog import DATASETS, SLIDERS, dataset_file
+from planar_pushing.study.chunks import chunk_parts, chunk_slice, chunk_steps
 from planar_pushing.study.dependencies import code_of
 from planar_pushing.study.figures import (
     FIGURES,
@@ -16,6 +18,7 @@ from planar_pushing.study.figures import (
 )
 from planar_pushing.study.files.models import FigureEntry, StudyFile
 from planar_pushing.study.locks import own_the_folder
+from planar_pushing.study.parts import points, sizes
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.files.sliders_model import SlidersFile
 from planar_pushing.study.sliders_file import load_any
@@ -48,7 +51,9 @@ STUDY_FILE, GALLERY_FILE = file_of(StudyFile), file_of(SlidersFile)
 STUDY, GALLERY = LOADED.get(STUDY_FILE), LOADED.get(GALLERY_FILE)
 PROVENANCE, RESULTS = MARKS.get(STUDY_FILE), folder_of(STUDY_FILE)
 
-own_the_folder(".snakemake")
+# Not a job of another run, which may outlive the process that submitted it.
+if workflow.is_main_process:
+    own_the_folder(".snakemake")
 
 #: Priorities: first what the golden check waits for, and last what nothing waits for, to run beside the report.
 FIRST, LAST = 1, -1
@@ -56,6 +61,53 @@ FIRST, LAST = 1, -1
 #: What the study's effects allow: nothing else has a job.
 COMPUTED = [name for name in DATASETS if STUDY and computes(STUDY, name)]
 DRAWN = [name for name in FIGURES if STUDY and computes(STUDY, name)]
+#: Datasets in chunks, by the names of the chunks; those that become one file; and those in one piece.
+CHUNKED = {name: chunk_parts(STUDY, name) for name in (STUDY.chunks if STUDY else ())}
+GATHERED = [name for name in CHUNKED if STUDY.gather.get(name, True)]
+WHOLE_DATASETS = [name for name in COMPUTED if name not in CHUNKED]
+
+
+def one_of(names):
+    """Pattern of a wildcard that is one of these names; of none, one that nothing matches."""
+    return "|".join(names) or "(?!)"
+
+
+def job_slice(wildcards):
+    """The study's values that a dataset or a chunk is computed from."""
+    part = CHUNKED.get(wildcards.dataset, {}).get(wildcards.get("chunk"), {})
+    return chunk_slice(STUDY, wildcards.dataset, part)
+
+
+def job_points(wildcards):
+    """Points that a job of a dataset computes."""
+    return points(sizes(wildcards.dataset, job_slice(wildcards)))
+
+
+def job_threads(wildcards):
+    return effort.threads(job_points(wildcards))
+
+
+def job_memory(wildcards, threads):
+    return effort.memory(job_points(wildcards), threads)
+
+
+def job_minutes(wildcards):
+    return effort.minutes(job_points(wildcards))
+
+
+def chunk_files(wildcards):
+    """Chunks of a dataset."""
+    folder = f"<results>/chunks/{wildcards.dataset}"
+    return [f"{folder}/{chunk}.nc" for chunk in CHUNKED[wildcards.dataset]]
+
+
+def gathering(wildcards):
+    """Lengths of a dataset and of its chunks along the dimensions that are cut."""
+    name = wildcards.dataset
+    return {
+        "lengths": sizes(name, study_slice(STUDY, name)),
+        "steps": chunk_steps(STUDY, name),
+    }
 
 
 def scene_files(wildcards):

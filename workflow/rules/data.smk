@@ -1,4 +1,4 @@
-# The datasets, one job each: a grid is vectorised inside its job.
+# The datasets, one job each, or a job for each chunk of a large one: a grid is vectorised inside its job.
 rule data:
     input:
         expand("<results>/data/{dataset}.nc", dataset=COMPUTED),
@@ -14,16 +14,91 @@ rule dataset:
     benchmark:
         "<results>/benchmarks/data/{dataset}.tsv"
     wildcard_constraints:
-        dataset="|".join(COMPUTED),
+        dataset=one_of(WHOLE_DATASETS),
     priority: FIRST
+    threads: job_threads
+    resources:
+        mem_mb=job_memory,
+        runtime=job_minutes,
     params:
         # Not of study.builders, which imports the builders of the other datasets too.
         code=lambda wildcards: code_of(
-            f"study.datasets.{wildcards.dataset}", "study.slices", "study.store"
+            f"study.datasets.{wildcards.dataset}", "study.slices", "study.streaming"
         ),
-        study=lambda wildcards: study_slice(STUDY, wildcards.dataset),
+        study=job_slice,
         provenance=PROVENANCE,
     message:
         "Computing {wildcards.dataset}"
     script:
         "../scripts/dataset.py"
+
+
+# A chunk does not know its study, so that it stays when the study changes elsewhere.
+rule chunk:
+    output:
+        "<results>/chunks/{dataset}/{chunk}.nc",
+    log:
+        "<results>/logs/chunks/{dataset}/{chunk}.log",
+    benchmark:
+        "<results>/benchmarks/chunks/{dataset}/{chunk}.tsv"
+    wildcard_constraints:
+        dataset=one_of(CHUNKED),
+    priority: FIRST
+    threads: job_threads
+    resources:
+        mem_mb=job_memory,
+        runtime=job_minutes,
+    params:
+        code=rules.dataset.params.code,
+        study=job_slice,
+    message:
+        "Computing {wildcards.chunk} of {wildcards.dataset}"
+    script:
+        "../scripts/chunk.py"
+
+
+rule gather:
+    input:
+        chunk_files,
+    output:
+        "<results>/data/{dataset}.nc",
+    log:
+        "<results>/logs/data/{dataset}.log",
+    benchmark:
+        "<results>/benchmarks/data/{dataset}.tsv"
+    wildcard_constraints:
+        dataset=one_of(GATHERED),
+    priority: FIRST
+    threads: job_threads
+    resources:
+        mem_mb=job_memory,
+        runtime=job_minutes,
+    params:
+        code=code_of("study.chunk_files", "study.streaming", "study.describe"),
+        whole=gathering,
+        provenance=PROVENANCE,
+    message:
+        "Gathering the chunks of {wildcards.dataset}"
+    script:
+        "../scripts/gather.py"
+
+
+# What stands for a dataset that stays in its chunks.
+rule index:
+    input:
+        chunk_files,
+    output:
+        "<results>/data/{dataset}.nc",
+    log:
+        "<results>/logs/data/{dataset}.log",
+    wildcard_constraints:
+        dataset=one_of([name for name in CHUNKED if name not in GATHERED]),
+    priority: FIRST
+    params:
+        code=code_of("study.chunk_files", "study.streaming", "study.describe"),
+        whole=gathering,
+        provenance=PROVENANCE,
+    message:
+        "Listing the chunks of {wildcards.dataset}"
+    script:
+        "../scripts/index.py"

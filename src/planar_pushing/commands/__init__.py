@@ -19,6 +19,7 @@ from planar_pushing.commands import (
     cone,
     draw,
     init,
+    plan,
     query,
     simulate,
     solve,
@@ -28,7 +29,7 @@ from planar_pushing.commands.text import text
 from planar_pushing.terms.errors import PlanarPushingError
 
 #: Help, version and completion import these modules, so none imports numpy before its command runs.
-COMMANDS = (solve, cone, query, draw, simulate, animate, check, init, compilation, completion)
+COMMANDS = (solve, cone, query, draw, simulate, animate, check, plan, init, compilation, completion)
 #: Exit codes besides 0: input that cannot be used, Ctrl-C, and a reader that has gone, as shells count.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141
 

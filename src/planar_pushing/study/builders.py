@@ -26,7 +26,7 @@ from planar_pushing.study.slices import sliced_study
 
 Built = xr.Dataset | dict[str, xr.Dataset]
 
-BUILDERS: dict[str, Callable[[Any], Built]] = {
+BUILDERS: dict[str, Callable[..., Built]] = {
     "limit_curves": limit_curves.build,
     "motion_cones": motion_cones.build,
     "contact_modes": contact_modes.build,
@@ -40,5 +40,5 @@ BUILDERS: dict[str, Callable[[Any], Built]] = {
 
 
 def build_dataset(name: str, values: dict[str, Any]) -> Built:
-    """Build a dataset, or one for each group, from a slice of a study."""
-    return BUILDERS[name](sliced_study(values))
+    """Build a dataset, or one for each group, from a slice of a study or a part of one."""
+    return BUILDERS[name](sliced_study(values), **values.get("only", {}))

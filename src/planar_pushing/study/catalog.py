@@ -87,6 +87,10 @@ _GRID = {
     "contact": ("contact_friction_coefficient",),
     **dict.fromkeys(("mode", "bound_end", "exact_end", "support", "edge"), ()),
 }
+#: Labels of the contact laws without a coefficient, behind those of Coulomb along `contact`.
+CONTACT_LAWS = ("infinite_friction_free", "infinite_friction_none", "perfectly_rough")
+#: The datasets that hold the force angles which push alone, those from 0 to 180 degrees.
+PUSHES = ("acceleration_centers", "center_regions")
 
 
 def _axes(names: Iterable[str]) -> dict[str, tuple[str, ...]]:
@@ -99,6 +103,10 @@ def _axes(names: Iterable[str]) -> dict[str, tuple[str, ...]]:
 
 #: The grid axes that each reads, of a study like the paper's and of a study of sliders.
 AXES, SLIDERS_AXES = _axes(DATASETS), _axes(SLIDERS)
+#: The dimensions of each along which it can be cut: those with an axis.
+SPLIT: dict[str, tuple[str, ...]] = {
+    name: tuple(dim for dim in DIMS[name] if _GRID.get(dim, (dim,))) for name in AXES
+}
 #: A name in a folder, or of a group or a study.
 NAME = re.compile(r"[A-Za-z0-9_]+")
 
@@ -130,6 +138,11 @@ def dataset_place(name: str) -> tuple[str, str | None]:
 def dataset_file(name: str) -> str:
     """File in the results that holds a dataset; errors as in `dataset_place`."""
     return dataset_place(name)[0]
+
+
+def contact_labels(coefficients: Iterable[float]) -> list[str]:
+    """Labels along the axis `contact`: a law of Coulomb for each coefficient, then the others."""
+    return [*(f"coulomb_{number_label(each)}" for each in coefficients), *CONTACT_LAWS]
 
 
 def number_label(number: float) -> str:

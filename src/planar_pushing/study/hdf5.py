@@ -10,8 +10,8 @@ import re
 import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
-from mmap import ACCESS_READ, mmap
 from pathlib import Path
+from typing import BinaryIO
 
 import h5py
 
@@ -24,6 +24,8 @@ OBJECTS = 10**4
 EXPANSION = 1032
 #: A global heap: its mark, its version, three zeros and its size; its objects' index and size.
 HEAP = re.compile(rb"GCOL\x01\0\0\0.{8}", re.DOTALL)
+#: Bytes that are searched at once: a file may be larger than the memory.
+WINDOW = 2**24
 SIZE, OBJECT, HEADER = struct.Struct("<Q"), struct.Struct("<H6xQ"), 16
 
 
@@ -73,19 +75,31 @@ def _walk_heaps(path: PathLike) -> None:
     The HDF5 library goes round in one for ever where an object's size overflows (section III.E of the
     format: a header of 16 bytes with the size of the collection; objects of an index, a size and data).
     """
-    if not Path(path).stat().st_size:
-        return
-    with Path(path).open("rb") as file, mmap(file.fileno(), 0, access=ACCESS_READ) as content:
-        for heap in HEAP.finditer(content):
-            (whole,) = SIZE.unpack_from(heap[0], 8)
-            place, end = heap.end(), min(heap.start() + whole, len(content))
-            while place + HEADER <= end:
-                index, size = OBJECT.unpack_from(content, place)
-                # The size of free space, index 0, includes its header.
-                step = HEADER + -(-size // 8) * 8 if index else size
-                if not HEADER <= step <= end - place:
-                    raise InvalidFile(f"{path}: has a damaged heap; build it anew")
-                place += step
+    size = Path(path).stat().st_size
+    with Path(path).open("rb") as file:
+        for start in range(0, size, WINDOW):
+            file.seek(start)
+            content = file.read(WINDOW + HEADER)
+            for heap in HEAP.finditer(content):
+                _walk_heap(path, file, start + heap.start(), size)
+
+
+def _walk_heap(path: PathLike, file: BinaryIO, start: int, size: int) -> None:
+    """Go from object to object of the heap that begins at `start`; the next mark is read from there."""
+    (whole,) = SIZE.unpack_from(_header(file, start), 8)
+    place, end = start + HEADER, min(start + whole, size)
+    while place + HEADER <= end:
+        index, length = OBJECT.unpack_from(_header(file, place))
+        # The size of free space, index 0, includes its header.
+        step = HEADER + -(-length // 8) * 8 if index else length
+        if not HEADER <= step <= end - place:
+            raise InvalidFile(f"{path}: has a damaged heap; build it anew")
+        place += step
+
+
+def _header(file: BinaryIO, place: int) -> bytes:
+    file.seek(place)
+    return file.read(HEADER)
 
 
 def _variables(file: h5py.File) -> Iterator[h5py.Dataset]:

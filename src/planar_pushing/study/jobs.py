@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import fcntl
 import logging
 import platform
 import sys
 import time
 import traceback
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib.metadata import version
 
 from planar_pushing.terms.errors import PlanarPushingError
@@ -21,7 +22,15 @@ def job_log(path: str) -> Iterator[logging.Logger]:
     """Log a job to `path`: an error with its traceback, one of ours as its message.
 
     It is for a process of its own, which imports what it needs inside: a failing import is logged too.
+    A job that was started again while its first process still runs, as on a cluster, waits for it.
     """
+    with open(path, "a", encoding="utf-8") as lock:  # noqa: PTH123 - held open
+        with suppress(OSError):  # a cluster's file system may know no locks
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield from _logged(path)
+
+
+def _logged(path: str) -> Iterator[logging.Logger]:
     logger = logging.getLogger(PACKAGE)
     handler = logging.FileHandler(path, mode="w", encoding="utf-8")
     handler.setFormatter(logging.Formatter("%(levelname)s %(message)s"))

@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from planar_pushing.study.catalog import AXES, SLIDERS_AXES
+from planar_pushing.study.catalog import AXES, PUSHES, SLIDERS_AXES
 from planar_pushing.study.files.models import Grid, PushEntry
 from planar_pushing.study.files.sliders_model import KEY, SlidersFile, SlidersGrid, Study, kind_of
 from planar_pushing.terms.options import EffectKind
@@ -21,9 +21,12 @@ def study_slice(study: Study, name: str) -> dict[str, Any]:
         return {KEY: entries, "grid": _axes(study, SLIDERS_AXES[name])}
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
+    grid = _axes(study, AXES[name])
+    if name in PUSHES:
+        grid["force_angle"] = [angle for angle in grid["force_angle"] if 0 <= angle <= 180]
     common = {part: getattr(study, part) for part in COMMON}
     listed = {part: each.model_dump() for part, each in common.items() if each is not None}
-    return listed | {"grid": _axes(study, AXES[name])}
+    return listed | {"grid": grid}
 
 
 def _axes(study: Study, names: tuple[str, ...]) -> dict[str, list[Any]]:

@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Literal
 
 import h5netcdf
+import numpy as np
 import xarray as xr
 
 from planar_pushing.study.catalog import dataset_place
+from planar_pushing.study.chunk_files import behind_index
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.study.hdf5 import readable
+from planar_pushing.study.parts import shape
 from planar_pushing.study.studies import study_folder
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
 #: A variable of fewer bytes, a page, gains nothing from compression.
 SMALL = 4096
+#: Most numbers of a piece that is compressed by itself, and how hard that is tried.
+STORED, LEVEL = 2**15, 1
 #: A dataset of more bytes is read when it is used.
 LARGE = 2**23
 
@@ -39,8 +46,15 @@ def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> 
 
 def _encoding(variable: xr.Variable) -> dict[str, Any]:
     """No value stands for a missing one; numbers are compressed where that saves space."""
-    large = variable.dtype.kind not in "OU" and variable.nbytes >= SMALL
-    return {"_FillValue": None} | ({"zlib": True, "complevel": 1} if large else {})
+    chunks = stored_chunks(variable.shape, variable.dtype)
+    layout = {"zlib": True, "complevel": LEVEL, "chunksizes": chunks} if chunks else {}
+    return {"_FillValue": None} | layout
+
+
+def stored_chunks(lengths: Sequence[int], dtype: np.dtype[Any]) -> tuple[int, ...] | None:
+    """Shape of the pieces in which a variable is compressed; None for one that is not."""
+    small = dtype.kind in "OU" or math.prod(lengths) * dtype.itemsize < SMALL
+    return None if small else shape(lengths, STORED)
 
 
 def read_attributes(path: PathLike) -> dict[str, object]:
@@ -51,6 +65,8 @@ def read_attributes(path: PathLike) -> dict[str, object]:
 
 def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
     """Read a dataset into memory, and close its file; one above 8 MB is read when it is used.
+
+    So is one that stays in its chunks, by dask.
 
     Raises
     ------
@@ -67,7 +83,8 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
         if opened.nbytes > LARGE:
             return opened
         with opened:
-            return opened.load()
+            found = opened.load()
+    return behind_index(found, Path(path))
 
 
 def group_names(path: PathLike) -> list[str]:
@@ -105,7 +122,8 @@ def open_dataset(
     Returns
     -------
     xarray.Dataset
-        In memory, or read when it is used where it is above 8 MB; angles are degrees.
+        In memory, or read when it is used where it is above 8 MB or stays in its chunks; angles are
+        degrees.
 
     Raises
     ------

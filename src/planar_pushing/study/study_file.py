@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 
-from planar_pushing.study.catalog import AXES
+from planar_pushing.study.catalog import AXES, SPLIT
 from planar_pushing.study.figures import FIGURES, SCENES, computes
 from planar_pushing.study.files.models import FigureEntry, Grid, StudyFile
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_model, load_scene_file
 from planar_pushing.study.files.yaml_text import shown
+from planar_pushing.study.parts import points, sizes
+from planar_pushing.study.slices import study_slice
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import EFFECT_TYPES
 
-#: Most points of a dataset's grid.
-POINTS = 10**8
+#: Most points of a dataset's grid: a terabyte.
+POINTS = 10**10
 
 
 def load_study(path: PathLike) -> StudyFile:
@@ -47,7 +48,8 @@ def _located(study: StudyFile, folder: Path) -> StudyFile:
 def _study_problems(study: StudyFile) -> Iterator[str]:
     """What keeps a well-formed study from being computed and drawn."""
     yield from _effects_problems(study)
-    yield from _size_problems(study.grid)
+    yield from _size_problems(study)
+    yield from _chunk_problems(study)
     yield from _scene_problems(study)
     yield from simulation_problems(study.simulations)
     yield from _entry_problems(study, "scenes", study.scenes, SCENES)
@@ -66,15 +68,29 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
         yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
 
 
-def _size_problems(grid: Grid) -> Iterator[str]:
-    """Datasets of more points than a memory holds."""
+def _size_problems(study: StudyFile) -> Iterator[str]:
+    """Datasets of more points than a cluster computes."""
     for name, axes in AXES.items():
-        points = math.prod(len(getattr(grid, axis)) for axis in axes)
-        if points > POINTS:
+        count = points(sizes(name, study_slice(study, name)))
+        if count > POINTS:
             yield (
-                f"grid: {points} points of {name} given; allowed: {POINTS}; "
+                f"grid: {count} points of {name} given; allowed: {POINTS}; "
                 f"shorten the axes {', '.join(axes)}"
             )
+
+
+def _chunk_problems(study: StudyFile) -> Iterator[str]:
+    """Chunks of what has no grid, or along what is no dimension of it, and chunks that are gone."""
+    for name, chunk in study.chunks.items():
+        allowed = SPLIT.get(name, ()) if computes(study, name) else ()
+        if not allowed:
+            yield f"chunks.{name}: unknown, or not computed; allowed: {', '.join(SPLIT)}; remove it"
+        if not chunk or not set(chunk) <= set(allowed):
+            yield f"chunks.{name}: {list(chunk)} given; allowed: {', '.join(allowed)}; name some of these"
+    for name in study.gather:
+        if name not in study.chunks:
+            known = ", ".join(study.chunks) or "none, as there are no chunks"
+            yield f"gather.{name}: unknown; allowed: {known}; remove it, or give its chunks"
 
 
 def _scene_problems(study: StudyFile) -> Iterator[str]:

@@ -9,6 +9,7 @@ from planar_pushing.terms.errors import MissingExtra
 #: Extras of the package, as `pip install` names them, and what a part of the package imports of each.
 EXTRAS = {
     "workflow": ("grimp",),
+    "chunks": ("dask",),
     "figures": ("matplotlib", "PIL"),
     "report": ("typst", "PIL"),
     "golden": ("flint",),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -40,15 +41,14 @@ Found = npt.NDArray[np.bool_]
 
 def contacts(study: StudyFile) -> dict[str, tuple[str, ContactLaw]]:
     """Label: (type, law) along the contact axis; the label holds the coefficient of friction."""
-    coulomb = {
-        f"coulomb_{catalog.number_label(mu)}": ("coulomb", Coulomb(mu))
-        for mu in study.grid.contact_friction_coefficient
-    }
-    return coulomb | {
-        "infinite_friction_free": ("infinite_friction", InfiniteFriction()),
-        "infinite_friction_none": ("infinite_friction", InfiniteFriction("none")),
-        "perfectly_rough": ("perfectly_rough", PerfectlyRough()),
-    }
+    coefficients = study.grid.contact_friction_coefficient
+    laws: list[tuple[str, ContactLaw]] = [
+        *(("coulomb", Coulomb(mu)) for mu in coefficients),
+        ("infinite_friction", InfiniteFriction()),
+        ("infinite_friction", InfiniteFriction("none")),
+        ("perfectly_rough", PerfectlyRough()),
+    ]
+    return dict(zip(catalog.contact_labels(coefficients), laws, strict=True))
 
 
 def coefficient(law: ContactLaw) -> float:
@@ -84,15 +84,17 @@ def _of_mode(here: Found, speed: Array, values: dict[str, Array]) -> dict[str, n
     return {"consistent": here.sum(axis=-1, dtype=np.int8)} | picked
 
 
-def build(study: StudyFile) -> xr.Dataset:
-    """Build the dataset of a study."""
-    laws = contacts(study)
-    contact = law_axis("contact", list(laws), [law for _, law in laws.values()])
+def build(study: StudyFile, contact: Collection[str] | None = None) -> xr.Dataset:
+    """Build the dataset of a study, or its part with these labels along the axis `contact`."""
+    laws = {
+        label: law for label, law in contacts(study).items() if contact is None or label in contact
+    }
+    along = law_axis("contact", list(laws), [law for _, law in laws.values()])
     slider = study.ring(axis(study, "rod_length"))
     angle, magnitude = np.deg2rad(axis(study, "pusher_angle")), axis(study, "pusher_magnitude")
 
     def part(effects: tuple[Any, ...]) -> xr.Dataset:
-        found = solve(Scene(slider=slider, contact=contact, effects=effects), angle, magnitude)
+        found = solve(Scene(slider=slider, contact=along, effects=effects), angle, magnitude)
         found = found.transpose(*INNER, ...)
         extremes = _extremes(found, slider.radius)
         variables: dict[str, Any] = {

@@ -79,6 +79,16 @@ def _printable(given: str) -> str:
 #: A line of text.
 Text = Annotated[str, AfterValidator(_printable)]
 
+
+def _truth(given: object) -> object:
+    if not isinstance(given, bool):
+        raise refuse("true or false")
+    return given
+
+
+#: What is true or false, and no word for it.
+Truth = Annotated[bool, BeforeValidator(_truth)]
+
 #: Path of a file or a folder that a study names, relative to the study's file.
 FilePath = Annotated[str, BeforeValidator(_file_path)]
 
@@ -108,6 +118,14 @@ def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
 def choice(options: type[StrEnum]) -> Any:
     """Type of a text that is one of these options."""
     return Literal.__getitem__(tuple(map(str, options)))
+
+
+#: What a number of things is.
+COUNT = "an integer >= 1"
+
+
+def _counts(given: float) -> bool:
+    return 1 <= given < math.inf and given == int(given)
 
 
 #: Most numbers on an axis.
@@ -193,6 +211,12 @@ FiniteFrictionCoefficient = number(
     "a finite number >= 0; infinite friction is a law of its own, law: infinite_friction",
     lambda x: 0 <= x < math.inf, type="number", minimum=0,
 )  # fmt: skip
+
+Count = Annotated[
+    int,
+    BeforeValidator(lambda given: int(_number(given, _counts, COUNT))),
+    WithJsonSchema({"type": "integer", "minimum": 1, "description": COUNT}),
+]
 
 PolicyName = choice(Policy)
 MethodName = choice(Method)

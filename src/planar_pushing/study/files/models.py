@@ -14,6 +14,7 @@ from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.scene import Slider
 from planar_pushing.study.files.fields import (
     Angles,
+    Count,
     Degrees,
     EffectsName,
     FileModel,
@@ -31,6 +32,7 @@ from planar_pushing.study.files.fields import (
     RodAngles,
     Shares,
     Text,
+    Truth,
     refuse,
 )
 from planar_pushing.terms.domain import Number
@@ -125,8 +127,9 @@ class Tolerance(FileModel):
 class StudyFile(FileModel):
     """The grid of every dataset, the scenes, and the values that the paper leaves open.
 
-    `simulations` names the scene files with a section `simulate` that are followed over time. Paths are
-    relative to the study's file.
+    `simulations` names the scene files with a section `simulate` that are followed over time.
+    `chunks` gives the most values along dimensions of a dataset that one job computes; `gather` says
+    whether its chunks become one file. Paths are relative to the study's file.
     """
 
     title: Text
@@ -137,6 +140,8 @@ class StudyFile(FileModel):
     scenes: dict[Name, PushEntry]
     simulations: dict[Name, FilePath] = Field(default_factory=dict)
     figures: dict[Name, FigureEntry]
+    chunks: dict[Name, dict[Name, Count]] = Field(default_factory=dict)
+    gather: dict[Name, Truth] = Field(default_factory=dict)
     golden: FilePath | None = None
     tolerances: dict[str, Tolerance] = Field(default_factory=dict)
 

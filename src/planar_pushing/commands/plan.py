@@ -1,0 +1,59 @@
+"""The command `plan`."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from planar_pushing.commands.arguments import Commands, command
+
+if TYPE_CHECKING:
+    from planar_pushing.study.plan import Plan
+
+#: Columns of the table: what each shows of a plan.
+COLUMNS = {
+    "dataset": "{0.dataset}",
+    "points": "{0.points:,}",
+    "chunks": "{0.chunks:,}",
+    "jobs": "{0.jobs:,}",
+    "MB a job": "{0.memory:,}",
+    "MB of disk": "{0.disk:,.1f}",
+    "CPU hours": "{0.cpu_hours:,.4f}",
+}
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = (
+        "Print what a study takes before anything runs: points, chunks, jobs, memory, disk, CPU hours. "
+        "Rates are measured on this machine, in some seconds."
+    )
+    sub = command(commands, "plan", planned, about, "workflow/config/paper.yaml")
+    sub.add_argument("study", type=Path, metavar="STUDY.yaml", help="study file")
+
+
+def planned(args: argparse.Namespace) -> dict[str, Any]:
+    """The plan of each dataset, as a table."""
+    from dataclasses import asdict
+
+    from planar_pushing.study.plan import study_plan
+    from planar_pushing.study.study_file import load_study
+
+    found = study_plan(load_study(args.study))
+    if args.json:
+        return {"datasets": [asdict(each) for each in found]}
+    return {"": _table(found)}
+
+
+def _table(found: list[Plan]) -> str:
+    """Columns set to the right, the first to the left, and their sums below."""
+    rows = [list(COLUMNS), *([shape.format(each) for shape in COLUMNS.values()] for each in found)]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = [
+        "  ".join([row[0].ljust(widths[0]), *(map(str.rjust, row[1:], widths[1:]))]) for row in rows
+    ]
+    hours, disk = sum(each.cpu_hours for each in found), sum(each.disk for each in found)
+    jobs = sum(each.jobs for each in found)
+    total = f"together: {jobs:,} jobs, {hours:,.3f} CPU hours, {disk / 1e3:,.3f} GB of disk"
+    return "\n".join([*lines, total])

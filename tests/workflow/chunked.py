@@ -1,0 +1,53 @@
+"""The workflow in a folder of its own, on a study in chunks; the sources are the project's, compiled."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from workflow.conftest import PROJECT
+
+STUDY = "workflow/config/split.yaml"
+RESULTS = "results/studies/split"
+ENVIRONMENT = os.environ | {"PYTHONPATH": str(PROJECT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
+#: What drawings need of the sources.
+STYLE = "src/planar_pushing/figures/paper.mplstyle"
+
+
+def copy_workflow(root: Path, *lines: str) -> Path:
+    """Copy the workflow, with the smoke study and these lines as the study; the folder."""
+    shutil.copytree(PROJECT / "workflow", root / "workflow", dirs_exist_ok=True)
+    for name in ("Snakefile", "profiles"):
+        shutil.copy(PROJECT / name, root / name, follow_symlinks=False)
+    (root / STYLE).parent.mkdir(parents=True)
+    shutil.copy(PROJECT / STYLE, root / STYLE)
+    smoke = (PROJECT / "workflow/config/smoke.yaml").read_text(encoding="utf-8")
+    (root / STUDY).write_text("".join([smoke, *lines]), encoding="utf-8")
+    return root
+
+
+def command(*arguments: str) -> list[str]:
+    """A run of Snakemake on the study."""
+    return [sys.executable, "-m", "snakemake", *arguments, "--config", f"study={STUDY}"]
+
+
+def snakemake(root: Path, *arguments: str, code: int = 0) -> str:
+    """Run Snakemake; what it said."""
+    done = subprocess.run(
+        command("--cores", "2", *arguments), cwd=root, env=ENVIRONMENT, capture_output=True,
+        text=True, timeout=600, check=False,
+    )  # fmt: skip
+    said = done.stdout + done.stderr
+    assert done.returncode == code, said
+    return said
+
+
+def files(root: Path) -> dict[str, bytes]:
+    """Every dataset, chunk and figure."""
+    folder = root / RESULTS
+    kinds = ("data/*.nc", "chunks/*/*.nc", "figures/data/*.nc", "figures/*.*")
+    paths = [path for kind in kinds for path in folder.glob(kind)]
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(paths)}

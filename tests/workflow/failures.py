@@ -1,0 +1,76 @@
+"""Killed runs and full disks: `make test-failures`, which runs this file, some minutes.
+
+Afterwards one plain run ends with the same bytes, and nothing is unlocked or deleted by hand.
+"""
+
+import os
+import random
+import signal
+import subprocess
+import time
+
+import pytest
+
+from workflow.chunked import ENVIRONMENT, RESULTS, command, copy_workflow, files, snakemake
+
+CHUNKS = "chunks: {contact_modes: {pusher_angle: 13, contact: 4}}\n"
+TARGETS = [f"{RESULTS}/figures/figure_13.svg"]
+KILLS = 20
+#: Kilobytes of disks that are full in turn: as a chunk, the whole, and a figure is written.
+DISKS = (24, 150, 420)
+
+
+@pytest.fixture(scope="session")
+def undisturbed(tmp_path_factory):
+    """Files of a run that nothing disturbs, and how long it takes."""
+    root = copy_workflow(tmp_path_factory.mktemp("undisturbed"), CHUNKS)
+    start = time.monotonic()
+    snakemake(root, *TARGETS)
+    return files(root), time.monotonic() - start
+
+
+def test_twenty_killed_runs_end_with_the_same_bytes(undisturbed, tmp_path):
+    expected, seconds = undisturbed
+    root = copy_workflow(tmp_path, CHUNKS)
+    moments = random.Random(0)
+    for _ in range(KILLS):
+        run = subprocess.Popen(
+            command("--cores", "2", *TARGETS), cwd=root, env=ENVIRONMENT, start_new_session=True,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+        time.sleep(moments.uniform(0, 0.7 * seconds))
+        os.killpg(run.pid, signal.SIGKILL)
+        run.wait()
+    snakemake(root, *TARGETS)
+    assert files(root) == expected
+
+
+@pytest.fixture
+def disk(tmp_path):
+    """A folder that takes a number of kilobytes, which can grow."""
+    if os.geteuid() != 0:
+        pytest.fail("make test-failures: root alone mounts a small disk; run it as root")
+    folder = tmp_path / "results"
+    folder.mkdir()
+
+    def resize(size, *options):
+        choice = ",".join([*options, f"size={size}k"])
+        subprocess.run(["mount", "-t", "tmpfs", "-o", choice, "tmpfs", folder], check=True)
+
+    resize(DISKS[0])
+    yield lambda size: resize(size, "remount")
+    subprocess.run(["umount", folder], check=True)
+
+
+def test_a_full_disk_ends_a_run_and_with_room_the_next_has_the_same_bytes(
+    undisturbed, tmp_path, disk
+):
+    expected, _ = undisturbed
+    root = copy_workflow(tmp_path, CHUNKS)
+    for size in DISKS:
+        disk(size)
+        said = snakemake(root, *TARGETS, code=1)
+        assert "No space left on device" in said, size
+    disk(20_000)
+    snakemake(root, *TARGETS)
+    assert files(root) == expected

@@ -1,0 +1,19 @@
+"""Build one chunk of a dataset from its own slice of the study, block by block."""
+
+from planar_pushing.study.jobs import job_log
+
+with job_log(snakemake.log[0]) as log:
+    from planar_pushing.study.builders import build_dataset
+    from planar_pushing.study.parts import cut, sizes
+    from planar_pushing.study.streaming import COMPUTED, stream_dataset
+
+    name, values = snakemake.wildcards.dataset, snakemake.params.study
+    log.info("building %s of %s", snakemake.wildcards.chunk, name)
+
+    def block(part):
+        """The chunk in a part of its grid."""
+        return build_dataset(name, cut(values, part))
+
+    stream_dataset(
+        block, sizes(name, values), snakemake.output[0], most=COMPUTED, threads=snakemake.threads
+    )
