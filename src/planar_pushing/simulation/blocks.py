@@ -14,10 +14,11 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import RUNS, STATE, Task
 from planar_pushing.simulation.parameters import Scenes
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, records
 from planar_pushing.simulation.systems.base import BODY, Inertial, QuasiStatic
 from planar_pushing.simulation.systems.motion import MASSES
-from planar_pushing.simulation.systems.setup import fill, put
+from planar_pushing.simulation.systems.setup import PUSHERS, fill, put, shape_of
 
 #: Scenes of a block: some milliseconds of work, so that Ctrl-C is heard.
 BLOCK = 128
@@ -49,37 +50,42 @@ def _follow(system, row, task, run, rows, found):
 
 @generic
 def _simulated(kinds: Any) -> Callable[..., Any]:
-    """Run the scene of a row: kinds, row, fence, body, task, run, rows, found."""
+    """Run the scene of a row: kinds, row, fence, shape, body, task, run, rows, found."""
     return _with_inertia if kinds[-1] in MASSES else _quasi_static
 
 
 @compiled
-def _quasi_static(kinds, row, fence, body, task, run, rows, found):
-    return _follow(QuasiStatic(made(kinds, row), body, fence), row, task, run, rows, found)
+def _quasi_static(kinds, row, fence, shape, body, task, run, rows, found):
+    system = QuasiStatic(made(kinds, row), body, fence, shape_of(shape, row))
+    return _follow(system, row, task, run, rows, found)
 
 
 @compiled
-def _with_inertia(kinds, row, fence, body, task, run, rows, found):
-    return _follow(Inertial(made(kinds, row), body, fence), row, task, run, rows, found)
+def _with_inertia(kinds, row, fence, shape, body, task, run, rows, found):
+    system = Inertial(made(kinds, row), body, fence, shape_of(shape, row))
+    return _follow(system, row, task, run, rows, found)
 
 
 @compiled
-def _block(kinds, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes):
+def _block(
+    kinds, shape, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes
+):
     """Run a block of scenes."""
     for i in range(len(scenes)):
         task, fence = Task(rtol, policy, times[i]), fences[i, : counts[i]]
         fill(scenes[i], fence, body)
-        changes[i] = _simulated(kinds, scenes[i], fence, body, task, run, rows, found[i])
+        changes[i] = _simulated(kinds, scenes[i], fence, shape, body, task, run, rows, found[i])
 
 
 def run_scenes(
-    kinds: Any, scenes: Scenes, times: Array, rtol: float, policy: int, block: int = BLOCK
+    problem: Problem, scenes: Scenes, times: Array, block: int = BLOCK
 ) -> tuple[Any, Any]:
-    """Rows of many scenes at these times, shape (scenes, samples), and their numbers of mode changes.
+    """Rows of the scenes of a problem at these times, shape (scenes, samples), and their mode changes.
 
     The last row of a scene that stops before stands for the times after.
     """
-    size, moves = len(times), isinstance(kinds[-1], MASSES)
+    size, kinds, shape = len(times), problem.scene.kinds, PUSHERS[problem.shape]
+    moves = isinstance(kinds[-1], MASSES)
     found = records(ROW, times.size).reshape(times.shape)
     changes = np.zeros(size, np.int64)
 
@@ -87,8 +93,8 @@ def run_scenes(
         part = slice(start, min(start + block, size))
         body, state, rows = records(BODY, 1)[0], records(RUNS[moves], 1)[0], records(ROW, ROWS)
         _block(
-            kinds, scenes.rows[part], *scenes.fences(part), times[part], rtol, policy,
-            body, state, rows, found[part], changes[part],
+            kinds, shape, scenes.rows[part], *scenes.fences(part), times[part], problem.rtol,
+            problem.policy, body, state, rows, found[part], changes[part],
         )  # fmt: skip
 
     with announced(_block):
