@@ -11,7 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.motion.timeline import MODES, contact, rows, runs
+from planar_pushing.figures.motion.side import draw_side
+from planar_pushing.figures.motion.timeline import MODES, contact, rod_end, rows, runs
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.style import (
     CENTER,
@@ -48,7 +49,10 @@ def box(data: xr.Dataset) -> Box:
     )
     points = [*(ring - radius), *(ring + radius), *contact(data), *last_center(data)]
     ends = np.array([[-half, -0.1 * half], [half, 0.0]])
-    points += [each + end for each in data["path_fence"].values for end in ends]
+    if "path_side" in data:
+        points += [*data["path_side"].values.reshape(-1, 2)]
+    else:
+        points += [each + end for each in data["path_fence"].values for end in ends]
     low, high = np.min(points, axis=0), np.max(points, axis=0)
     return float(low[0]), float(high[0]), float(low[1]), float(high[1])
 
@@ -64,12 +68,16 @@ def last_center(data: xr.Dataset) -> list[Array]:
 
 
 def scene(ax: Axes, data: xr.Dataset, row: int, strength: float = 1.0) -> None:
-    """Fence, slider and force at one row."""
+    """Fence or finger, slider and force at one row."""
     ring, touch = data["path_position"].values[row], contact(data)[row]
     half, paint = FENCE_HALF * span(data), drawing.tint(FENCE, strength)
-    fence(ax, data["path_fence"].values[row], half, paint, hatch=strength == 1)
     color = drawing.tint(SLIDER, strength)
-    drawing.slider(ax, ring, float(data["radius"]), contact=touch, width=1.5, color=color)
+    if "path_side" in data:
+        draw_side(ax, data["path_side"].values[row], touch, color, strength)
+    else:
+        fence(ax, data["path_fence"].values[row], half, paint, hatch=strength == 1)
+    end = rod_end(data)[row]
+    drawing.slider(ax, ring, float(data["radius"]), contact=end, width=1.5, color=color)
     force = data["path_force"].values[row]
     if np.any(force):
         along = FORCE_LENGTH * span(data) * force / np.hypot(*force)
