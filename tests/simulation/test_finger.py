@@ -21,7 +21,10 @@ SLIPPING = heading(68)
 every_effect = pytest.mark.parametrize("effects", EFFECTS.values(), ids=EFFECTS)
 
 
-def scene(effects, contact=pp.Coulomb(0.1), side=(-np.inf, np.inf), psi=1.2):
+SLICK = pp.Coulomb(0.1)
+
+
+def scene(effects, contact=SLICK, side=(-np.inf, np.inf), psi=1.2):
     slider = pp.Slider(rod_length=2.0, rod_angle=psi, radius=1.0, side=side)
     return pp.Scene(slider=slider, contact=contact, effects=effects)
 
@@ -42,10 +45,12 @@ def test_the_first_instant_is_a_solution_from_rest(effects, degrees):
 
 
 @every_effect
-@pytest.mark.parametrize("velocity", [SLIPPING, lambda t: (0.4 * t, t)], ids=["jerk", "smooth"])
-def test_the_first_instant_is_that_of_a_fence(effects, velocity):
+@pytest.mark.parametrize("jerk", [True, False], ids=["jerk", "from rest"])
+def test_the_first_instant_is_that_of_a_fence(effects, jerk):
+    """The side turns after an impact: then the impulse is that of a fence, but not the force."""
+    velocity = SLIPPING if jerk else lambda t: (0.4 * t, t)
     finger, fence = (pushed(scene(effects), velocity, 1e-3, shape=s) for s in ("finger", "fence"))
-    for name in ("position", "twist", "force", "mode", "solutions", "kinetic_energy"):
+    for name in ("position", "twist", "kinetic_energy", *(() if jerk else ("force", "mode"))):
         assert finger[name].values[0] == pytest.approx(fence[name].values[0], abs=1e-12), name
 
 
@@ -111,7 +116,7 @@ def test_the_finger_leaves_the_side_at_its_end(name):
 def test_a_slider_without_inertia_stays_where_the_finger_leaves_it():
     log = pushed(scene((TRIPOD,), side=(-1.0, 0.2)), SLIPPING)
     after = log.isel(time=log.parted.values)
-    assert np.ptp(after.rod_angle) == 0
+    assert np.ptp(after.rod_angle.values) == 0
     assert not after.twist.values.any()
 
 
@@ -254,14 +259,15 @@ def test_a_side_that_does_not_hold_the_contact_is_refused(side, said):
     with pytest.raises(pp.InvalidValue) as caught:
         pp.Slider(rod_length=1.0, rod_angle=1.0, side=side)
     assert str(caught.value) == (
-        f"{said}; allowed: (start, end) with start < 0 < end, infinite for a side without an end; measure both "
-        "ends along the side from the contact, which is between them, the one towards -x first"
+        f"{said}; allowed: (start, end) with start < 0 < end, infinite for a side without an end; measure "
+        "both ends along the side from the contact, which is between them, the one towards -x first"
     )
 
 
 @pytest.mark.parametrize(
     ("given", "remedy"),
-    [("fingre", "did you mean finger?"), ("line", "name one of these shapes"), (3, "name one of these shapes")],
+    [("fingre", "did you mean finger?"), ("box", "name one of these shapes"),
+     (3, "name one of these shapes")],
 )  # fmt: skip
 def test_an_unknown_shape_is_refused(given, remedy):
     with pytest.raises(pp.InvalidValue) as caught:

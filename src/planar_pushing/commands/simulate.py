@@ -129,6 +129,7 @@ def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
 def summary(log: xr.Dataset) -> dict[str, Any]:
     """How a simulation went: where it ended, and the modes on the way."""
     last = log.isel(time=-1)
+    finger = {"contact_position": float, "parted": bool}
     return {
         "time": float(last["time"]),
         "stopped": log.attrs["stopped"],
@@ -136,6 +137,7 @@ def summary(log: xr.Dataset) -> dict[str, Any]:
         "position": [float(each) for each in last["position"]],
         "slip": float(last["slip"]),
         "gap": float(last["gap"]),
+        **{name: kind(last[name]) for name, kind in finger.items() if name in log},
         "modes": [
             {"time": time, "mode": mode, "consistent": count} for time, mode, count in _changes(log)
         ],
