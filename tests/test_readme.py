@@ -35,11 +35,11 @@ def folder(tmp_path_factory):
 def test_python_queries(folder, monkeypatch):
     monkeypatch.chdir(folder)
     blocks = re.findall(r"```python\n(>>> .*?)```", README, re.DOTALL)
-    assert len(blocks) == 6
+    assert len(blocks) == 7
     test = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, "README", "README.md", 0)
     runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
     runner.run(test)
-    assert (runner.tries, runner.failures) == (24, 0)
+    assert (runner.tries, runner.failures) == (30, 0)
 
 
 def test_shell_queries(folder, monkeypatch, capsys):

@@ -53,6 +53,37 @@ def test_twice_the_speed_takes_half_the_time(run, tmp_path):
     assert slips[0] == pytest.approx(slips[1], abs=1e-9)
 
 
+FINGER = """\
+slider: {rod_length: 2, rod_angle: 70, side: [-1, 0.2]}
+contact: {law: coulomb, friction_coefficient: 0.1}
+effects: [{type: ring_friction}]
+simulate: {pusher_angle: 68, pusher_shape: finger, duration: 0.7}
+"""
+
+
+def test_a_finger_leaves_the_side_of_the_scene(run, tmp_path):
+    scene, path = tmp_path / "finger.yaml", tmp_path / "log.nc"
+    scene.write_text(FINGER, encoding="utf-8")
+    code, out, _ = run("simulate", str(scene), "-o", str(path), "--json")
+    told = json.loads(out)
+    assert (code, told["time"], told["parted"]) == (0, 0.7, True)
+    assert [each["mode"] for each in told["modes"]] == ["SLIP_LEFT", "SEPARATE"]
+    assert told["contact_position"] > 0.2
+    found = read_dataset(path)
+    assert found.attrs["pusher_shape"] == "finger"
+    assert json.loads(found.attrs["scene"])["slider"]["side"] == [-1.0, 0.2]
+    run("simulate", str(scene), "-o", str(path), "--pusher-shape", "fence")
+    assert "contact_position" not in read_dataset(path)
+
+
+def test_a_finger_is_animated(run, tmp_path):
+    scene, path = tmp_path / "finger.yaml", tmp_path / "log.nc"
+    scene.write_text(FINGER, encoding="utf-8")
+    run("simulate", str(scene), "-o", str(path))
+    code, out, _ = run("animate", str(path), "-o", str(tmp_path / "motion.gif"), "--frames", "3")
+    assert (code, "frames: 3" in out) == (0, True)
+
+
 def test_progress_is_shown_when_asked_for(run, tmp_path):
     path = tmp_path / "log.nc"
     _, out, err = run("simulate", PULLING, "-o", str(path), "--progress")

@@ -31,6 +31,12 @@ def test_the_initial_twist_is_in_degrees():
     assert arguments(entry)["twist"] == (1, 0, np.pi)
 
 
+def test_a_finger_is_one():
+    entry = SimulateEntry(pusher_angle=90, pusher_shape="finger", duration=1)
+    assert arguments(entry)["pusher"].shape == "finger"
+    assert arguments(SimulateEntry(pusher_angle=90, duration=1))["pusher"].shape == "fence"
+
+
 def test_a_scene_without_the_section_is_not_simulated():
     with pytest.raises(InvalidValue, match="simulate: None given; allowed: a section"):
         simulate_file(load_scene_file("workflow/scenes/figure_08.yaml"))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.arguments import DIRECTION, Commands, add_output, add_scene, command
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.options import SAMPLES, SPEED, TOLERANCE, Method, Policy
+from planar_pushing.terms.options import SAMPLES, SPEED, TOLERANCE, Method, Policy, Shape
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -28,6 +28,11 @@ OPTIONS: dict[str, tuple[type, str, str]] = {
         float, "NUMBER",
         f"speed of the fence, in the scene's length per time, {SPEED.allowed} (default: the scene file's, "
         "or 1)",
+    ),
+    "pusher-shape": (
+        str, "NAME",
+        f"{' or '.join(Shape)}: a line against a point of the slider, or a point against a flat side of it "
+        f"(default: the scene file's, or {Shape.FENCE})",
     ),
     "duration": (
         float, "NUMBER",
@@ -124,6 +129,7 @@ def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
 def summary(log: xr.Dataset) -> dict[str, Any]:
     """How a simulation went: where it ended, and the modes on the way."""
     last = log.isel(time=-1)
+    finger = {"contact_position": float, "parted": bool}
     return {
         "time": float(last["time"]),
         "stopped": log.attrs["stopped"],
@@ -131,6 +137,7 @@ def summary(log: xr.Dataset) -> dict[str, Any]:
         "position": [float(each) for each in last["position"]],
         "slip": float(last["slip"]),
         "gap": float(last["gap"]),
+        **{name: kind(last[name]) for name, kind in finger.items() if name in log},
         "modes": [
             {"time": time, "mode": mode, "consistent": count} for time, mode, count in _changes(log)
         ],

@@ -130,6 +130,15 @@ def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
     return function
 
 
+def by_kind(members: dict[type, Any], name: str) -> Callable[..., Any]:
+    """The function of a name in the module that belongs to the kind of the first argument."""
+
+    def choose(kind: Any) -> Any:
+        return getattr(members[kind], name)
+
+    return generic(choose)
+
+
 def _kind(value: Any) -> Any:
     return tuple(map(_kind, value)) if type(value) is tuple else type(value)
 

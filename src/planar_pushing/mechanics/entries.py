@@ -52,10 +52,17 @@ def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
             "rod_length": float(slider.rod_length),
             "rod_angle": _degrees(slider.rod_angle),
             "radius": float(slider.radius),
+            **_side_entry(slider.side),
         },
         "contact": _contact_entry(scene),
         "effects": [_effect_entry(effect) for effect in scene.effects],
     }
+
+
+def _side_entry(side: tuple[Any, Any]) -> dict[str, list[float]]:
+    """The side of a slider, where it has an end."""
+    ends = [float(end) for end in side]
+    return {"side": ends} if any(map(math.isfinite, ends)) else {}
 
 
 def _degrees(radians: float) -> float:

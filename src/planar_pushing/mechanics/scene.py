@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -17,7 +18,7 @@ from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.pressure.table import Table, table_of
-from planar_pushing.terms.domain import Number, require_fields, required_ratio
+from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
 from planar_pushing.terms.errors import InvalidValue, require_kind
 
 
@@ -34,22 +35,27 @@ class Slider:
     radius : float or array, optional
         R > 0; all lengths are in any one unit. Without one a scene takes the largest distance of its
         support from the centre of pressure, 1 for a ring.
+    side : (start, end), of floats or arrays
+        Ends of the flat side that a finger pushes, along the side from the contact: along the fence, at
+        time 0. A fence takes no notice of it.
 
     Raises
     ------
     InvalidValue
-        Where a parameter is out of range.
+        Where a parameter is out of range, or the side does not hold the contact.
     """
 
     rod_length: Number
     rod_angle: Number
     radius: Number = None
+    side: tuple[Number, Number] = (-math.inf, math.inf)
 
     def __post_init__(self) -> None:
         require_fields(self, "rod_length", "rod_angle")
         if self.radius is not None:
             require_fields(self, "radius")
             _ = self.length_ratio
+        object.__setattr__(self, "side", required_side(self.side))
 
     @property
     def length_ratio(self) -> Number:
@@ -261,7 +267,7 @@ def required_scene(given: object) -> Scene:
 def required_single(scene: Scene) -> Scene:
     """The scene if its parameters are numbers, or `InvalidValue`."""
     slider = scene.slider
-    rod = slider.rod_length, slider.rod_angle, slider.radius
+    rod = slider.rod_length, slider.rod_angle, slider.radius, *slider.side
     numbers = *rod, scene.weight, *scene.inertia, *scene.placement, *scene.law
     if any(map(np.ndim, numbers)):
         raise InvalidValue(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, cast
 
@@ -17,15 +18,19 @@ from planar_pushing.simulation.blocks import BLOCK, run_scenes
 from planar_pushing.simulation.log.variables import MODES
 from planar_pushing.simulation.parameters import coefficients, scenes_of, velocities
 from planar_pushing.simulation.problem import Problem, sample_count
-from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.pusher import Pusher, required_shape
 from planar_pushing.simulation.rows import Stop, in_units
 from planar_pushing.terms import quantities
-from planar_pushing.terms.options import Policy
+from planar_pushing.terms.options import Policy, Shape
 
 STOPS = {stop.name: int(stop) for stop in Stop}
 FLAGS = {"mode": MODES, "stopped": STOPS}
 #: Variables of the dataset that are those of a row.
 SAMPLED = ("time", "position", "rod_angle", "slip", "gap", "mode", "solutions", "stopped")
+#: And under a finger.
+FINGER = ("contact_position", "parted")
+#: Types of those that a row has as whole numbers.
+TYPES = {"mode": "i1", "solutions": "i1", "stopped": "i1", "parted": "?"}
 
 
 def simulate_batch(
@@ -43,6 +48,8 @@ def simulate_batch(
     rtol: float = 1e-10,
     on_ambiguity: str = Policy.KEEP_CONTACT,
     samples: int | None = None,
+    side: tuple[npt.ArrayLike, npt.ArrayLike] = (-math.inf, math.inf),
+    shape: str = Shape.FENCE,
 ) -> xr.Dataset:
     """Simulate many scenes, each as `simulate` does.
 
@@ -67,6 +74,10 @@ def simulate_batch(
         As in `simulate`.
     samples : int, optional
         Number of evenly spaced instants, the first and the last included; without it only the last.
+    side : (start, end), of array_like of shape (scenes,) or ()
+        As in `Slider`, for fingers.
+    shape : {"fence", "finger"}
+        What pushes, where velocities are given; a `Pusher` has its own shape.
 
     Returns
     -------
@@ -81,38 +92,32 @@ def simulate_batch(
     """
     mu = coefficients(friction_coefficient, contact)
     law = Coulomb(np.where(np.isinf(mu), 0.0, mu)) if contact is None else contact
-    slider = Slider(rod_length=rod_length, rod_angle=rod_angle, radius=radius)
+    slider = Slider(rod_length=rod_length, rod_angle=rod_angle, radius=radius, side=cast(Any, side))
     problem = Problem(
         scene=Scene(slider=slider, contact=law, effects=cast(Any, effects)),
         pusher=velocity if isinstance(velocity, Pusher) else velocities(velocity),
         duration=np.atleast_1d(duration), twist=twist, gap=gap, rtol=rtol,
-        on_ambiguity=cast(Policy, on_ambiguity),
+        on_ambiguity=cast(Policy, on_ambiguity), shape=required_shape(shape),
     )  # fmt: skip
     parts = np.ones(1) if samples is None else np.linspace(0.0, 1.0, sample_count(samples))
     scenes = scenes_of(problem, mu)
     # As `simulate` has them, bit for bit.
     times = np.linspace(0.0, scenes.ends, len(parts), axis=-1) if samples else scenes.ends[:, None]
     block = 1 if callable(getattr(velocity, "velocity", None)) else BLOCK
-    rows, changes = run_scenes(
-        problem.scene.kinds,
-        scenes,
-        np.ascontiguousarray(times),
-        problem.rtol,
-        problem.policy,
-        block,
-    )
-    found = _variables(in_units(rows, scenes.radius), changes, samples is None)
+    rows, changes = run_scenes(problem, scenes, np.ascontiguousarray(times), block)
+    names = SAMPLED + (FINGER if problem.shape == Shape.FINGER else ())
+    found = _variables(in_units(rows, scenes.radius), names, changes, samples is None)
     coordinates = _coordinates(problem, mu, scenes.ends) | (
         {"part": ("part", parts)} if samples else {}
     )
     return _described(xr.Dataset(found, coordinates))
 
 
-def _variables(rows: Any, changes: Array, only_last: bool) -> dict[str, Any]:
+def _variables(rows: Any, names: Sequence[str], changes: Array, only_last: bool) -> dict[str, Any]:
     over = ("scene",) if only_last else ("scene", "part")
     found: dict[str, Any] = {}
-    for name in SAMPLED:
-        values = rows[name].astype("i1") if rows[name].dtype.kind == "i" else rows[name]
+    for name in names:
+        values = rows[name].astype(TYPES.get(name, rows[name].dtype))
         values = np.rad2deg(values) if name == "rod_angle" else values
         dims = (*over, "xy") if name == "position" else over
         found[name] = dims, np.array(values[:, -1] if only_last else values)

@@ -13,10 +13,11 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import RUNS, STATE, Task
 from planar_pushing.simulation.parameters import Scenes
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, records
 from planar_pushing.simulation.systems.base import BODY, Inertial, QuasiStatic
 from planar_pushing.simulation.systems.motion import MASSES
-from planar_pushing.simulation.systems.setup import fill, put
+from planar_pushing.simulation.systems.setup import PUSHERS, fill, put, shape_of
 
 #: Scenes of a block: some milliseconds of work, so that Ctrl-C is heard.
 BLOCK = 128
@@ -50,32 +51,35 @@ def _follow(system, row, task, run, rows, found):
 # Two kernels and no layer above them: the compiler optimises each layer with all that it calls.
 @compiled
 def _quasi_static(
-    kinds, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes
+    kinds, shape, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes
 ):
     """Run a block of scenes whose effects are all friction."""
     for i in range(len(scenes)):
-        row, fence = scenes[i], fences[i, : counts[i]]
-        system, task = QuasiStatic(made(kinds, row), body, fence), Task(rtol, policy, times[i])
+        row, fence, task = scenes[i], fences[i, : counts[i]], Task(rtol, policy, times[i])
+        system = QuasiStatic(made(kinds, row), body, fence, shape_of(shape, row))
         changes[i] = _follow(system, row, task, run, rows, found[i])
 
 
 @compiled
-def _inertial(kinds, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes):
+def _inertial(
+    kinds, shape, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes
+):
     """Run a block of scenes with inertia."""
     for i in range(len(scenes)):
-        row, fence = scenes[i], fences[i, : counts[i]]
-        system, task = Inertial(made(kinds, row), body, fence), Task(rtol, policy, times[i])
+        row, fence, task = scenes[i], fences[i, : counts[i]], Task(rtol, policy, times[i])
+        system = Inertial(made(kinds, row), body, fence, shape_of(shape, row))
         changes[i] = _follow(system, row, task, run, rows, found[i])
 
 
 def run_scenes(
-    kinds: Any, scenes: Scenes, times: Array, rtol: float, policy: int, block: int = BLOCK
+    problem: Problem, scenes: Scenes, times: Array, block: int = BLOCK
 ) -> tuple[Any, Any]:
-    """Rows of many scenes at these times, shape (scenes, samples), and their numbers of mode changes.
+    """Rows of the scenes of a problem at these times, shape (scenes, samples), and their mode changes.
 
     The last row of a scene that stops before stands for the times after.
     """
-    size, moves = len(times), isinstance(kinds[-1], MASSES)
+    size, kinds, shape = len(times), problem.scene.kinds, PUSHERS[problem.shape]
+    moves = isinstance(kinds[-1], MASSES)
     kernel = _inertial if moves else _quasi_static
     found = records(ROW, times.size).reshape(times.shape)
     changes = np.zeros(size, np.int64)
@@ -84,8 +88,8 @@ def run_scenes(
         part = slice(start, min(start + block, size))
         body, state, rows = records(BODY, 1)[0], records(RUNS[moves], 1)[0], records(ROW, ROWS)
         kernel(
-            kinds, scenes.rows[part], *scenes.fences(part), times[part].copy(), rtol, policy,
-            body, state, rows, found[part], changes[part],
+            kinds, shape, scenes.rows[part], *scenes.fences(part), times[part].copy(), problem.rtol,
+            problem.policy, body, state, rows, found[part], changes[part],
         )  # fmt: skip
 
     with announced(kernel):

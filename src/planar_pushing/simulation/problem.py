@@ -1,9 +1,10 @@
-"""A motion to be simulated: scene, fence, initial state, and what decides between contact modes.
+"""A motion to be simulated: scene, pusher, initial state, and what decides between contact modes.
 
 The fence is the line ``y = Y(t)`` of a frame whose origin is the contact at time 0, and its
 displacement is ``(X, Y)``. The rod angle is any real number. The contact is the rod's free end alone, so
 the model holds as long as the ring's centre is above the fence; where it comes down to it, the rod
-lies along the fence or under it, and a simulation stops there.
+lies along the fence or under it, and a simulation stops there. A finger is the point ``(X, Y)``, against a
+side of the slider that lies along x at time 0.
 """
 
 from __future__ import annotations
@@ -16,9 +17,10 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields
 from planar_pushing.terms.errors import InvalidValue, require_number, require_option
-from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy
+from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, Shape
 
 #: What an initial twist may be.
 TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
@@ -28,7 +30,8 @@ TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
 class Problem:
     """What is to be simulated, as `simulate` has it.
 
-    In a batch numbers are arrays over the scenes, and `pusher` may be an array of velocities.
+    In a batch numbers are arrays over the scenes, and `pusher` may be an array of velocities, of pushers
+    of a `shape`; a `Pusher` has its own.
 
     Raises
     ------
@@ -43,6 +46,7 @@ class Problem:
     gap: Number = 0.0
     on_ambiguity: Policy = Policy.KEEP_CONTACT
     rtol: float = 1e-10
+    shape: Shape = Shape.FENCE
 
     def __post_init__(self) -> None:
         require_fields(self, "duration", "gap")
@@ -56,6 +60,8 @@ class Problem:
             "on_ambiguity", self.on_ambiguity, Policy, "name one of these policies"
         )
         object.__setattr__(self, "on_ambiguity", chosen)
+        if isinstance(self.pusher, Pusher):
+            object.__setattr__(self, "shape", self.pusher.shape)
 
     @property
     def policy(self) -> int:

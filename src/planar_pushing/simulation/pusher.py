@@ -1,4 +1,4 @@
-"""The fence's prescribed motion: a translation, constant, piecewise constant or any function of time."""
+"""What pushes, and its prescribed motion: constant, piecewise constant or any function of time."""
 
 from __future__ import annotations
 
@@ -16,7 +16,14 @@ from planar_pushing.simulation.chebyshev import Piece, pieces_of
 from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
 from planar_pushing.terms.domain import SPEEDS, required
-from planar_pushing.terms.errors import InvalidValue, as_floats, require_number
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    as_floats,
+    require_number,
+    require_option,
+    suggestion,
+)
+from planar_pushing.terms.options import Shape
 
 Vector = tuple[float, float]
 Motion = Callable[[float], Vector]
@@ -37,9 +44,15 @@ def vector(given: object) -> Vector:
     return numbers
 
 
+def required_shape(given: object) -> Shape:
+    """The shape of a pusher, or `InvalidValue`."""
+    remedy = suggestion(given, Shape, "name one of these shapes")
+    return require_option("shape", given, Shape, remedy)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pusher:
-    """The fence's velocity; the fence translates and stays parallel to x.
+    """What pushes, and its velocity: a fence, which stays parallel to x, or a finger, which is a point.
 
     Parameters
     ----------
@@ -50,16 +63,20 @@ class Pusher:
         whose derivatives are known.
     breakpoints : sequence of float
         Times at which a callable velocity is not smooth.
+    shape : {"fence", "finger"}
+        A fence meets the rod's free end. A finger meets a flat side of the slider (`Slider.side`), which is
+        along x at time 0, turns with the slider, and along which the contact travels as it slips.
 
     Raises
     ------
     InvalidValue
-        Where the velocity has another shape, or times do not increase.
+        Where the velocity has another shape, times do not increase, or the pusher's shape is unknown.
     """
 
     velocity: Vector | Sequence[tuple[float, Vector]] | Motion
     acceleration: Motion | None = None
     breakpoints: Sequence[float] = ()
+    shape: str = Shape.FENCE
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
 
     def __post_init__(self) -> None:
@@ -72,6 +89,7 @@ class Pusher:
                 "breakpoints", self.breakpoints, "increasing times >= 0", "put them in order"
             )
         object.__setattr__(self, "breakpoints", times)
+        object.__setattr__(self, "shape", required_shape(self.shape))
 
     @property
     def steps(self) -> tuple[Array, Array]:

@@ -10,20 +10,21 @@ import numpy as np
 #: Value of `mode` where no mode is consistent; otherwise it is one of `ContactMode`.
 NO_MODE = -1
 #: One instant, lengths in radii of the slider: ring centre, rod angle in radians, twist with R omega,
-#: displacement of the fence, and energies since the start. `stopped` is a `Stop`.
+#: displacement of the pusher, and energies since the start. `stopped` is a `Stop`. Place of a finger along
+#: the side, and whether its contact has ended for good.
 ROW = np.dtype(
     [
         ("time", "f8"), ("position", "f8", (2,)), ("rod_angle", "f8"), ("twist", "f8", (3,)),
         ("fence", "f8", (2,)), ("slip", "f8"), ("gap", "f8"), ("force", "f8", (2,)),
         ("mode", "i8"), ("solutions", "i8"), ("spin_ratio", "f8"), ("dissipated", "f8"),
         ("contact_dissipated", "f8"), ("work", "f8"), ("kinetic_energy", "f8"),
-        ("evaluations", "i8"), ("stopped", "i8"),
+        ("evaluations", "i8"), ("stopped", "i8"), ("contact_position", "f8"), ("parted", "i8"),
     ],
     align=True,
 )  # fmt: skip
 #: Variables that the core has in radii; energies too are forces times radii.
 LENGTHS = (
-    "position", "twist", "fence", "slip", "gap",
+    "position", "twist", "fence", "slip", "gap", "contact_position",
     "dissipated", "contact_dissipated", "work", "kinetic_energy",
 )  # fmt: skip
 

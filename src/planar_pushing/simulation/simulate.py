@@ -52,7 +52,7 @@ def simulate(
     scene : Scene
         Its rod angle is the initial one; the contact starts on the fence, at the origin.
     pusher : Pusher
-        The fence's velocity over time.
+        A fence or a finger, and its velocity over time.
     duration : float
         Time to simulate, > 0.
     method : {"event-driven", "time-stepping"}
@@ -81,7 +81,8 @@ def simulate(
     -------
     xarray.Dataset
         One entry of each variable for each instant; angles in degrees. Where the motion could not be
-        continued the attribute `stopped` says why, and it is empty otherwise.
+        continued the attribute `stopped` says why, and it is empty otherwise. A finger that leaves the side
+        at its end ends the contact for good: `parted` is true from then on.
 
     Raises
     ------

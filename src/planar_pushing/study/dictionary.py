@@ -13,7 +13,7 @@ from planar_pushing.study.catalog import DATASETS, EVIDENCE, FIGURES, SIMULATION
 from planar_pushing.study.figures import FIGURES as DRAWN
 from planar_pushing.study.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
-from planar_pushing.terms.quantities import NOTES, unit_of
+from planar_pushing.terms.quantities import FINGER, LOG, NOTES, unit_of
 
 HEAD = """# Data dictionary
 
@@ -51,7 +51,17 @@ def _simulations(results: str) -> str:
     first = min((Path(results) / "data" / SIMULATIONS).glob("*.nc")).stem
     dataset = open_dataset(f"{SIMULATIONS}/{first}", results)
     about = "motion over time, a log of each simulation"
-    return _lines(f"data/{SIMULATIONS}/NAME.nc", about, *_source(dataset), *_table([dataset]))
+    rows = [*_table([dataset]), "", "The log of a finger differs in these:", "", *_finger_table()]
+    return _lines(f"data/{SIMULATIONS}/NAME.nc", about, *_source(dataset), *rows)
+
+
+def _finger_table() -> Iterator[str]:
+    """What the log of a finger holds besides, and what means something else there."""
+    yield "| name | unit | meaning |"
+    yield "| --- | --- | --- |"
+    for name, (unit, meaning) in FINGER.items():
+        if LOG.get(name) != (unit, meaning):
+            yield f"| `{name}` | {unit} | {meaning} |"
 
 
 def _section(name: str, about: str, results: str) -> str:

@@ -35,7 +35,10 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
     """Keyword arguments of `simulate`; angles in radians."""
     twist = entry.initial_twist
     return {
-        "pusher": Pusher(velocity=[(piece.time, velocity(piece)) for piece in entry.pieces]),
+        "pusher": Pusher(
+            velocity=[(piece.time, velocity(piece)) for piece in entry.pieces],
+            shape=entry.pusher_shape,
+        ),
         "duration": entry.duration,
         "method": entry.method,
         "rtol": entry.rtol,

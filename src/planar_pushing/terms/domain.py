@@ -80,6 +80,11 @@ RANGES = {
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0", "start on the fence or above it",
     ),
 }  # fmt: skip
+#: What the ends of a side may be, and what to do where they are not.
+SIDE = (
+    "(start, end) with start < 0 < end, infinite for a side without an end",
+    "measure both ends along the side from the contact, which is between them, the one towards -x first",
+)
 #: Ranges of dimensionless combinations: of which parameter the refusal speaks, and its range.
 RATIOS = {
     "length_ratio": ("rod_length", Range(
@@ -123,6 +128,15 @@ def required_ratio(ratio: str, values: Number) -> Number:
     """Refuse a parameter out of proportion to the others; result and errors as of `required`."""
     name, allowed = RATIOS[ratio]
     return _required(name, values, allowed)
+
+
+def required_side(given: Any) -> tuple[Number, Number]:
+    """Ends of a side, measured from the contact, which lies between them; errors as of `required`."""
+    if not isinstance(given, (list, tuple)) or len(given) != 2:
+        raise InvalidValue("side", given, *SIDE)
+    start, end = given
+    before, behind = Range(lambda x: x < 0, *SIDE), Range(lambda x: x > 0, *SIDE)
+    return _required("side", start, before), _required("side", end, behind)
 
 
 def require_fields(value: object, *names: str) -> None:

@@ -5,10 +5,11 @@ The command line imports it to print its help, so it imports no numpy.
 
 from __future__ import annotations
 
+import difflib
 import math
 import os
 import reprlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from enum import StrEnum
 from typing import Any, TypeVar
 
@@ -116,6 +117,12 @@ def require_path(name: str, given: Any) -> Any:
     if not isinstance(given, (str, os.PathLike)) or "\0" in str(given):
         raise InvalidValue(name, given, "the path of a file", "give it as text or as a Path")
     return given
+
+
+def suggestion(given: object, options: Iterable[str], otherwise: str) -> str:
+    """What to do about an unknown option: the one that is spelled almost alike, or something else."""
+    near = difflib.get_close_matches(str(given), list(options), n=1)
+    return f"did you mean {near[0]}?" if near else otherwise
 
 
 def require_option(name: str, given: Any, options: type[Option], remedy: str) -> Option:

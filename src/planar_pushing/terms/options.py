@@ -24,6 +24,13 @@ class Method(StrEnum):
     TIME_STEPPING = "time-stepping"
 
 
+class Shape(StrEnum):
+    """What pushes: a line against a point of the slider, or a point against a side of it."""
+
+    FENCE = "fence"
+    FINGER = "finger"
+
+
 class AtZeroNormal(StrEnum):
     """Tangential force of infinite friction without normal force: the paper's definitions 1 and 2."""
 

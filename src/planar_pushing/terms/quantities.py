@@ -135,6 +135,25 @@ LOG: Quantities = {
     "twist": ("length/time", DATASET["twist"][1]),
     "work": ("force length", "work of the fence on the slider, accumulated"),
 }
+#: What the log of a motion under a finger holds.
+FINGER: Quantities = {
+    **LOG,
+    "adhesive": ("1", "whether the finger pulls on the slider"),
+    "contact_position": (
+        "length",
+        "place of the finger along the side, from the contact at time 0",
+    ),
+    "fence": ("length", "displacement of the finger"),
+    "force": ("force", "force of the finger on the slider"),
+    "gap": ("length", "height of the side above the finger, normal to the side"),
+    "parted": (
+        "1",
+        "whether the finger has left the side at its end, which ends the contact for good",
+    ),
+    "slip": ("length", "slip of the slider over the finger along the side, accumulated"),
+    "work": ("force length", "work of the finger on the slider, accumulated"),
+    "xy": ("1", "along the side and normal to it, at time 0"),
+}
 #: What a batch of motions holds; a name may mean something else than in a log.
 BATCH: Quantities = {
     **LOG,
@@ -143,6 +162,7 @@ BATCH: Quantities = {
     "initial_rod_angle": ("degree", "rod angle at time 0"),
     "mode_changes": ("1", "number of changes of mode"),
     "part": ("1", "part of the duration"),
+    **{name: FINGER[name] for name in ("contact_position", "parted")},
     "rod_angle": DATASET["rod_angle"],
     "solutions": ("1", "number of modes that were consistent when the mode was chosen"),
     "stopped": ("1", "whether the motion could not go on, and why"),

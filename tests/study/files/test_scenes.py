@@ -68,6 +68,32 @@ def test_saved_angle_is_short(tmp_path):
     assert "rod_angle: 35.0" in (tmp_path / "scene.yaml").read_text()
 
 
+@pytest.mark.parametrize("side", [(-0.5, 2.0), (-np.inf, 2.0), (-0.25, np.inf)], ids=str)
+def test_a_side_comes_back(tmp_path, side):
+    slider = pp.Slider(rod_length=2, rod_angle=1.0, radius=1.0, side=side)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=(pp.Inertia(),))
+    pp.save_scene(scene, tmp_path / "scene.yaml")
+    assert load_scene(tmp_path / "scene.yaml").slider.side == side
+
+
+def test_a_side_without_an_end_is_not_written(tmp_path):
+    slider = pp.Slider(rod_length=2, rod_angle=1.0)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=(pp.Inertia(),))
+    pp.save_scene(scene, tmp_path / "scene.yaml")
+    assert "side" not in (tmp_path / "scene.yaml").read_text()
+
+
+@pytest.mark.parametrize("side", ["[0.5, 1]", "[1, -1]", "[-1, .nan]", "[-1, far]", "[-1]", "3"])
+def test_a_side_that_does_not_hold_the_contact(tmp_path, side):
+    said = message(tmp_path, SCENE.replace("radius: 1", f"radius: 1, side: {side}", 1))
+    assert said.startswith("slider.side: ")
+    assert said.endswith(
+        " given; allowed: (start, end) with start < 0 < end, infinite for a side without an end; measure "
+        "both ends along the side from the contact, which is between them, the one towards -x first; "
+        "change the value"
+    )
+
+
 def message(tmp_path, text):
     path = tmp_path / "file.yaml"
     path.write_text(text, encoding="utf-8")
@@ -100,7 +126,7 @@ def message(tmp_path, text):
         ("rod_length: 5", "rod_length: -5",
          "slider.rod_length: -5 given; allowed: a finite number >= 0; change the value"),
         ("rod_length", "rod_lenght",
-         "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius; "
+         "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius, side; "
          "did you mean rod_length?"),
         ("title", "colour",
          "colour: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate; "
@@ -116,7 +142,7 @@ def message(tmp_path, text):
         ("law: coulomb, friction_coefficient: 2", "law: infinite_friction, at_zero_normal: some",
          "contact.at_zero_normal: 'some' given; allowed: 'free' or 'none'; change the value"),
         ("slider: {rod_length: 5, rod_angle: 45, radius: 1}", "slider: 5",
-         "slider: 5 given; allowed: a mapping with the keys rod_length, rod_angle, radius; "
+         "slider: 5 given; allowed: a mapping with the keys rod_length, rod_angle, radius, side; "
          "change the value"),
         ("contact: {law: coulomb, friction_coefficient: 2}", "contact: rough",
          "contact: 'rough' given; allowed: a mapping; change the value"),

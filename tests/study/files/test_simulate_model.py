@@ -22,8 +22,8 @@ simulate:
         ("duration: 1.5", "duration: 0",
          "simulate.duration: 0 given; allowed: a finite number > 0; change the value"),
         ("duration: 1.5", "durations: 1.5",
-         "simulate.durations: 1.5 given; allowed: the keys pusher_angle, pusher_speed, pusher, "
-         "duration, method, on_ambiguity, rtol, initial_twist, initial_gap, samples, step; "
+         "simulate.durations: 1.5 given; allowed: the keys pusher_angle, pusher_speed, pusher_shape, "
+         "pusher, duration, method, on_ambiguity, rtol, initial_twist, initial_gap, samples, step; "
          "did you mean duration?"),
         ("  duration: 1.5\n", "",
          "simulate.duration: missing; allowed: a value for this key; add it"),
@@ -37,6 +37,10 @@ simulate:
          "simulate.pusher: [] given; allowed: a list with at least one entry; change the value"),
         ("duration: 1.5", "duration: 1.5\n  method: euler",
          "simulate.method: 'euler' given; allowed: 'event-driven' or 'time-stepping'; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  pusher_shape: fingr",
+         "simulate.pusher_shape: 'fingr' given; allowed: 'fence' or 'finger'; did you mean finger?"),
+        ("duration: 1.5", "duration: 1.5\n  pusher_shape: 3",
+         "simulate.pusher_shape: 3 given; allowed: 'fence' or 'finger'; change the value"),
         ("duration: 1.5", "duration: 1.5\n  on_ambiguity: any",
          "simulate.on_ambiguity: 'any' given; allowed: 'keep-contact', 'separate' or 'stay-in-mode'; "
          "change the value"),

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
+from planar_pushing.figures.motion.side import side_of
 from planar_pushing.figures.parts.bodies import Body, body_of
 from planar_pushing.figures.parts.supports import Pose
 from planar_pushing.figures.style import BLUE, DARK, GREY
@@ -16,6 +17,7 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.options import Shape
 from planar_pushing.terms.quantities import DATASET, attributes, described
 
 #: Variables of a log that a picture shows; in the picture's data they are named path_*.
@@ -67,6 +69,8 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
         data[name] = ((), float(slider[name]), described("length", name))
     data["radius"].attrs["long_name"] = "radius of the ring"
     data["rod_length"].attrs["long_name"] = "rod length, from the contact to the ring centre"
+    if log.attrs.get("pusher_shape") == Shape.FINGER:
+        data["path_side"] = side_of(log, slider)
     data = data.drop_attrs(deep=False)
     if body == Body(support=Ring(float(slider["radius"]))):
         return data
@@ -123,7 +127,12 @@ def _of_mass(log: xr.Dataset, inertia: dict[str, Any]) -> Array:
 
 
 def contact(data: xr.Dataset) -> Array:
-    """Place of the contact at every row."""
+    """Place of the contact at every row: of the finger, or of the rod's end."""
+    return data["path_fence"].values if "path_side" in data else rod_end(data)
+
+
+def rod_end(data: xr.Dataset) -> Array:
+    """Place of the rod's free end at every row, which a finger meets at time 0."""
     angle = np.deg2rad(data["path_rod_angle"].values)
     toward = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     return np.asarray(data["path_position"].values - float(data["rod_length"]) * toward)

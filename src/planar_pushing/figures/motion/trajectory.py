@@ -11,7 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.motion.timeline import MODES, contact, pivots, rows, runs
+from planar_pushing.figures.motion.side import draw_side
+from planar_pushing.figures.motion.timeline import MODES, contact, pivots, rod_end, rows, runs
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.bodies import body_of, draw_body, explain_centers
 from planar_pushing.figures.parts.supports import Ink, Pose
@@ -57,7 +58,10 @@ def box(data: xr.Dataset) -> Box:
     points = [*contact(data), *last_center(data), *data["path_position"].values]
     points += [each for row in range(data.sizes["time"]) for each in body.box(pose(data, row))]
     ends = np.array([[-half, -0.1 * half], [half, 0.0]])
-    points += [each + end for each in data["path_fence"].values for end in ends]
+    if "path_side" in data:
+        points += [*data["path_side"].values.reshape(-1, 2)]
+    else:
+        points += [each + end for each in data["path_fence"].values for end in ends]
     low, high = np.min(points, axis=0), np.max(points, axis=0)
     return float(low[0]), float(high[0]), float(low[1]), float(high[1])
 
@@ -73,11 +77,14 @@ def last_center(data: xr.Dataset) -> list[Array]:
 
 
 def scene(ax: Axes, data: xr.Dataset, row: int, strength: float = 1.0) -> None:
-    """Fence, slider and force at one row."""
+    """Fence or finger, slider and force at one row."""
     touch, ink = contact(data)[row], Ink(drawing.tint(SLIDER, strength), 1.5)
     half, paint = FENCE_HALF * span(data), drawing.tint(FENCE, strength)
-    fence(ax, data["path_fence"].values[row], half, paint, hatch=strength == 1)
-    draw_body(ax, body_of(data), pose(data, row), contact=touch, ink=ink)
+    if "path_side" in data:
+        draw_side(ax, data["path_side"].values[row], touch, ink.color, strength)
+    else:
+        fence(ax, data["path_fence"].values[row], half, paint, hatch=strength == 1)
+    draw_body(ax, body_of(data), pose(data, row), contact=rod_end(data)[row], ink=ink)
     force = data["path_force"].values[row]
     if np.any(force):
         along = FORCE_LENGTH * span(data) * force / np.hypot(*force)

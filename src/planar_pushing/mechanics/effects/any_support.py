@@ -88,6 +88,5 @@ def fastest(effect, length):
 
 @compiled
 def point(effect, i):
-    """Place of a support point, in radii, and the friction that it can take."""
     x, y, share = effect.pressure.atoms[i]
     return effect.extent * x, effect.extent * y, effect.weight * share

@@ -204,3 +204,9 @@ def fastest(kind: Any) -> Callable[..., Any]:
     Parameters are effect and rod length.
     """
     return member(kind, "fastest")
+
+
+@generic
+def point(kind: Any) -> Callable[..., Any]:
+    """Place of a support point, in radii, and the friction that it can take: effect, its number."""
+    return member(kind, "point")

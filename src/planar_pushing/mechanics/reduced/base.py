@@ -14,7 +14,7 @@ from typing import Any
 
 from planar_pushing.mechanics.compiled import generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.effects.any_support import Support
+from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.reduced import isotropic, pressed, sticking, turning
 
 #: Entries of a motion that is written down: v_x, v_y, R omega; force, and the other end of its interval
@@ -25,7 +25,7 @@ MOTION = 8
 def _of(kinds: Any, name: str, family: Any = isotropic) -> Callable[..., Any]:
     """A function of a family of isotropic effects, or where one is not isotropic of `pressed`."""
     found: Callable[..., Any] = getattr(
-        pressed if kinds[0] is Support or MassAt in kinds else family, name
+        pressed if kinds[0] in PRESSED or MassAt in kinds else family, name
     )
     return found
 

@@ -14,6 +14,7 @@ from planar_pushing.simulation.events.explicit import interpolate
 from planar_pushing.simulation.fence import displacement, span
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems.shapes.base import room
 
 #: What comes next: a span of the fence's motion, a step, the samples within it, a choice, a row, nothing.
 ENTERS, STEPS, SAMPLES, CHANGES, LOGS, ENDED = range(6)
@@ -175,13 +176,23 @@ def _count(system, run, during):
         run.span, run.phase = during.last, ENTERS
 
 
+@compiled
+def _parts(system, cause, along):
+    """Whether an event ends the contact for good: a finger leaves its side, or passes beside it."""
+    return cause == base.END_OF_SIDE or (cause == base.TOUCHES and room(system.shape, along) < 0.0)
+
+
 @inlined
 def _happen(system, task, run):
     """Go to an event, and to the state just after it."""
     mode, state = at.candidate(system, run, run.chosen), run.vectors[at.STATE]
     interpolate(system, mode, run, run.event, run.vectors[at.PASSING])
     state[:] = run.vectors[at.PASSING]
-    run.time, reason = base.after(system, run.cause, mode, run.event, state, task.policy)
+    run.time, reason = run.event, GOES_ON
+    if _parts(system, run.cause, state[base.ALONG]):
+        system.body.parted = True
+    else:
+        run.time, reason = base.after(system, run.cause, mode, run.event, state, task.policy)
     if run.cause == base.LIES:
         reason = LAY_DOWN
     run.phase = CHANGES

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.compiled import announced
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import RUNS, STATE, Task
@@ -34,7 +35,7 @@ class EventDriven:
         self.radius = float(scene.slider.radius)
         fence = problem.pusher.fence(float(problem.duration), self.radius)
         row = row_of(scene, problem.twist, problem.gap)
-        self.system = system_of(scene, row, fence)
+        self.system = system_of(problem, row, fence)
         self.task = Task(problem.rtol, problem.policy, np.asarray(times, float))
         self.run = records(RUNS[scene.stores_energy], 1)[0]
         put(self.system, row, self.run.vectors[STATE])
@@ -43,7 +44,8 @@ class EventDriven:
     def __iter__(self) -> Iterator[Any]:
         while self.run.phase != ENDED:
             rows = records(ROW, BATCH)
-            count = advance(self.system, self.task, self.run, rows)
+            with announced(advance):
+                count = advance(self.system, self.task, self.run, rows)
             if count:
                 yield in_units(rows[:count], self.radius)
 

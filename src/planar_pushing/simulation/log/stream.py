@@ -13,7 +13,6 @@ from typing import Any
 import h5netcdf
 import h5py
 
-from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.log import variables as log
 from planar_pushing.simulation.log.disk import Disk, PathLike, new_file
 from planar_pushing.simulation.problem import Problem
@@ -25,14 +24,14 @@ CHUNK = 256
 class Stream:
     """An open log; `append` writes a batch and flushes it."""
 
-    def __init__(self, file: h5netcdf.File, hdf: h5py.File, disk: Disk, scene: Scene) -> None:
-        self.file, self.hdf, self.disk, self.length, self.scene = file, hdf, disk, 0, scene
+    def __init__(self, file: h5netcdf.File, hdf: h5py.File, disk: Disk, problem: Problem) -> None:
+        self.file, self.hdf, self.disk, self.length, self.problem = file, hdf, disk, 0, problem
 
     def append(self, rows: Any) -> None:
         """Write rows to the end of the log."""
         start, self.length = self.length, self.length + len(rows)
         self.file.resize_dimension("time", self.length)
-        for name, value in log.arrays(rows, self.scene).items():
+        for name, value in log.arrays(rows, self.problem).items():
             stored = value.view("i1") if value.dtype == bool else value
             self.file.variables[name][start : self.length] = stored
         # What netCDF adds goes to the file, and the file to the disk.
@@ -61,7 +60,7 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
         h5netcdf.File(hdf, "r+") as file,
     ):
         _define(file, problem, method)
-        yield Stream(file, hdf, disk, problem.scene)
+        yield Stream(file, hdf, disk, problem)
 
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
@@ -73,12 +72,13 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     for name, labels in coordinates.items():
         label = file.create_variable(name, (name,), h5py.string_dtype())
         label[:] = labels
-        label.attrs.update(log.variable_attributes(name))
-    for name, (dims, dtype) in log.VARIABLES.items():
+        label.attrs.update(log.variable_attributes(name, problem.shape))
+    for name, (dims, dtype) in log.variables(problem).items():
         chunks = CHUNK, *(len(coordinates[dim]) for dim in dims)
         # netCDF has no truth values: xarray stores them as bytes with this attribute, and so do we.
         truth = dtype == "?"
         created = file.create_variable(
             name, ("time", *dims), "i1" if truth else dtype, chunks=chunks
         )
-        created.attrs.update(log.variable_attributes(name) | ({"dtype": "bool"} if truth else {}))
+        attributes = log.variable_attributes(name, problem.shape)
+        created.attrs.update(attributes | ({"dtype": "bool"} if truth else {}))

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import NO_MODE
 from planar_pushing.terms import quantities
-from planar_pushing.terms.options import EFFECT_DEGREES
+from planar_pushing.terms.options import EFFECT_DEGREES, Shape
 
 #: Dimensions after time, and type, of the variables of the log.
 VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
@@ -36,25 +36,43 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
     "kinetic_energy": ((), "f8"),
     "evaluations": (("effect",), "i8"),
 }
+#: And under a finger.
+FINGER: dict[str, tuple[tuple[str, ...], str]] = {
+    "contact_position": ((), "f8"),
+    "parted": ((), "?"),
+}
 MODES = {"NONE": NO_MODE} | {mode.name: int(mode) for mode in ContactMode}
 OUTCOMES = {outcome.name: int(outcome) for outcome in Outcome}
 FLAGS = {"mode": MODES, "outcome": OUTCOMES}
 
 
-def arrays(rows: Any, scene: Scene) -> dict[str, Any]:
+def variables(problem: Problem) -> dict[str, tuple[tuple[str, ...], str]]:
+    """Dimensions after time, and type, of the variables of a problem's log."""
+    return VARIABLES | FINGER if problem.shape == Shape.FINGER else VARIABLES
+
+
+def arrays(rows: Any, problem: Problem) -> dict[str, Any]:
     """The variables of the log, and `time`, from rows in the units of the scene; angles in degrees."""
-    force = rows["force"]
+    force, scene = rows["force"], problem.scene
     own = {
         "rod_angle": np.rad2deg(rows["rod_angle"]),
         "outcome": np.minimum(rows["solutions"], Outcome.AMBIGUOUS),
-        "adhesive": force[:, 1] < -RESOLUTION * np.hypot(force[:, 0], force[:, 1]),
+        "adhesive": _pressure(rows, problem) < -RESOLUTION * np.hypot(force[:, 0], force[:, 1]),
         "dissipated": rows["dissipated"][:, None] * _shares(scene),
         "evaluations": np.repeat(rows["evaluations"][:, None], len(scene.effects), axis=1),
     }
     return {"time": np.array(rows["time"])} | {
         name: np.array(own[name] if name in own else rows[name], dtype)
-        for name, (_, dtype) in VARIABLES.items()
+        for name, (_, dtype) in variables(problem).items()
     }
+
+
+def _pressure(rows: Any, problem: Problem) -> Any:
+    """Normal part of the pusher's force; the normal of a finger's side turns with the slider."""
+    if problem.shape == Shape.FENCE:
+        return rows["force"][:, 1]
+    turned = rows["rod_angle"] - problem.scene.slider.rod_angle
+    return rows["force"][:, 1] * np.cos(turned) - rows["force"][:, 0] * np.sin(turned)
 
 
 def _shares(scene: Scene) -> list[float]:
@@ -73,9 +91,10 @@ def coordinates(scene: Scene) -> dict[str, list[str]]:
     }
 
 
-def variable_attributes(name: str) -> dict[str, Any]:
+def variable_attributes(name: str, shape: Shape = Shape.FENCE) -> dict[str, Any]:
     """Unit, long name and flags of a variable or a coordinate."""
-    attributes: dict[str, Any] = dict(quantities.attributes(quantities.LOG, name))
+    table = quantities.FINGER if shape == Shape.FINGER else quantities.LOG
+    attributes: dict[str, Any] = dict(quantities.attributes(table, name))
     if name in FLAGS:
         attributes["flag_values"] = np.array(list(FLAGS[name].values()), np.int8)
         attributes["flag_meanings"] = " ".join(FLAGS[name])
@@ -85,12 +104,14 @@ def variable_attributes(name: str) -> dict[str, Any]:
 def attributes(problem: Problem, method: str) -> dict[str, Any]:
     """Attributes of the log that are known before the run."""
     pusher = problem.pusher
+    finger = {"pusher_shape": str(problem.shape)} if problem.shape == Shape.FINGER else {}
     return {
         "title": "motion of the pushed slider",
         "source": f"{quantities.PAPER}, Secs. 2-5, over time",
         **quantities.GLOBAL,
         "scene": to_json(scene_entry(problem.scene)),
         "pusher": to_json(pusher.pieces) if pusher.pieces else "function of time",
+        **finger,
         "duration": problem.duration,
         "initial_twist": np.array(problem.twist),
         "initial_gap": problem.gap,
@@ -109,12 +130,13 @@ def ending(stopped: str, time: float) -> dict[str, Any]:
 
 def dataset(problem: Problem, method: str, rows: Any) -> xr.Dataset:
     """The log of a run in memory, without what its end settles."""
-    values = arrays(rows, problem.scene)
+    values, shape = arrays(rows, problem), problem.shape
     coords: dict[str, Any] = {"time": ("time", values.pop("time"), variable_attributes("time"))}
     for name, labels in coordinates(problem.scene).items():
-        coords[name] = (name, labels, variable_attributes(name))
-    variables = {
-        name: (("time", *VARIABLES[name][0]), value, variable_attributes(name))
+        coords[name] = (name, labels, variable_attributes(name, shape))
+    dims = {name: ("time", *own) for name, (own, _) in variables(problem).items()}
+    found = {
+        name: (dims[name], value, variable_attributes(name, shape))
         for name, value in values.items()
     }
-    return xr.Dataset(variables, coords, attributes(problem, method))
+    return xr.Dataset(found, coords, attributes(problem, method))

@@ -1,14 +1,14 @@
 """The driver of the time-stepping integrator: steps of order 1, without events.
 
-A step sees the rod angle of its start. While the contact lasts, the contact point itself is moved by its
-own motion and the ring's centre follows from the rod: a stick is then a stick and the gap is
-closed to rounding, whatever the step. In flight the ring's centre is moved; the contact's path is then
-above its tangent, so the step's condition on the gap keeps the true gap open as well.
+A step sees the rod angle of its start, and the contact's frame there. While the contact lasts, the
+contact point itself is moved by its own motion and the slider's centre follows from the rod: a stick is
+then a stick and the gap is closed to rounding, whatever the step. In flight the slider's centre is moved;
+over a fence the contact's path is then above its tangent, so the step's condition on the gap keeps the true
+gap open as well. Over a finger a flight may end below zero by the square of a step; the next step lifts it.
 """
 
 from __future__ import annotations
 
-from math import cos, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +21,7 @@ from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.steps.trials import TRIALS, Step, enumerate_trials
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.motion import friction, kinetic_energy, mass_offset, rod_of
+from planar_pushing.simulation.systems.shapes import base as shapes
 
 #: A gap that is this small in radii is closed.
 CLOSED = 1e-12
@@ -31,8 +32,9 @@ INCONSISTENT, LIES = int(Stop.INCONSISTENT), int(Stop.LIES)
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 #: Where a run is: its time and the end of the step; `mark` and `step` count the intervals between the
-#: times that are recorded, from `start` on, and the steps in one; place of the fence, and its way in the
-#: step; state as a system without inertia has it, twist, and mean force of the last step.
+#: times that are recorded, from `start` on, and the steps in one; place of the pusher, and its way in the
+#: step; state as a system without inertia has it, twist, and mean force of the last step. Way, twist and
+#: force are along the axes of the world, trials along those of the contact's frame.
 CLOCK = np.dtype(
     [
         ("time", "f8"), ("until", "f8"), ("start", "f8"), ("fence", "f8", (2,)), ("way", "f8", (2,)),
@@ -109,18 +111,22 @@ def _choose(system, plan, run):
     best, h = contact.preferred(plan.policy, kind, run.kinds, count), run.until - run.time
     run.kind = run.kinds[best]
     run.trials[0] = run.trials[best]
-    run.force[0], run.force[1] = run.trials[0, 3] / h, run.trials[0, 4] / h
+    shape, angle, found = system.shape, run.state[base.ANGLE], run.trials[0]
+    run.force[0], run.force[1] = shapes.shown(shape, angle, found[3] / h, found[4] / h)
     if system.body.mass == 0.0:
-        run.twist[:] = run.trials[0, :3]
+        run.twist[0], run.twist[1] = shapes.shown(shape, angle, found[0], found[1])
+        run.twist[2] = found[2]
     return run.kind != kind or count != before
 
 
 @inlined
 def _try(system, run):
     """Write down the trials of the step; their number."""
-    h, gap, twist = run.until - run.time, run.state[base.GAP], run.twist
-    own = rod_of(system.body, run.state[base.ANGLE])
-    step = Step(h, own, twist[0], twist[1], twist[2], run.way[0] / h, (run.way[1] - gap) / h)
+    h, gap, shape = run.until - run.time, base.clearance(system, run.state), system.shape
+    v_x, v_y = shapes.seen(shape, run.state[base.ANGLE], run.twist[0], run.twist[1])
+    x, y = shapes.seen(shape, run.state[base.ANGLE], run.way[0], run.way[1])
+    now = base.pose(system, run.state)
+    step = Step(h, now, v_x, v_y, run.twist[2], x / h, (y - gap) / h)
     return enumerate_trials(system, step, gap <= CLOSED, run.kinds, run.trials)
 
 
@@ -131,12 +137,12 @@ def _account(system, run):
     Friction dissipates its potential at the end of the step. What is left of the work belongs to the
     contact; in flight it is the scheme's own loss, which goes to friction.
     """
-    (v_x, v_y, spin), (x, y, turn) = run.trials[0, :3], run.twist
-    own = rod_of(system.body, run.state[base.ANGLE])
+    (v_x, v_y, spin), now = run.trials[0, :3], base.pose(system, run.state)
+    x, y = shapes.seen(system.shape, run.state[base.ANGLE], run.twist[0], run.twist[1])
     work = run.force[0] * run.way[0] + run.force[1] * run.way[1]
-    left = work + kinetic_energy(system.body, own, x, y, turn)
-    left -= kinetic_energy(system.body, own, v_x, v_y, spin)
-    f_x, f_y, torque = friction(system.effects, own, v_x, v_y, spin)
+    left = work + kinetic_energy(system.body, now.x, now.y, x, y, run.twist[2])
+    left -= kinetic_energy(system.body, now.x, now.y, v_x, v_y, spin)
+    f_x, f_y, torque = friction(now.effects, now.own, v_x, v_y, spin)
     rubbed = (run.until - run.time) * (f_x * v_x + f_y * v_y + torque * spin)
     if run.force[0] == 0.0 and run.force[1] == 0.0:
         rubbed = left
@@ -147,28 +153,46 @@ def _account(system, run):
 
 @inlined
 def _move(system, run):
-    """Take the slider and the fence to the end of the step."""
-    h, length, state = run.until - run.time, system.body.length, run.state
+    """Take the slider and the pusher to the end of the step."""
+    h, state, shape = run.until - run.time, run.state, system.shape
     v_x, v_y, spin = run.trials[0, 0], run.trials[0, 1], run.trials[0, 2]
-    own = rod_of(system.body, state[base.ANGLE])
-    turned = own.angle + h * spin
-    x, y = run.way[0], run.way[1] - state[base.GAP]
+    way_x, way_y = shapes.seen(shape, state[base.ANGLE], run.way[0], run.way[1])
+    own, along, across = base.pose(system, state).own, way_x, way_y - state[base.GAP]
     if run.kind == base.SEPARATE:
-        x = h * v_x - length * (cos(turned) - own.x)
-        y = h * v_y - length * (sin(turned) - own.y)
-    elif run.kind != base.STICK:
-        x = h * contact_motion(own, v_x, v_y, spin)[0]
-        state[base.SLIP] += x - run.way[0]
-    state[base.ALONG] += x - run.way[0]
-    state[base.GAP] += y - run.way[1]
-    state[base.ANGLE], run.time = turned, run.until
+        state[base.ALONG], state[base.GAP] = shapes.flown(
+            shape, own, state[base.ALONG], state[base.GAP], h * v_x, h * v_y, way_x, way_y, h * spin
+        )
+    else:
+        if run.kind != base.STICK:
+            along = h * contact_motion(own, v_x, v_y, spin)[0]
+            state[base.SLIP] += along - way_x
+        state[base.ALONG] += along - way_x
+        state[base.GAP] += across - way_y
+    _turn(system, run, v_x, v_y, spin)
     run.fence += run.way
-    # What inertia carries on is the motion of the centre of mass.
-    x, y = mass_offset(system.body, own)
-    turned_x, turned_y = mass_offset(system.body, rod_of(system.body, turned))
+    run.time = run.until
+    _part(system, run)
+
+
+@inlined
+def _turn(system, run, v_x, v_y, spin):
+    """Turn the slider; what inertia carries on is the motion of the centre of mass."""
+    body, angle = system.body, run.state[base.ANGLE]
+    turned = angle + (run.until - run.time) * spin
+    x, y = mass_offset(body, rod_of(body, angle))
+    turned_x, turned_y = mass_offset(body, rod_of(body, turned))
+    v_x, v_y = shapes.shown(system.shape, angle, v_x, v_y)
     run.twist[0], run.twist[1] = v_x + spin * (turned_y - y), v_y - spin * (turned_x - x)
-    run.twist[2] = spin
-    if length > 0.0 and state[base.GAP] + length * sin(turned) <= 0.0:
+    run.twist[2], run.state[base.ANGLE] = spin, turned
+
+
+@inlined
+def _part(system, run):
+    """End the contact at the end of a finger's side; stop where the slider lies on a fence."""
+    state = run.state
+    if state[base.GAP] <= CLOSED and shapes.room(system.shape, state[base.ALONG]) < 0.0:
+        system.body.parted = True
+    if shapes.upright(system.shape, system.body, state[base.ANGLE], state[base.GAP]) <= 0.0:
         run.stopped = LIES
 
 
@@ -192,6 +216,7 @@ def _log(system, run, rows, count):
     row.contact_dissipated = state[base.LOST]
     row.fence[:], row.force[:] = run.fence, run.force
     row.mode, row.solutions, row.stopped = run.kind, run.solutions, run.stopped
-    base.put(system.body, state, run.twist[0], run.twist[1], run.twist[2], row)
+    v_x, v_y = shapes.seen(system.shape, state[base.ANGLE], run.twist[0], run.twist[1])
+    base.put(system, state, v_x, v_y, run.twist[2], row)
     row.evaluations = system.body.evaluations
     return count + 1

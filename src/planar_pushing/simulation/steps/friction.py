@@ -17,7 +17,7 @@ def free(system, step, found):
 @compiled
 def stick(system, step, found):
     system.body.evaluations += 1
-    (x, y, spin, f_x, f_y), size = sticking(system, step.own, step.x, step.y)
+    (x, y, spin, f_x, f_y), size = sticking(step.now, step.x, step.y)
     found[0], found[1], found[2] = size * x, size * y, size * spin
     found[3], found[4] = step.size * f_x, step.size * f_y
 
@@ -25,8 +25,9 @@ def stick(system, step, found):
 @compiled
 def slips(system, step, kind, found):
     system.body.evaluations += 1
-    edge = toward(step.own, contact.edge_of(system.body, kind)[2])
-    count = base.slips(system.effects, step.own, edge, step.y, found)
+    now = step.now
+    edge = toward(now.own, contact.edge_of(system.body, kind)[2])
+    count = base.slips(now.effects, now.own, edge, step.y, found)
     for i in range(count):
         found[i, 3] *= step.size
         found[i, 4] *= step.size

@@ -16,7 +16,7 @@ from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.steps.slowing import slowed
 from planar_pushing.simulation.steps.trials import PARTS, SLACK, Step
 from planar_pushing.simulation.systems.contact import edge_of, moment_of, pushed
-from planar_pushing.simulation.systems.motion import arm_of, farthest, friction, mass_offset, widest
+from planar_pushing.simulation.systems.motion import farthest, friction, widest
 
 #: A target below this part of the speeds is a contact that stands still.
 STILL = 1e-14
@@ -28,15 +28,15 @@ WIDER = 1e-3
 @compiled
 def _after(system, step, p_x, p_y):
     """Twist after a step under a known impulse: the minimum of a strictly convex potential."""
-    body = system.body
+    body, now = system.body, step.now
     body.evaluations += 1
-    x, y = mass_offset(body, step.own)
+    x, y = now.x, now.y
     v_x, v_y = (
         step.v_x - step.spin * y + p_x / body.mass,
         step.v_y + step.spin * x + p_y / body.mass,
     )
-    spin = step.spin + moment_of(arm_of(body, step.own), p_x, p_y) / body.moment
-    v_x, v_y, spin = slowed(system.effects, step.own, v_x, v_y, spin, step.size)
+    spin = step.spin + moment_of(now.arm, p_x, p_y) / body.moment
+    v_x, v_y, spin = slowed(now.effects, now.own, v_x, v_y, spin, step.size)
     return v_x + spin * y, v_y - spin * x, spin
 
 
@@ -49,24 +49,23 @@ def free(system, step, found):
 class Turned(NamedTuple):
     """Torque about the contact that a sticking step lacks, over its rotation."""
 
-    effects: tuple[Any, ...]
     step: Step
     stiffness: float
     middle: float
 
 
 @compiled
-def _about_contact(effects, own, x, y, spin):
+def _about_contact(now, x, y, spin):
     """Force of friction where the contact moves by (x, y), and its torque about the contact."""
-    v_x, v_y = contact_motion(own, x, y, -spin)
-    f_x, f_y, torque = friction(effects, own, v_x, v_y, spin)
-    return f_x, f_y, torque - moment_of(own, f_x, f_y)
+    v_x, v_y = contact_motion(now.own, x, y, -spin)
+    f_x, f_y, torque = friction(now.effects, now.own, v_x, v_y, spin)
+    return f_x, f_y, torque - moment_of(now.own, f_x, f_y)
 
 
 @compiled
 def _turned(of, spin):
     step = of.step
-    torque = _about_contact(of.effects, step.own, step.x, step.y, spin)[2]
+    torque = _about_contact(step.now, step.x, step.y, spin)[2]
     return of.stiffness * (spin - of.middle) + step.size * torque, 0.0
 
 
@@ -75,10 +74,10 @@ EQUATIONS[Turned] = _turned
 
 @compiled
 def stick(system, step, found):
-    body, own, arm = system.body, step.own, arm_of(system.body, step.own)
+    body, own, arm = system.body, step.now.own, step.now.arm
     body.evaluations += 1
     stiffness = body.moment + body.mass * arm.length * arm.length
-    x, y = mass_offset(body, own)
+    x, y = step.now.x, step.now.y
     w_x, w_y = step.v_x - step.spin * y, step.v_y + step.spin * x
     lag = moment_of(arm, body.mass * (step.x - w_x), body.mass * (step.y - w_y))
     # The rotation that inertia alone takes; friction shifts it by no more than its own torque.
@@ -93,19 +92,20 @@ def stick(system, step, found):
 @compiled
 def _sticking(system, step, stiffness, middle):
     """Rotation and force of friction in a stick; where it is held, the part of the force that holds it."""
-    own, grip = step.own, farthest(system.effects, step.own.length)
+    now, own = step.now, step.now.own
+    grip = farthest(now.effects, own.length)
     most = step.size * system.body.weight * grip / stiffness
-    f_x, f_y, torque = _about_contact(system.effects, own, 0.0, 0.0, 1.0)
+    f_x, f_y, torque = _about_contact(now, 0.0, 0.0, 1.0)
     pivot = step.size * torque / stiffness
     if sqrt(step.x * step.x + step.y * step.y) > STILL * own.length * abs(middle):
-        equation = Turned(system.effects, step, stiffness, middle)
+        equation = Turned(step, stiffness, middle)
         low, high = middle - most, middle + most
         spin = bracketed(equation, low, high, _turned(equation, low)[0], _turned(equation, high)[0])
     elif abs(middle) < pivot:
         return 0.0, middle / pivot * f_x, middle / pivot * f_y
     else:
         spin = middle - copysign(pivot, middle)
-    return spin, *_about_contact(system.effects, own, step.x, step.y, spin)[:2]
+    return spin, *_about_contact(now, step.x, step.y, spin)[:2]
 
 
 class Lifted(NamedTuple):
@@ -120,7 +120,7 @@ class Lifted(NamedTuple):
 @compiled
 def _lifted(of, size):
     twist = _after(of.system, of.step, size * of.x, size * of.y)
-    return contact_motion(of.step.own, *twist)[1] - of.step.y, 0.0
+    return contact_motion(of.step.now.own, *twist)[1] - of.step.y, 0.0
 
 
 EQUATIONS[Lifted] = _lifted
@@ -141,12 +141,12 @@ def slips(system, step, kind, found):
 @compiled
 def _range(system, step, lifted):
     """Bounds of a slip's impulse: that of inertia alone, shifted by what friction can do at most."""
-    body, own, arm = system.body, step.own, arm_of(system.body, step.own)
+    body, own, arm = system.body, step.now.own, step.now.arm
     away = contact_motion(own, step.v_x, step.v_y, step.spin)[1] - step.y
     gain = pushed(body, arm, lifted.x, lifted.y)[1]
     # A gain of nothing but rounding leaves the size open.
     gain = copysign(max(abs(gain), SLACK / body.mass), gain)
-    grip = widest(system.effects, body) * arm.length * abs(arm.x) / body.moment
+    grip = widest(step.now.effects) * arm.length * abs(arm.x) / body.moment
     shift = step.size * body.weight * (1.0 / body.mass + grip)
     one, other = (-away - shift) / gain, (-away + shift) / gain
     low, high = min(one, other), max(one, other)

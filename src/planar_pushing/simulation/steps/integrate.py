@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.compiled import announced
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import NO_MODE, ROW, in_units, reason, records
 from planar_pushing.simulation.steps import friction, inertia
@@ -58,7 +59,7 @@ class TimeStepping:
         self.radius = float(problem.scene.slider.radius)
         fence = problem.pusher.fence(duration, self.radius)
         row = setup.row_of(problem.scene, problem.twist, problem.gap)
-        self.system = setup.system_of(problem.scene, row, fence)
+        self.system = setup.system_of(problem, row, fence)
         wanted = sorted({*map(float, np.asarray(times)), 0.0, duration})
         self.plan = _plan(fence, wanted, size, list(Policy).index(problem.on_ambiguity))
         self.run = records(CLOCK, 1)[0]
@@ -69,7 +70,8 @@ class TimeStepping:
     def __iter__(self) -> Iterator[Any]:
         while not ended(self.plan, self.run):
             rows = records(ROW, BATCH)
-            count = advance(self.system, self.plan, self.run, rows)
+            with announced(advance):
+                count = advance(self.system, self.plan, self.run, rows)
             if count:
                 yield in_units(rows[:count], self.radius)
 

@@ -11,9 +11,10 @@ from __future__ import annotations
 from math import sqrt
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.plane import Rod, contact_motion
+from planar_pushing.mechanics.compiled import by_kind, compiled
+from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.systems import base, contact
+from planar_pushing.simulation.systems.shapes.base import Pose
 
 #: Relative to the speeds of a step: what rounding leaves of a slip.
 SLACK = 1e-12
@@ -24,10 +25,13 @@ TRIALS = 2 + 2 * PARTS
 
 
 class Step(NamedTuple):
-    """Length and rod of a step, twist before it, and the contact's motion that keeps it on the fence."""
+    """Length and pose of a step, twist before it, and the contact's motion that keeps it on the pusher.
+
+    All is seen in the contact's frame at the start of the step.
+    """
 
     size: float
-    own: Rod
+    now: Pose
     v_x: float
     v_y: float
     spin: float
@@ -39,12 +43,12 @@ class Step(NamedTuple):
 #: twist and the impulse of the fence: system, step, and where to.
 INCREMENTS: dict[type, Any] = {}
 #: The step without contact force.
-free = base.by_kind(INCREMENTS, "free")
+free = by_kind(INCREMENTS, "free")
 #: The step whose contact moves with the fence.
-stick = base.by_kind(INCREMENTS, "stick")
+stick = by_kind(INCREMENTS, "stick")
 #: The steps that slip in a mode under an impulse on its edge, whose normal motion is the fence's: system,
 #: step, mode, trials. Returns how many there are.
-slips = base.by_kind(INCREMENTS, "slips")
+slips = by_kind(INCREMENTS, "slips")
 
 
 @compiled
@@ -52,9 +56,9 @@ def enumerate_trials(system, step, touching, kinds, trials):
     """Write down every consistent step, in the order of `ContactMode`; how many there are."""
     free(system, step, trials[0])
     v_x, v_y, spin = trials[0, 0], trials[0, 1], trials[0, 2]
-    away = contact_motion(step.own, v_x, v_y, spin)[1] - step.y
+    away = contact_motion(step.now.own, v_x, v_y, spin)[1] - step.y
     slack = SLACK * sqrt(step.x * step.x + step.y * step.y)
-    slack += SLACK * sqrt(v_x * v_x + v_y * v_y + (step.own.length * spin) ** 2)
+    slack += SLACK * sqrt(v_x * v_x + v_y * v_y + (step.now.own.length * spin) ** 2)
     kinds[0], count = base.SEPARATE, 1 if away >= -slack else 0
     if count == 1 and not touching:
         return count
@@ -75,7 +79,7 @@ def _slipping(system, step, kind, slack, kinds, trials, count):
     first = count
     for i in range(slips(system, step, kind, trials[first:])):
         found = trials[first + i]
-        slip = contact_motion(step.own, found[0], found[1], found[2])[0] - step.x
+        slip = contact_motion(step.now.own, found[0], found[1], found[2])[0] - step.x
         if contact.side_of(kind) * slip > slack:
             trials[count], kinds[count] = found, kind
             count += 1

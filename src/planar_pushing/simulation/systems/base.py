@@ -6,18 +6,19 @@ that what a scene does not list is not compiled into its integrators.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import inf, nan, sin, sqrt
+from math import inf, nan, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.compiled import by_kind, compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.mechanics.push import spin_ratio
-from planar_pushing.simulation.fence import Span, velocity
+from planar_pushing.simulation import fence
+from planar_pushing.simulation.fence import Span
 from planar_pushing.simulation.systems.motion import kinetic_energy, rod_of, size_of
+from planar_pushing.simulation.systems.shapes import base as shapes
 
 #: Where the state holds what: place of the contact relative to the fence, rod angle, slip accumulated,
 #: energy dissipated at the contact, work of the fence, energy dissipated by friction of the support. A
@@ -44,35 +45,42 @@ AT_REST = 1e-9
 #: the friction cone, a slip or a force ends, the contact is made, the fence begins to push a slider at
 #: rest; without a force the contact would part, or no longer; the ring's centre comes down to the fence,
 #: the slider comes to rest, the response to the motion is not smooth; the fence's normal motion changes its
-#: sign, or it starts to move, or its motion along itself changes its sign.
-CAUSES = 11
+#: sign, or it starts to move, or its motion along itself changes its sign; a finger comes to the end of its
+#: side.
+CAUSES = 12
 LEAVES_CONE, SLIP_ENDS, FORCE_ENDS, TOUCHES, STARTS, LIFTS = range(6)
-LIES, STOPS, KINK, TURNS, TURNS_ALONG = range(6, CAUSES)
+LIES, STOPS, KINK, TURNS, TURNS_ALONG, END_OF_SIDE = range(6, CAUSES)
 #: Some are watches: their change of sign is an event. The others are margins, positive while a mode lasts.
-WATCHES = tuple(cause in (LIFTS, STOPS, KINK, TURNS, TURNS_ALONG) for cause in range(CAUSES))
+WATCHED = LIFTS, STOPS, KINK, TURNS, TURNS_ALONG, END_OF_SIDE
+WATCHES = tuple(cause in WATCHED for cause in range(CAUSES))
 
 #: What of a scene does not change while it moves: l / R; edges of the friction cone and their angles,
 #: and what the law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such
 #: effect; centre of mass in the body frame, its distance from the contact, and cosine and sine of the
 #: angle of the line there to the rod; typical speed and force, to which slacks are relative; initial gap.
-#: And what does change: how often the motion was evaluated.
+#: And what does change: how often the motion was evaluated, and whether the contact has ended for good.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
         ("left_angle", "f8"), ("slips", "b1"), ("closed", "b1"), ("rough", "b1"),
         ("weight", "f8"), ("mass", "f8"), ("moment", "f8"), ("center", "f8", (2,)), ("reach", "f8"),
         ("lean", "f8", (2,)), ("speed", "f8"), ("force", "f8"), ("gap", "f8"), ("evaluations", "i8"),
+        ("parted", "b1"),
     ],
     align=True,
 )  # fmt: skip
 
 
 class QuasiStatic(NamedTuple):
-    """The system of a scene whose effects are all friction; `body` is a record of `BODY`."""
+    """The system of a scene whose effects are all friction; `body` is a record of `BODY`.
+
+    `fence` is the pusher's motion, of a fence or of a finger, which `shape` tells apart.
+    """
 
     effects: tuple[Any, ...]
     body: Any
     fence: Any
+    shape: Any
 
 
 class Inertial(NamedTuple):
@@ -81,6 +89,7 @@ class Inertial(NamedTuple):
     effects: tuple[Any, ...]
     body: Any
     fence: Any
+    shape: Any
 
 
 class Mode(NamedTuple):
@@ -94,15 +103,6 @@ class Mode(NamedTuple):
     y: float
     spin: float
     during: Span
-
-
-def by_kind(members: dict[type, Any], name: str) -> Callable[..., Any]:
-    """The function of a name in the module that belongs to the kind of the first argument."""
-
-    def choose(kind: Any) -> Any:
-        return getattr(members[kind], name)
-
-    return generic(choose)
 
 
 #: Of each kind of system, the module of its equations, with the functions below; the first argument of all
@@ -122,12 +122,44 @@ guard_contact = by_kind(SYSTEMS, "guard_contact")
 
 
 @compiled
+def pose(system, state):
+    """The slider as the contact sees it."""
+    return pose_of(system, rod_of(system.body, state[ANGLE]), state)
+
+
+@compiled
+def pose_of(system, own, state):
+    """As `pose`, of a rod that is known."""
+    return shapes.pose(system.shape, system.effects, system.body, own, state[ALONG], state[GAP])
+
+
+@compiled
+def velocity(system, during, time, state):
+    """Velocity of the pusher in the contact's frame."""
+    x, y = fence.velocity(system.fence, during, time)
+    return shapes.seen(system.shape, state[ANGLE], x, y)
+
+
+@compiled
+def acceleration(system, during, time, state):
+    """Acceleration of the pusher along the axes of the contact's frame."""
+    x, y = fence.acceleration(system.fence, during, time)
+    return shapes.seen(system.shape, state[ANGLE], x, y)
+
+
+@compiled
+def clearance(system, state):
+    """Height of the contact over the pusher, infinite where the contact has ended for good."""
+    return shapes.clearance(system.shape, system.body, state[GAP])
+
+
+@compiled
 def initial(system, angle, gap, twist, state):
     """Write down the state at time 0."""
     state[:] = 0.0
     state[GAP], state[ANGLE] = gap, angle
     if len(state) == MOVING:
-        own = rod_of(system.body, angle)
+        own = pose(system, state).own
         state[OVER], state[RISE] = contact_motion(own, twist[0], twist[1], twist[2])
         state[SPIN] = twist[2]
 
@@ -144,16 +176,16 @@ def scales(system, found):
 
 @compiled
 def center_velocity(system, during, time, state):
-    """Velocity of the ring's centre, where the twist is part of the state."""
-    fence_x, fence_y = velocity(system.fence, during, time)
-    own = rod_of(system.body, state[ANGLE])
+    """Velocity of the slider's centre, where the twist is part of the state."""
+    fence_x, fence_y = velocity(system, during, time, state)
+    own = pose(system, state).own
     return contact_motion(own, fence_x + state[OVER], fence_y + state[RISE], -state[SPIN])
 
 
 @compiled
 def pace(system, during, time):
     """Time in which the motion takes the slider about one length, or friction stops it."""
-    body, (x, y) = system.body, velocity(system.fence, during, time)
+    body, (x, y) = system.body, fence.velocity(system.fence, during, time)
     speed = body.speed if body.mass > 0.0 else sqrt(x * x + y * y)
     along = max(1.0, body.length) / speed if speed > 0.0 else inf
     return min(along, speed * body.mass / body.weight) if body.mass * body.weight > 0.0 else along
@@ -207,26 +239,32 @@ def guards(system, mode, time, state, found):
     if mode.kind == HELD:
         found[STARTS] = PUSHES - now.fence_y / body.speed
     elif contact_mode(mode.kind) == SEPARATE:
-        found[TOUCHES] = state[GAP]
-    if mode.kind < CLEAR and body.length > 0.0:
-        found[LIES] = state[GAP] / body.length + sin(state[ANGLE])
+        height = clearance(system, state)
+        found[TOUCHES] = height if height < inf else nan
+    if mode.kind < CLEAR:
+        found[LIES] = shapes.upright(system.shape, body, state[ANGLE], state[GAP])
+    if mode.kind != SEPARATE and mode.kind != CLEAR and state[GAP] <= SLACK:
+        found[END_OF_SIDE] = shapes.room(system.shape, state[ALONG])
     guard_contact(system, mode, now, found)
 
 
 @compiled
-def put(body, state, v_x, v_y, spin, row):
-    """Write down position, twist, spin ratio and kinetic energy; the fence is in the row already."""
-    own = rod_of(body, state[ANGLE])
-    row.position[0] = row.fence[0] + state[ALONG] + own.length * own.x
-    row.position[1] = row.fence[1] + state[GAP] + own.length * own.y
-    row.twist[0], row.twist[1], row.twist[2] = v_x, v_y, spin
+def put(system, state, v_x, v_y, spin, row):
+    """Write down place, twist, spin ratio and kinetic energy; the fence is in the row already."""
+    shape, angle, now = system.shape, state[ANGLE], pose(system, state)
+    row.position[0], row.position[1] = shapes.center(
+        shape, now.own, angle, state[ALONG], state[GAP], row.fence[0], row.fence[1]
+    )
+    row.twist[0], row.twist[1] = shapes.shown(shape, angle, v_x, v_y)
+    row.twist[2] = spin
     row.spin_ratio = spin_ratio(sqrt(v_x * v_x + v_y * v_y), spin)
-    row.kinetic_energy = kinetic_energy(body, own, v_x, v_y, spin)
+    row.kinetic_energy = kinetic_energy(system.body, now.x, now.y, v_x, v_y, spin)
+    row.contact_position, row.parted = 0.0 - state[ALONG], system.body.parted
 
 
 @compiled
 def write(system, mode, time, state, row):
     """Write down position, twist, force, spin ratio and kinetic energy."""
     now = motion(system, mode, time, state)
-    put(system.body, state, now.v_x, now.v_y, now.spin, row)
-    row.force[0], row.force[1] = now.f_x, now.f_y
+    put(system, state, now.v_x, now.v_y, now.spin, row)
+    row.force[0], row.force[1] = shapes.shown(system.shape, state[ANGLE], now.f_x, now.f_y)

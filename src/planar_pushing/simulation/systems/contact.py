@@ -14,10 +14,8 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.contact.laws import Law
-from planar_pushing.simulation.fence import velocity
 from planar_pushing.simulation.rows import Stop
 from planar_pushing.simulation.systems import base
-from planar_pushing.simulation.systems.motion import arm_of, rod_of
 
 NO_IMPULSE = int(Stop.NO_IMPULSE)
 #: An impulse this near to an edge of the cone is on it, radians.
@@ -123,7 +121,7 @@ def impact(system, during, time, state, kind, policy):
     if max(abs(x), abs(y)) <= base.SLACK * body.speed:
         state[base.OVER], state[base.RISE] = 0.0, 0.0
         return 0
-    own = arm_of(body, rod_of(body, state[base.ANGLE]))
+    own = base.pose(system, state).arm
     kinds, count = np.empty(MODES, np.int64), 0
     for each in range(MODES):
         if _consistent(body, own, each, x, y):
@@ -134,7 +132,7 @@ def impact(system, during, time, state, kind, policy):
     p_x, p_y, after_x, after_y = pushed_in(body, own, kinds[chosen], x, y)
     state[base.OVER], state[base.RISE] = after_x, after_y
     state[base.SPIN] += moment_of(own, p_x, p_y) / body.moment
-    fence_x, fence_y = velocity(system.fence, during, time)
+    fence_x, fence_y = base.velocity(system, during, time, state)
     state[base.WORK] += p_x * fence_x + p_y * fence_y
     state[base.LOST] -= p_x * (x + after_x) / 2 + p_y * (y + after_y) / 2
     return 0

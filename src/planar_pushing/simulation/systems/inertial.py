@@ -11,17 +11,10 @@ from math import sqrt
 
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.plane import contact_motion
-from planar_pushing.simulation.fence import acceleration, span, velocity
+from planar_pushing.simulation.fence import span, velocity
 from planar_pushing.simulation.systems import base, contact, rest
-from planar_pushing.simulation.systems.motion import (
-    Motion,
-    arm_of,
-    at_rest,
-    friction,
-    mass_offset,
-    rod_of,
-    size_of,
-)
+from planar_pushing.simulation.systems.motion import Motion, at_rest, friction, size_of
+from planar_pushing.simulation.systems.shapes.base import relative, seen
 
 #: Part of the typical force below which a force has no direction of its own.
 NO_FORCE = 1e-9
@@ -40,12 +33,12 @@ def enter(system, index, state, kind, policy):
     if index > 0:
         past = span(system.fence, index - 1)
         before_x, before_y = velocity(system.fence, past, past.end)
-    jump_x, jump_y = before_x - now_x, before_y - now_y
+    jump_x, jump_y = seen(system.shape, state[base.ANGLE], before_x - now_x, before_y - now_y)
     state[base.OVER] += jump_x
     state[base.RISE] += jump_y
     slack = base.SLACK * system.body.speed
     hits = sqrt(jump_x * jump_x + jump_y * jump_y) > slack or state[base.RISE] < -slack
-    if state[base.GAP] <= base.SLACK and hits:
+    if base.clearance(system, state) <= base.SLACK and hits:
         return contact.impact(system, during, during.start, state, kind, policy)
     return 0
 
@@ -56,7 +49,10 @@ def modes(system, during, time, state, kinds, starts):
     body, (v_x, v_y) = system.body, base.center_velocity(system, during, time, state)
     slow = size_of(v_x, v_y, state[base.SPIN]) <= base.AT_REST * body.speed
     rests = slow and body.weight > 0.0
-    if state[base.GAP] > base.SLACK or abs(state[base.RISE]) > base.SLACK * body.speed:
+    if (
+        base.clearance(system, state) > base.SLACK
+        or abs(state[base.RISE]) > base.SLACK * body.speed
+    ):
         kinds[0] = base.CLEAR if rests else base.SEPARATE
         return 1
     if rests:
@@ -97,37 +93,35 @@ def after(system, cause, mode, time, state, policy):
 
 @compiled
 def motion(system, mode, time, state):
-    fence_x, fence_y = velocity(system.fence, mode.during, time)
-    turn_x, turn_y = acceleration(system.fence, mode.during, time)
+    fence_x, fence_y = base.velocity(system, mode.during, time, state)
+    turn_x, turn_y = base.acceleration(system, mode.during, time, state)
     if mode.kind >= base.CLEAR:
         return at_rest(fence_x, fence_y, turn_x, turn_y)
-    body, own, spin = system.body, rod_of(system.body, state[base.ANGLE]), state[base.SPIN]
-    arm = arm_of(body, own)
+    body, now, spin = system.body, base.pose(system, state), state[base.SPIN]
     body.evaluations += 1
-    u_x, u_y = fence_x + state[base.OVER], fence_y + state[base.RISE]
-    v_x, v_y = contact_motion(own, u_x, u_y, -spin)
-    drag_x, drag_y, drag = _drag(system, own, mode, v_x, v_y, spin)
+    slip, rise = state[base.OVER], state[base.RISE]
+    v_x, v_y = contact_motion(now.own, fence_x + slip, fence_y + rise, -spin)
+    drag_x, drag_y, drag = _drag(system, now, mode, v_x, v_y, spin)
     rubbed = drag_x * v_x + drag_y * v_y + drag * spin
-    x, y = mass_offset(body, own)
-    drag -= x * drag_y - y * drag_x
-    free_x, free_y = _free(body, arm, drag_x, drag_y, drag, spin)
-    free_x, free_y = free_x - turn_x, free_y - turn_y
-    f_x, f_y, a_x, a_y = contact.pushed_in(body, arm, mode.kind, free_x, free_y)
-    turn = (contact.moment_of(arm, f_x, f_y) - drag) / body.moment
+    drag -= now.x * drag_y - now.y * drag_x
+    free_x, free_y = _free(body, now.arm, drag_x, drag_y, drag, spin)
+    free_x, free_y = relative(system.shape, spin, slip, rise, free_x - turn_x, free_y - turn_y)
+    f_x, f_y, a_x, a_y = contact.pushed_in(body, now.arm, mode.kind, free_x, free_y)
+    turn = (contact.moment_of(now.arm, f_x, f_y) - drag) / body.moment
     return Motion(
-        state[base.OVER], state[base.RISE], fence_x, fence_y,
+        slip, rise, fence_x, fence_y,
         v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
         f_x, f_y, rubbed, a_x, a_y, turn, free_y,
     )  # fmt: skip
 
 
 @compiled
-def _drag(system, own, mode, v_x, v_y, spin):
+def _drag(system, now, mode, v_x, v_y, spin):
     """Friction on the support against the motion, or against the impending one from rest."""
     impending = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
     if impending and size_of(v_x, v_y, spin) <= NO_DIRECTION * system.body.speed:
-        return friction(system.effects, own, mode.x, mode.y, mode.spin)
-    return friction(system.effects, own, v_x, v_y, spin)
+        return friction(now.effects, now.own, mode.x, mode.y, mode.spin)
+    return friction(now.effects, now.own, v_x, v_y, spin)
 
 
 @compiled

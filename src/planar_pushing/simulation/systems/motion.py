@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.effects.any_support import Support
 from planar_pushing.mechanics.effects.base import fastest, gradient, response, rough
 from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.plane import Direction, Rod
 
 #: The kinds of inertia.
@@ -83,9 +83,8 @@ def size_of(v_x, v_y, spin):
 
 
 @compiled
-def kinetic_energy(body, own, v_x, v_y, spin):
-    """Of the slider, whose centre moves by (v_x, v_y)."""
-    x, y = mass_offset(body, own)
+def kinetic_energy(body, x, y, v_x, v_y, spin):
+    """Of the slider, whose centre moves by (v_x, v_y), and whose centre of mass is at (x, y) from it."""
     v_x, v_y = v_x - spin * y, v_y + spin * x
     return (body.mass * (v_x * v_x + v_y * v_y) + body.moment * spin * spin) / 2
 
@@ -98,7 +97,7 @@ def friction(kinds: Any) -> Callable[..., Any]:
     """
     if len(kinds) == 1 and kinds[0] in MASSES:
         return _no_friction
-    return _pressed_friction if kinds[0] is Support else _friction
+    return _pressed_friction if kinds[0] in PRESSED else _friction
 
 
 @compiled
@@ -128,7 +127,7 @@ def _pressed_friction(effects, own, v_x, v_y, spin):
 @generic
 def farthest(kinds: Any) -> Callable[..., Any]:
     """Greatest torque of friction about the contact, per unit weight: effects, rod length."""
-    return _farthest_point if kinds[0] is Support else _farthest_of_ring
+    return _farthest_point if kinds[0] in PRESSED else _farthest_of_ring
 
 
 @compiled
@@ -143,25 +142,25 @@ def _farthest_point(effects, length):
 
 @generic
 def widest(kinds: Any) -> Callable[..., Any]:
-    """Greatest torque of friction about the centre of mass, per unit weight: effects, body."""
-    return _mean_distance if kinds[0] is Support else _radius
+    """Greatest torque of friction about the centre of mass, per unit weight: effects."""
+    return _mean_distance if kinds[0] in PRESSED else _radius
 
 
 @compiled
-def _radius(effects, body):
+def _radius(effects):
     return 1.0
 
 
 @compiled
-def _mean_distance(effects, body):
+def _mean_distance(effects):
     x, y, _ = rough(effects[0])
-    return effects[0].extent + sqrt((x - body.center[0]) ** 2 + (y - body.center[1]) ** 2)
+    return effects[0].extent + sqrt((x - effects[1].x) ** 2 + (y - effects[1].y) ** 2)
 
 
 @generic
 def kink(kinds: Any) -> Callable[..., Any]:
     """Watch of the motion's kink on the ring, none for other supports: effects, spin, speed."""
-    return _no_kink if kinds[0] is Support else _kink_on_ring
+    return _no_kink if kinds[0] in PRESSED else _kink_on_ring
 
 
 @compiled

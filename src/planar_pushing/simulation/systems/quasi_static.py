@@ -10,9 +10,9 @@ from math import sqrt
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.mechanics.reduced.base import edge_motion, stick
-from planar_pushing.simulation.fence import velocity
 from planar_pushing.simulation.systems import base, contact
-from planar_pushing.simulation.systems.motion import Motion, at_rest, kink, rod_of, seen_from
+from planar_pushing.simulation.systems.motion import Motion, at_rest, kink, seen_from
+from planar_pushing.simulation.systems.shapes.base import steady
 
 
 @compiled
@@ -23,8 +23,8 @@ def enter(system, index, state, kind, policy):
 @compiled
 def modes(system, during, time, state, kinds, starts):
     starts[:] = 0.0
-    x, y = velocity(system.fence, during, time)
-    if state[base.GAP] > base.SLACK:
+    x, y = base.velocity(system, during, time, state)
+    if base.clearance(system, state) > base.SLACK:
         kinds[0] = base.CLEAR
         return 1
     kinds[0] = base.HELD
@@ -43,16 +43,16 @@ def after(system, cause, mode, time, state, policy):
 
 @compiled
 def motion(system, mode, time, state):
-    fence_x, fence_y = velocity(system.fence, mode.during, time)
+    fence_x, fence_y = base.velocity(system, mode.during, time, state)
     if base.contact_mode(mode.kind) == base.SEPARATE:
         return at_rest(fence_x, fence_y, 0.0, 0.0)
     system.body.evaluations += 1
-    own, slip = rod_of(system.body, state[base.ANGLE]), 0.0
+    now, slip = base.pose(system, state), 0.0
     if mode.kind == base.STICK:
-        (x, y, spin, f_x, f_y), size = sticking(system, own, fence_x, fence_y)
+        (x, y, spin, f_x, f_y), size = sticking(now, fence_x, fence_y)
         lift = 0.0
     else:
-        (x, y, spin, f_x, f_y), along, lift = _slipping(system, own, mode.kind)
+        (x, y, spin, f_x, f_y), along, lift = _slipping(system, now, mode.kind)
         size = fence_y / lift if lift != 0.0 else 0.0
         slip = size * along - fence_x
     return Motion(
@@ -62,20 +62,20 @@ def motion(system, mode, time, state):
 
 
 @compiled
-def sticking(system, own, x, y):
+def sticking(now, x, y):
     """Twist and force of a contact that moves by one unit in the direction of a velocity, and its size."""
     pace = sqrt(x * x + y * y)
     if pace == 0.0:
         return (0.0, 0.0, 0.0, 0.0, 0.0), 0.0
-    return stick(system.effects, own, seen_from(own, x / pace, y / pace))[:5], pace
+    return stick(now.effects, now.own, seen_from(now.own, x / pace, y / pace))[:5], pace
 
 
 @compiled
-def _slipping(system, own, kind):
+def _slipping(system, now, kind):
     """Twist and force of a slip of unit size, and motion of its contact."""
     x, y, _ = contact.edge_of(system.body, kind)
-    moved = edge_motion(system.effects, own, seen_from(own, x, y))
-    along, lift = contact_motion(own, moved[0], moved[1], moved[2])
+    moved = edge_motion(now.effects, now.own, seen_from(now.own, x, y))
+    along, lift = contact_motion(now.own, moved[0], moved[1], moved[2])
     return moved, along, lift
 
 
@@ -90,9 +90,11 @@ def guard_contact(system, mode, now, found):
         _guard_slip(system, mode, now, speed, found)
     if kind < base.CLEAR:
         found[base.KINK] = kink(system.effects, now.spin, now.speed)
-    if not mode.during.constant and kind == base.HELD:
+    if steady(system.shape, mode.during):
+        return
+    if kind == base.HELD:
         found[base.TURNS] = 1.0 if speed > 0.0 else -1.0
-    elif not mode.during.constant and kind != base.CLEAR:
+    elif kind != base.CLEAR:
         found[base.TURNS] = now.fence_y / speed if speed > 0.0 else 0.0
         found[base.TURNS_ALONG] = now.fence_x / speed if speed > 0.0 else 0.0
 

@@ -13,9 +13,8 @@ from planar_pushing.mechanics.effects.base import scaled
 from planar_pushing.mechanics.modes import MOST, contact_modes
 from planar_pushing.mechanics.plane import contact_motion, rod, toward
 from planar_pushing.mechanics.reduced.base import MOTION, slips
-from planar_pushing.simulation.fence import acceleration, velocity
 from planar_pushing.simulation.systems import base, contact
-from planar_pushing.simulation.systems.motion import MASSES, kinetic_energy, rod_of
+from planar_pushing.simulation.systems.motion import MASSES, kinetic_energy
 
 #: A fence slower than this part of it, and hardly accelerated, does not move.
 STILL = 1e-10
@@ -35,14 +34,14 @@ def _never(effects, system, during, time, state, kinds, starts):
 
 @compiled
 def _starting(effects, system, during, time, state, kinds, starts):
-    turn_x, turn_y, moves = _setting_off(system, during, time)
+    turn_x, turn_y, moves = _setting_off(system, during, time, state)
     if not moves:
         kinds[0] = base.HELD
         return 1
     size = sqrt(turn_x * turn_x + turn_y * turn_y)
     # The pusher's motion is the unit of `contact_modes`, so the mass counts in units of its acceleration.
-    driven = effects[0], scaled(effects[1], size)
-    body, own = system.body, rod(system.body.length, state[base.ANGLE])
+    body, now = system.body, _exact_pose(system, state)
+    driven, own = (now.effects[0], scaled(now.effects[1], size)), now.own
     found, motions = np.empty(MOST, np.int8), np.empty((MOST, MOTION))
     if abs(state[base.OVER]) > base.AT_REST * body.speed:
         slip, normal = state[base.OVER], turn_y / size
@@ -57,11 +56,17 @@ def _starting(effects, system, during, time, state, kinds, starts):
     return count
 
 
+@compiled
+def _exact_pose(system, state):
+    """The pose, exact where the rod's angle is a quarter turn."""
+    return base.pose_of(system, rod(system.body.length, state[base.ANGLE]), state)
+
+
 @inlined
-def _setting_off(system, during, time):
+def _setting_off(system, during, time, state):
     """Acceleration of the fence, and whether it moves at all."""
-    turn_x, turn_y = acceleration(system.fence, during, time)
-    w_x, w_y = velocity(system.fence, during, time)
+    turn_x, turn_y = base.acceleration(system, during, time, state)
+    w_x, w_y = base.velocity(system, during, time, state)
     size = sqrt(turn_x * turn_x + turn_y * turn_y)
     # A fence given as a function leaves some rounding where it is still.
     least = STILL * system.body.speed
@@ -90,17 +95,17 @@ def _slipping_starts(driven, body, own, normal, slip, found, motions):
 def set_off(system, mode, time, state, policy):
     """Let a slider at rest keep up with a fence that has just begun to push it; 0, or a `Stop`."""
     state[base.GAP] = 0.0
-    during, body = mode.during, system.body
+    during = mode.during
     kinds, starts = np.empty(MOST, np.int64), np.zeros((MOST, 3))
     count = starting(system.effects, system, during, time, state, kinds, starts)
     chosen = contact.preferred(policy, base.contact_mode(mode.kind), kinds, count)
     if chosen < 0 or kinds[chosen] == base.HELD:
         return contact.impact(system, during, time, state, mode.kind, policy)
-    turn_y = acceleration(system.fence, during, time)[1]
-    fence_x, fence_y = velocity(system.fence, during, time)
+    turn_y = base.acceleration(system, during, time, state)[1]
+    fence_x, fence_y = base.velocity(system, during, time, state)
     part = fence_y / turn_y if turn_y != 0.0 else 0.0
     v_x, v_y, spin = part * starts[chosen, 0], part * starts[chosen, 1], part * starts[chosen, 2]
-    slip = contact_motion(rod(body.length, state[base.ANGLE]), v_x, v_y, spin)[0] - fence_x
+    slip = contact_motion(_exact_pose(system, state).own, v_x, v_y, spin)[0] - fence_x
     state[base.OVER] = 0.0 if kinds[chosen] == base.STICK else slip
     state[base.RISE], state[base.SPIN] = 0.0, spin
     return 0
@@ -118,17 +123,20 @@ def stopped(system, mode, time, state):
     if lost <= 0.0:
         return time
     v_x, v_y = base.center_velocity(system, during, time, state)
-    own = rod_of(body, state[base.ANGLE])
-    energy = kinetic_energy(body, own, v_x, v_y, state[base.SPIN])
+    now = base.pose(system, state)
+    energy = kinetic_energy(body, now.x, now.y, v_x, v_y, state[base.SPIN])
     half = min(2 * energy / lost, during.end - time) / 2
     for entry in range(base.OVER):
         state[entry] += found[entry] * half
     # The fence itself moves on at its own speed.
-    fence_x, fence_y = velocity(system.fence, during, time)
+    fence_x, fence_y = base.velocity(system, during, time, state)
     state[base.ALONG] -= fence_x * half
     state[base.GAP] -= fence_y * half
-    if state[base.GAP] <= base.SLACK and abs(state[base.RISE]) <= base.SLACK * body.speed:
+    if (
+        base.clearance(system, state) <= base.SLACK
+        and abs(state[base.RISE]) <= base.SLACK * body.speed
+    ):
         state[base.GAP] = 0.0
-    last_x, last_y = velocity(system.fence, during, time + 2 * half)
+    last_x, last_y = base.velocity(system, during, time + 2 * half, state)
     state[base.OVER], state[base.RISE], state[base.SPIN] = -last_x, -last_y, 0.0
     return time + 2 * half

@@ -17,17 +17,26 @@ from planar_pushing.mechanics.effects.base import (
     WEIGHT,
     made,
 )
-from planar_pushing.mechanics.plane import Array, unit_vector
+from planar_pushing.mechanics.plane import Array, rod, unit_vector
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.fence import typical_speed
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.systems import base, inertial, quasi_static
+from planar_pushing.simulation.systems.shapes import base as shapes
+from planar_pushing.simulation.systems.shapes import fence as fences
+from planar_pushing.simulation.systems.shapes import finger
+from planar_pushing.terms.options import Shape
 
-#: Columns of a row behind those of the effects; twist and gap in radii.
-LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(COLUMNS, COLUMNS + 11)
+#: Columns of a row behind those of the effects; twist, gap and ends of the side in radii.
+LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN = range(COLUMNS, COLUMNS + 10)
+GAP, START, END = range(COLUMNS + 10, COLUMNS + 13)
 #: Systems by whether they have inertia.
 KINDS = {False: base.QuasiStatic, True: base.Inertial}
 base.SYSTEMS.update({base.QuasiStatic: quasi_static, base.Inertial: inertial})
+shapes.SHAPES.update({fences.Fence: fences, finger.Finger: finger})
+#: What pushes, without the numbers of a scene.
+PUSHERS = {Shape.FENCE: fences.Fence(), Shape.FINGER: finger.Finger(rod(1.0, 1.0), -1.0, 1.0)}
 
 
 def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
@@ -42,7 +51,7 @@ def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
         scene.weight if scene.friction else 0.0,
         mass * radius if scene.stores_energy else 0.0,
         gyration, *scene.placement, slider.length_ratio, slider.rod_angle, *scene.law,
-        v_x / radius, v_y / radius, omega, gap / radius,
+        v_x / radius, v_y / radius, omega, gap / radius, *(end / radius for end in slider.side),
     ]  # fmt: skip
 
 
@@ -64,7 +73,7 @@ def fill(row, fence, body):
     body.right[0], body.right[1] = unit_vector(row[RIGHT])
     body.left[0], body.left[1] = unit_vector(row[LEFT])
     body.slips, body.closed, body.rough = row[SLIPS] != 0.0, row[CLOSED] != 0.0, row[ROUGH] != 0.0
-    body.gap, body.evaluations = row[GAP], 0
+    body.gap, body.evaluations, body.parted = row[GAP], 0, False
 
 
 @compiled
@@ -73,11 +82,18 @@ def put(system, row, state):
     base.initial(system, row[ANGLE], row[GAP], row[V_X:GAP], state)
 
 
-def system_of(scene: Scene, row: Array, fence: Any) -> Any:
+@compiled
+def shape_of(shape, row):
+    """What pushes the scene of a row."""
+    return shapes.made(shape, rod(row[LENGTH], row[ANGLE]), row[START], row[END])
+
+
+def system_of(problem: Problem, row: Array, fence: Any) -> Any:
     """The system of one scene, from its row and its fence."""
-    body = records(base.BODY, 1)[0]
+    body, scene = records(base.BODY, 1)[0], problem.scene
     fill(row, fence, body)
-    return KINDS[scene.stores_energy](made(scene.kinds, row), body, fence)
+    shape = shape_of(PUSHERS[problem.shape], row)
+    return KINDS[scene.stores_energy](made(scene.kinds, row), body, fence, shape)
 
 
 def row_of(scene: Scene, twist: Any, gap: float) -> Array:

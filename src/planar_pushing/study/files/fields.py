@@ -19,7 +19,16 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from planar_pushing.terms.options import SAMPLES, TOLERANCE, AtZeroNormal, EffectSet, Method, Policy
+from planar_pushing.terms.domain import SIDE
+from planar_pushing.terms.options import (
+    SAMPLES,
+    TOLERANCE,
+    AtZeroNormal,
+    EffectSet,
+    Method,
+    Policy,
+    Shape,
+)
 
 
 def refuse(allowed: str) -> PydanticCustomError:
@@ -128,6 +137,45 @@ def _counts(given: float) -> bool:
     return 1 <= given < math.inf and given == int(given)
 
 
+def spelled(options: type[StrEnum]) -> Any:
+    """As `choice`, of options of which the error of an unknown one suggests one."""
+    names = tuple(map(str, options))
+    context = {"allowed": " or ".join(map(repr, names)), "names": names}
+
+    def known(given: object) -> object:
+        if given not in names:
+            raise PydanticCustomError("unknown_option", "{allowed}", context)
+        return given
+
+    return Annotated[choice(options), BeforeValidator(known)]
+
+
+def _side(given: object) -> object:
+    ends = [_number_of(each) for each in given] if isinstance(given, (list, tuple)) else []
+    if len(ends) != 2 or not ends[0] < 0 < ends[1]:
+        raise refuse(f"{SIDE[0]}; {SIDE[1]}")
+    return tuple(ends)
+
+
+def _number_of(given: object) -> float:
+    """A number, which JSON has as a text where it is infinite; NaN for what is none."""
+    number = (
+        {"inf": math.inf, "-inf": -math.inf}.get(given, given) if isinstance(given, str) else given
+    )
+    plain = isinstance(number, (int, float)) and not isinstance(number, bool)
+    return float(number) if plain else math.nan  # type: ignore[arg-type]
+
+
+END = {"anyOf": [{"type": "number"}, {"enum": ["inf", "-inf"]}]}
+#: Ends of a side, from the contact along it.
+Side = Annotated[
+    tuple[float, float],
+    BeforeValidator(_side),
+    WithJsonSchema(
+        {"description": SIDE[0], "type": "array", "minItems": 2, "maxItems": 2, "items": END}
+    ),
+]
+
 #: Most numbers on an axis.
 MOST = 10**5
 AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
@@ -220,6 +268,7 @@ Count = Annotated[
 
 PolicyName = choice(Policy)
 MethodName = choice(Method)
+ShapeName = spelled(Shape)
 AtZeroNormalName = choice(AtZeroNormal)
 EffectsName = choice(EffectSet)
 

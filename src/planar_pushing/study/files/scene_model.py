@@ -23,6 +23,7 @@ from planar_pushing.study.files.fields import (
     NotEmpty,
     Positive,
     RodAngle,
+    Side,
     Text,
     refuse,
 )
@@ -34,17 +35,21 @@ from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 class SliderEntry(FileModel):
     """The slider and its rod; lengths in any one unit, the angle in degrees.
 
-    Without a radius it is the support's largest distance from its centre of pressure, 1 for a ring.
+    Without a radius it is the support's largest distance from its centre of pressure, 1 for a ring. `side`
+    holds the ends of the flat side that a finger pushes, along it from the contact; it has none by default.
     """
 
     rod_length: NonNegative
     rod_angle: RodAngle
     radius: Positive | None = None
+    side: Side | None = None
 
     def build(self) -> Slider:
+        side = {} if self.side is None else {"side": self.side}
         return Slider(
-            rod_length=self.rod_length, rod_angle=np.deg2rad(self.rod_angle), radius=self.radius
-        )
+            rod_length=self.rod_length, rod_angle=np.deg2rad(self.rod_angle), radius=self.radius,
+            **side,
+        )  # fmt: skip
 
 
 class CoulombEntry(FileModel):

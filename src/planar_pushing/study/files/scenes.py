@@ -16,7 +16,7 @@ from planar_pushing.study.files.fields import FileModel
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.yaml_text import read_yaml, shown
-from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path, suggestion
 
 Model = TypeVar("Model", bound=FileModel)
 
@@ -112,6 +112,8 @@ def _explain(path: Path, error: ErrorDetails) -> str:
             allowed = f"a mapping with the key {context['discriminator']}"
         case "literal_error":
             allowed = context["expected"]
+        case "unknown_option":
+            remedy = suggestion(given, context["names"], remedy)
         case "model_attributes_type" | "dict_type":
             allowed = "a mapping"
         case "string_type":

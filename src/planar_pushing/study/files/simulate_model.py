@@ -18,9 +18,10 @@ from planar_pushing.study.files.fields import (
     Positive,
     RelativeTolerance,
     SampleCount,
+    ShapeName,
     refuse,
 )
-from planar_pushing.terms.options import Method, Policy
+from planar_pushing.terms.options import Method, Policy, Shape
 
 
 class PieceEntry(FileModel):
@@ -40,10 +41,11 @@ class TwistEntry(FileModel):
 
 
 class SimulateEntry(FileModel):
-    """A motion of the fence, constant or in pieces, and how the slider is followed through it."""
+    """A motion of the fence or the finger, constant or in pieces, and how the slider is followed."""
 
     pusher_angle: Degrees | None = None
     pusher_speed: NonNegative | None = None
+    pusher_shape: ShapeName = Shape.FENCE.value
     pusher: Annotated[tuple[PieceEntry, ...], NotEmpty] | None = None
     duration: Positive
     method: MethodName = Method.EVENT_DRIVEN.value

@@ -1,0 +1,1 @@
+"""What pushes: a fence, which meets a point of the slider, or a finger, which meets a flat side."""
