@@ -109,6 +109,8 @@ def gathering(wildcards):
         "steps": chunk_steps(STUDY, name),
     }
 
+SHOWN = [name for name in GALLERY_FIGURES if GALLERY and shows(GALLERY, name)]
+
 
 def scene_files(wildcards):
     """Scene files that a dataset reads."""
@@ -123,6 +125,12 @@ def dataset_files(wildcards):
     """Datasets that a figure is drawn from."""
     sources = FIGURES[wildcards.figure].datasets
     return sorted({f"<results>/{dataset_file(source)}" for source in sources})
+
+
+def gallery_files(wildcards):
+    """Datasets that a figure of sliders is drawn from."""
+    sources = GALLERY_FIGURES[wildcards.figure].datasets
+    return sorted({f"<sliders>/{dataset_file(source)}" for source in sources})
 
 
 def figure_settings(wildcards):
