@@ -41,9 +41,11 @@ if STUDY:
 if GALLERY:
 
     include: "workflow/rules/sliders.smk"
+    include: "workflow/rules/sliders_golden.smk"
 
     localrules:
         sliders,
+        sliders_golden,
 
 
 localrules:
@@ -67,4 +69,4 @@ rule all:
             if STUDY
             else []
         ),
-        rules.sliders.input if GALLERY else [],
+        [rules.sliders.input, rules.sliders_golden.input] if GALLERY else [],
