@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from planar_pushing.figures import render, style
 from planar_pushing.figures.parts import arrows, drawing
 from planar_pushing.study.dependencies import modules
-from planar_pushing.study.figures import ALL, FIGURES
+from planar_pushing.study.figures import ALL, FIGURES, GALLERY
 from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.terms.errors import InvalidValue
 
@@ -23,10 +23,12 @@ def test_an_unknown_figure_is_named():
 def test_every_entry_names_a_drawing(name):
     found = render.drawing(name)
     assert callable(found.draw)
-    assert (name in FIGURES) == hasattr(found, "select")
+    assert (name in FIGURES | GALLERY) == hasattr(found, "select")
 
 
-@pytest.mark.parametrize("name", ["figure_06", "figure_11", "figure_15", "accuracy_motion"])
+@pytest.mark.parametrize(
+    "name", ["figure_06", "figure_11", "figure_15", "figure_19", "accuracy_motion"]
+)
 def test_a_drawing_imports_nothing_that_the_digest_of_its_job_does_not_see(name):
     code = f"""
 import sys

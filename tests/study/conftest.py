@@ -10,8 +10,8 @@ from planar_pushing.study.catalog import DATASETS, SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
-from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.slices import study_slice
+from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
@@ -39,7 +39,7 @@ def sliders(results):
     study, marks = load_sliders(SLIDERS_SMOKE), provenance(SLIDERS_SMOKE)
     for name in SLIDERS:
         built = of_study(build_dataset(name, study_slice(study, name)), name, marks)
-        write_dataset(built, results / f"studies/sliders_smoke/data/{name}.nc")
+        write_dataset(built, results / f"studies/sliders/data/{name}.nc")
     return results
 
 

@@ -5,8 +5,8 @@ import pytest
 from planar_pushing.study.builders import BUILDERS, build_dataset
 from planar_pushing.study.catalog import DATASETS, SLIDERS
 from planar_pushing.study.describe import of_study
-from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.slices import study_slice
+from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
@@ -32,5 +32,5 @@ def test_bytes_depend_on_the_content_alone(results, tmp_path, name):
 def test_bytes_of_a_study_of_sliders_depend_on_the_content_alone(sliders, tmp_path, name):
     built = build_dataset(name, study_slice(load_sliders(SLIDERS_SMOKE), name))
     write_dataset(of_study(built, name, provenance(SLIDERS_SMOKE)), tmp_path / "again.nc")
-    first = sliders / f"studies/sliders_smoke/data/{name}.nc"
+    first = sliders / f"studies/sliders/data/{name}.nc"
     assert (tmp_path / "again.nc").read_bytes() == first.read_bytes()

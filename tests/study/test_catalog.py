@@ -8,17 +8,24 @@ from hypothesis import strategies as st
 from planar_pushing.study.catalog import (
     AXES,
     DATASETS,
+    DIMS,
     EVIDENCE,
+    SLIDERS,
+    SLIDERS_AXES,
     TIMES,
     dataset_file,
     dataset_place,
     number_label,
 )
 from planar_pushing.study.files.models import Grid
+from planar_pushing.study.files.sliders_model import SlidersGrid
 
 
 def test_axes_are_those_of_the_grid():
     assert {axis for axes in AXES.values() for axis in axes} == set(Grid.model_fields)
+    named = {axis for axes in SLIDERS_AXES.values() for axis in axes}
+    assert named == set(SlidersGrid.model_fields)
+    assert set(AXES) | set(SLIDERS_AXES) == set(DIMS)
     assert "contact_friction_coefficient" in AXES["contact_modes"]
 
 
@@ -30,7 +37,7 @@ def test_scenes_share_a_file_and_simulations_have_one_each():
 def test_every_file_has_a_name():
     assert dataset_file("figures/figure_06") == "figures/data/figure_06.nc"
     assert dataset_place("accuracy_errors/cone") == ("data/accuracy_errors.nc", "cone")
-    for name in DATASETS | EVIDENCE | TIMES:
+    for name in DATASETS | SLIDERS | EVIDENCE | TIMES:
         assert dataset_place(name) == (f"data/{name}.nc", None)
 
 

@@ -10,11 +10,12 @@ from planar_pushing.study.catalog import AXES, SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.store import group_names, read_attributes
 from planar_pushing.study.studies import provenance
+from planar_pushing.terms import quantities
 from planar_pushing.terms.quantities import DATASET, unit_of
 
 
 def every(results):
-    for name in DIMS:
+    for name in AXES:
         yield name, pp.open_dataset(name, results)
     for group in group_names(results / "data/scenes.nc"):
         yield f"scenes/{group}", pp.open_dataset(f"scenes/{group}", results)
@@ -25,6 +26,27 @@ def test_every_variable_has_its_unit_and_name(results):
         for key, variable in dataset.variables.items():
             described = unit_of(variable.attrs), variable.attrs["long_name"]
             assert described == DATASET[key], f"{name}: {key}"
+
+
+def of_sliders(sliders):
+    return {name: pp.open_dataset(name, sliders, study="sliders") for name in SLIDERS}
+
+
+def test_every_variable_of_a_study_of_sliders_has_its_unit_and_name(sliders):
+    for name, dataset in of_sliders(sliders).items():
+        for key, variable in dataset.variables.items():
+            described = unit_of(variable.attrs), variable.attrs["long_name"]
+            assert described == quantities.SLIDERS[key], f"{name}: {key}"
+            assert variable.attrs["units"] in {"1", "degree"}, f"{name}: {key}"
+
+
+def test_a_study_of_sliders_names_itself_its_supports_and_the_paper(sliders):
+    marks = provenance("workflow/config/sliders_smoke.yaml")
+    for name, dataset in of_sliders(sliders).items():
+        assert {key: dataset.attrs[key] for key in marks} == marks, name
+        assert "Sec" in dataset.attrs["source"]
+        assert set(json.loads(dataset.attrs["parameters"])["supports"]) == {"ring", "box", "tripod"}
+        assert json.loads(dataset.attrs["unit_notes"]) == quantities.SLIDERS_NOTES
 
 
 def test_units_are_those_of_udunits(results):
@@ -50,7 +72,7 @@ def test_conventions_paper_licence_and_study(results):
 
 def test_a_parameter_is_no_axis(results):
     for name, dataset in every(results):
-        if name in DIMS:
+        if name in AXES:
             given = json.loads(dataset.attrs["parameters"])
             assert not set(given["slider"]) & set(dataset.dims), name
             assert ("rod_angle" in given["slider"]) != ("rod_angle" in dataset.dims), name

@@ -11,18 +11,21 @@ import planar_pushing as pp
 from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
 from planar_pushing.evidence.hard_cases.dataset import build as hard_cases
 from planar_pushing.figures.render import select
-from planar_pushing.study.catalog import DATASETS, EVIDENCE, TABLES, TIMES
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, SLIDERS, TABLES, TIMES
 from planar_pushing.study.dictionary import dictionary_text
-from planar_pushing.study.figures import FIGURES
+from planar_pushing.study.figures import FIGURES, GALLERY
 from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
+from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
+SLIDERS_SMOKE = "workflow/config/sliders_smoke.yaml"
 COUNT = f"""
 from planar_pushing.evidence.costs.effects import evaluations
+from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 import sys
@@ -31,7 +34,7 @@ write_dataset(evaluations(load_study("{SMOKE}")), sys.argv[1])
 
 
 @pytest.fixture(scope="module")
-def whole(results):
+def whole(results, sliders):
     """Results with a file of every kind."""
     study = load_study(SMOKE)
     for name in ("figure_14a", "figure_14b"):
@@ -40,6 +43,13 @@ def whole(results):
     for name in FIGURES:
         data = select(name, results, study.figures.get(name, FigureEntry()))
         write_dataset(data, results / f"figures/data/{name}.nc")
+    log = simulate_file(load_scene_file("workflow/scenes/tripod.yaml"))
+    own = sliders / "studies/sliders"
+    write_dataset(log, own / "data/simulations/tripod.nc")
+    for name in GALLERY:
+        write_dataset(
+            select(name, own, load_sliders(SLIDERS_SMOKE).slider), own / f"figures/data/{name}.nc"
+        )
     errors = {"wrench": wrench_errors(), "cone": cone_errors()}
     write_dataset(errors, results / "data/accuracy_errors.nc")
     write_dataset(hard_cases(), results / "data/hard_cases.nc")
@@ -55,19 +65,22 @@ def test_data_dictionary_is_that_of_the_datasets(whole):
 
 
 def test_every_file_is_opened_by_its_name(whole):
+    own = "studies/sliders/"
     for path in whole.rglob("*.nc"):
         stem = path.relative_to(whole).with_suffix("").as_posix()
+        study = "sliders" if stem.startswith(own) else None
+        stem = stem.removeprefix(own)
         name = stem.replace("figures/data/", "figures/").removeprefix("data/")
         try:
-            found = pp.open_dataset(name, whole)
+            found = pp.open_dataset(name, whole, study=study)
         except pp.InvalidValue as error:
             parts = str(error).partition("allowed: ")[2].partition(";")[0].split(", ")
-            found = pp.open_dataset(parts[0], whole)
+            found = pp.open_dataset(parts[0], whole, study=study)
         assert found.variables
 
 
 def test_the_dictionary_names_every_file():
     stored = Path("results/README.md").read_text(encoding="utf-8")
-    for name in DATASETS | EVIDENCE | TIMES:
+    for name in DATASETS | SLIDERS | EVIDENCE | TIMES:
         assert f"data/{name}.nc" in stored
     assert all(f"tables/{name}`" in stored for name in TABLES)

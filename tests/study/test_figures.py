@@ -2,15 +2,16 @@
 
 import pytest
 
-from planar_pushing.study.figures import FIGURES, computes
+from planar_pushing.study.figures import ALL, FIGURES, GALLERY, computes, shows
 from planar_pushing.study.figures.base import COLUMN_WIDTH, PAGE_WIDTH
+from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.study_file import load_study
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", FIGURES | GALLERY)
 def test_the_caption_and_the_size_suit_a_column_or_a_page(name):
-    assert FIGURES[name].size[0] in (COLUMN_WIDTH, PAGE_WIDTH)
-    assert FIGURES[name].caption.endswith(".")
+    assert ALL[name].size[0] in (COLUMN_WIDTH, PAGE_WIDTH)
+    assert ALL[name].caption.endswith(".")
 
 
 def test_a_scene_needs_the_effects_of_the_figure_that_shows_it():
@@ -34,3 +35,10 @@ def test_a_study_without_simulations_does_not_draw_their_figures():
     bare = study.model_copy(update={"simulations": {"figure_15": "x"}})
     assert computes(study, "figure_14")
     assert [computes(bare, f"figure_{number}") for number in (13, 14, 15)] == [True, False, True]
+
+
+def test_a_study_of_sliders_without_the_tripods_motion_does_not_draw_it():
+    study = load_sliders("workflow/config/sliders_smoke.yaml")
+    bare = study.model_copy(update={"simulations": {}})
+    assert all(shows(study, name) for name in GALLERY)
+    assert [name for name in GALLERY if not shows(bare, name)] == ["figure_19"]

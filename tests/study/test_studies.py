@@ -8,10 +8,23 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.study.store import write_dataset
-from planar_pushing.study.studies import chosen_study, provenance, study_folder, study_name
+from planar_pushing.study.studies import (
+    chosen_studies,
+    chosen_study,
+    provenance,
+    study_folder,
+    study_name,
+)
 from planar_pushing.study.study_file import load_study
 
 PAPER = "workflow/config/paper.yaml"
+
+
+def test_both_studies_are_built_unless_one_is_chosen():
+    assert chosen_studies({}) == (PAPER, "workflow/config/sliders.yaml")
+    assert chosen_studies({"study": "a/b.yaml"}) == ("a/b.yaml",)
+    with pytest.raises(pp.InvalidValue, match="did you mean study"):
+        chosen_studies({"studdy": "x"})
 
 
 def test_the_papers_study_is_the_default():

@@ -57,6 +57,8 @@ FIRST, LAST = 1, -1
 COMPUTED = [name for name in DATASETS if STUDY and computes(STUDY, name)]
 DRAWN = [name for name in FIGURES if STUDY and computes(STUDY, name)]
 
+SHOWN = [name for name in GALLERY_FIGURES if GALLERY and shows(GALLERY, name)]
+
 
 def scene_files(wildcards):
     """Scene files that a dataset reads."""
@@ -71,6 +73,12 @@ def dataset_files(wildcards):
     """Datasets that a figure is drawn from."""
     sources = FIGURES[wildcards.figure].datasets
     return sorted({f"<results>/{dataset_file(source)}" for source in sources})
+
+
+def gallery_files(wildcards):
+    """Datasets that a figure of sliders is drawn from."""
+    sources = GALLERY_FIGURES[wildcards.figure].datasets
+    return sorted({f"<sliders>/{dataset_file(source)}" for source in sources})
 
 
 def figure_settings(wildcards):

@@ -1,14 +1,4 @@
 # The study of sliders: its datasets, logs of motion over time and figures, in a folder of its own.
-#: What the study's simulations allow: nothing else has a job.
-SHOWN = [name for name in GALLERY_FIGURES if shows(GALLERY, name)]
-
-
-def gallery_files(wildcards):
-    """Datasets that a figure is drawn from."""
-    sources = GALLERY_FIGURES[wildcards.figure].datasets
-    return sorted({f"<sliders>/{dataset_file(source)}" for source in sources})
-
-
 rule sliders:
     input:
         expand("<sliders>/data/{dataset}.nc", dataset=SLIDERS),

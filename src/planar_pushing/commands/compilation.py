@@ -30,8 +30,10 @@ def compile_core(args: argparse.Namespace) -> dict[str, Any]:
         mp_context=multiprocessing.get_context("spawn"),
         initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_DFL),
     ) as pool:  # fmt: skip
+        others = pool.submit(call_sliders)
         for _ in pool.map(call_all, reversed(EffectSet)):  # the longest first
             pass
+        others.result()
     return {"compiled": CACHE, "seconds": round(time.perf_counter() - start, 1)}
 
 
@@ -62,3 +64,19 @@ def call_all(kinds: EffectSet) -> None:
         rod_length=2.0, rod_angle=1.0, friction_coefficient=1.0, velocity=(0.0, 1.0), duration=1e-3,
         effects=effects,
     )  # fmt: skip
+
+
+def call_sliders() -> None:
+    """Call what the study of sliders calls with supports that are no rings."""
+    import planar_pushing as pp
+
+    tripod = pp.Points([(1.0, 0.0), (-0.5, 0.8), (-0.5, -0.8)], [1.0, 1.0, 1.0])
+    friction = pp.SupportFriction(support=tripod)
+    slider = pp.Slider(rod_length=2.0, rod_angle=1.0)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(friction,))
+    pp.solve(scene, 1.0)
+    pp.limit_curve(scene, 1.0)
+    pp.motion_cone(scene)
+    pp.wrench(friction, (1.0, 0.0, 1.0))
+    pp.fit_ellipsoid(tripod)
+    pp.simulate(scene, pusher=pp.Pusher(velocity=(0.0, 1.0)), duration=1e-3)

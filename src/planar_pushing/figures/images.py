@@ -13,8 +13,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from planar_pushing.study.figures import FIGURES
+from planar_pushing.study.figures import FIGURES, GALLERY
 from planar_pushing.study.jobs import run_command
+from planar_pushing.study.studies import SLIDERS_FILE, study_folder, study_name
 from planar_pushing.terms.errors import InvalidFile
 
 #: Stored images are this wide, pixels: wide enough to see a moved label.
@@ -44,6 +45,13 @@ def difference(path: Path, stored: Path) -> float:
     return float(np.sqrt(np.mean((new - old) ** 2))) if new.shape == old.shape else np.inf
 
 
+def pictures(results: Path) -> dict[str, Path]:
+    """Pictures of the figures, those of the study of sliders in its own folder."""
+    own = study_folder(study_name(SLIDERS_FILE), results)
+    folders = dict.fromkeys(FIGURES, results) | dict.fromkeys(GALLERY, own)
+    return {name: folder / "figures" / f"{name}.png" for name, folder in folders.items()}
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Print how the figures differ from the stored images; 1 where one does or is stored."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -52,8 +60,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--write", action="store_true", help="store the images that differ")
     args = parser.parse_args(arguments)
     changed = 0
-    for name in FIGURES:
-        picture = args.results / "figures" / f"{name}.png"
+    for name, picture in pictures(args.results).items():
         stored = args.golden / "images" / f"{name}.png"
         gap = difference(picture, stored) if stored.is_file() else np.inf
         print(f"{name}: {'unchanged' if gap <= TOLERANCE else 'differs'}, {gap:.2f} colour levels")

@@ -9,11 +9,24 @@ from pathlib import Path
 
 import xarray as xr
 
-from planar_pushing.study.catalog import DATASETS, EVIDENCE, FIGURES, SIMULATIONS, TABLES, TIMES
+from planar_pushing.study.catalog import (
+    DATASETS,
+    EVIDENCE,
+    FIGURES,
+    SIMULATIONS,
+    SLIDERS,
+    TABLES,
+    TIMES,
+)
 from planar_pushing.study.figures import FIGURES as DRAWN
+from planar_pushing.study.figures import GALLERY
 from planar_pushing.study.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
+from planar_pushing.study.studies import SLIDERS_FILE, study_name
 from planar_pushing.terms.quantities import NOTES, unit_of
+
+#: The study of sliders.
+STUDY = study_name(SLIDERS_FILE)
 
 HEAD = """# Data dictionary
 
@@ -21,7 +34,8 @@ The pipeline generates everything in this folder except this page: `data/` holds
 the figures, with the numbers that they plot in `figures/data/`, `tables/` the golden verdict and the tables
 of the report, `paper.pdf` the report, `accuracy.pdf` its supplement on time, `logs/` and `benchmarks/` a
 file for each job, `report.html` Snakemake's report. `studies/NAME/` holds the same of another study than
-the paper's. `make dictionary` writes this page from the attributes of the datasets.
+the paper's, and `studies/sliders/` the study of sliders: a gallery of supports. `make dictionary` writes this
+page from the attributes of the datasets.
 
 The datasets are netCDF4 files by the CF conventions; `planar_pushing.open_dataset("motion_cones")` opens
 one with xarray, `open_dataset(name, study="NAME")` that of another study, and `planar-pushing query` prints
@@ -37,7 +51,7 @@ def dictionary_text(results: str = "results") -> str:
     units = "\n".join(f"- *{unit}*: {note}." for unit, note in NOTES.items())
     sections = [_section(name, what, results) for name, what in (DATASETS | EVIDENCE).items()]
     sections[len(DATASETS) : len(DATASETS)] = [_simulations(results)]
-    sections += [_times(), _figures(results), _tables()]
+    sections += [_times(), _figures(results), _tables(), *_sliders(results)]
     scaled = "Units of numbers that are scaled, which the attribute `quantity` names; `units` is then 1:\n"
     return "\n".join([HEAD, scaled, units, "", *sections])
 
@@ -76,6 +90,17 @@ def _figures(results: str) -> str:
     found = [open_dataset(f"{FIGURES}/{name}", results) for name in DRAWN]
     about = "the numbers that each figure plots, a file for each; most are parts of the datasets"
     return _lines("figures/data/NAME.nc", about, *_table(found))
+
+
+def _sliders(results: str) -> Iterator[str]:
+    """Sections of the study of sliders: its datasets, and what its figures plot."""
+    for name, about in SLIDERS.items():
+        dataset = open_dataset(name, results, study=STUDY)
+        place = f"studies/{STUDY}/data/{name}.nc"
+        yield _lines(place, about, *_source(dataset), *_table([dataset]))
+    plotted = [open_dataset(f"{FIGURES}/{name}", results, study=STUDY) for name in GALLERY]
+    about = "the numbers that each figure of the study of sliders plots"
+    yield _lines(f"studies/{STUDY}/figures/data/NAME.nc", about, *_table(plotted))
 
 
 def _tables() -> str:

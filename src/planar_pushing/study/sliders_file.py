@@ -43,6 +43,7 @@ def _problems(study: SlidersFile) -> Iterator[str]:
     """What keeps a well-formed study of sliders from being computed and drawn."""
     yield from _support_problems(study)
     yield from _size_problems(study)
+    yield from _axis_problems(study)
     yield from simulation_problems(study.simulations)
     if study.golden and not list(Path(study.golden).glob("*.nc")):
         yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
@@ -61,6 +62,18 @@ def _support_problems(study: SlidersFile) -> Iterator[str]:
             yield (
                 f"grid.rod_length: {longest!r} given; allowed: at most {LONGEST:g} times the extent of "
                 f"supports.{name}, {support.extent!r}; shorten the rod"
+            )
+
+
+def _axis_problems(study: SlidersFile) -> Iterator[str]:
+    """Axes of the grid without the value that the figures plot."""
+    wanted = study.slider.model_dump() | {"friction_coefficient": math.inf}
+    for key, value in wanted.items():
+        values = getattr(study.grid, key)
+        if value not in values:
+            yield (
+                f"grid.{key}: {shown(values)} given; allowed: values that include {value!r}, "
+                "which the figures plot; add it"
             )
 
 

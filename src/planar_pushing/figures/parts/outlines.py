@@ -28,6 +28,8 @@ from planar_pushing.mechanics.supports import (
 
 #: How much of its colour an area has, and what a cell of the highest pressure has.
 AREA, MOST = 0.22, 0.7
+#: Area of the dot of the point that carries most, square points.
+DOT = 11.0
 #: Takes axes, a support, the place of body positions in the picture, the scale, and the colour.
 Drawing = Callable[[Axes, Any, Callable[[npt.ArrayLike], Array], float, str], None]
 
@@ -46,7 +48,7 @@ def outline(
 
     def placed(body: npt.ArrayLike) -> Array:
         x, y = np.moveaxis(np.asarray(body, dtype=float), -1, 0)
-        return np.asarray(center, dtype=float) + x[..., None] * along + y[..., None] * across
+        return np.asarray(center + x[..., None] * along + y[..., None] * across, dtype=float)
 
     DRAWINGS[type(support)](ax, support, placed, scale, color)
 
@@ -80,7 +82,8 @@ def _polygon(ax: Axes, support: Any, placed: Any, scale: float, color: str) -> N
 
 def _points(ax: Axes, support: Any, placed: Any, scale: float, color: str) -> None:
     share = np.array(support.weights) / max(support.weights)
-    ax.scatter(*placed(support.positions).T, s=11.0 * share, color=color, linewidths=0, zorder=3)
+    x, y = placed(support.positions).T
+    ax.scatter(x, y, s=DOT * share, color=color, linewidths=0, zorder=3)
 
 
 def _segment(ax: Axes, support: Any, placed: Any, scale: float, color: str) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -35,8 +37,9 @@ def pulling_friction(scenes: Scene) -> xr.DataArray:
     right; on its left likewise.
     """
     right, left = sustaining(scenes, 0.0)[0], -sustaining(scenes, np.pi)[1]
-    steeper = np.maximum(right, left)
-    return xr.where(steeper > ALONG_FENCE, 1 / np.tan(steeper), np.inf)
+    steeper = right.where(right > left, left)
+    friction = cast(xr.DataArray, 1 / np.tan(steeper))
+    return friction.where(steeper > ALONG_FENCE, np.inf)
 
 
 def inertia_friction(length: Array, angle: Array) -> Array:
@@ -76,7 +79,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
             ax.set_ylabel(r"smallest $\mu$ that pulls")
             ax.legend(loc="upper right", bbox_to_anchor=(1.0, 0.97), ncols=1)
         else:
-            note = {"size": NOTE_SIZE, "color": GREY, "ha": "right", "va": "bottom"}
+            note: dict[str, Any] = {"size": NOTE_SIZE, "color": GREY, "ha": "right", "va": "bottom"}
             ax.annotate("never", (178.0, 90.5), annotation_clip=False, **note)
 
 

@@ -19,8 +19,8 @@ FLAT = 2.4
 def limit_line(ax: Axes, forces: Array, pivots: npt.NDArray[np.int16]) -> None:
     """Draw a limit curve, forces of shape (n, 2), about its origin; its flats are thick."""
     reach = 1.12 * float(np.abs(forces).max())
-    for ends in ([[-reach, reach], [0, 0]], [[0, 0], [-reach, reach]]):
-        ax.plot(*ends, color=GREY, linewidth=0.4, zorder=1)
+    for x, y in ((reach, 0.0), (0.0, reach)):
+        ax.plot([-x, x], [-y, y], color=GREY, linewidth=0.4, zorder=1)
     ax.plot(*forces.T, color=DARK, **BUTT)
     for _, part in flats(pivots):
         ax.plot(*forces[part].T, color=FORCE, linewidth=FLAT, **BUTT)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import xarray as xr
@@ -101,8 +101,7 @@ def sustaining(scenes: Scene, motion: Any) -> tuple[xr.DataArray, xr.DataArray, 
 def _between(heading: xr.DataArray, force: xr.DataArray) -> xr.DataArray:
     """Angle from a heading to a force, radians in (-pi, pi]."""
     (c, s), (x, y) = ([each.isel(xy=i, drop=True) for i in (0, 1)] for each in (heading, force))
-    angle: xr.DataArray = np.arctan2(c * y - s * x, c * x + s * y)
-    return angle
+    return cast(xr.DataArray, np.arctan2(c * y - s * x, c * x + s * y))
 
 
 def described_supports(grid: xr.Dataset, rod: RodEntry) -> xr.Dataset:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -32,7 +33,7 @@ BESIDE = np.geomspace(1e-3, 5.0, 80)
 ANGLES = np.unique([*np.linspace(1.0, 179.0, 357), *(90.0 - BESIDE), *(90.0 + BESIDE)])
 AXES = ("rod_length", "rod_angle")
 #: The line of the ring lies behind the others, and is wider.
-BEHIND = {"color": GREY, "linewidth": 2.8, "alpha": 0.55}
+BEHIND: dict[str, Any] = {"color": GREY, "linewidth": 2.8, "alpha": 0.55}
 
 
 def over_rods(
@@ -50,7 +51,7 @@ def over_rods(
     for axis, values in rods.items():
         every = function(scene(found, *values, law)).transpose("support", axis)
         ring = function(scene({"ring": RING}, *values, law)).squeeze("support")
-        data[f"over_{axis}"] = named(every.dims, every.values, "1", long_name)
+        data[f"over_{axis}"] = named(("support", axis), every.values, "1", long_name)
         data[f"ring_over_{axis}"] = named(axis, ring.values, "1", f"{long_name}; of the ring")
     text = "rod length, from the contact to the slider's centre"
     return data.assign_coords(

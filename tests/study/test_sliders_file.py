@@ -1,0 +1,86 @@
+"""Each mistake in the file of a study of sliders ends in one message: file, key, value, allowed, remedy."""
+
+from pathlib import Path
+
+import pytest
+
+from planar_pushing import InvalidFile
+from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.sliders_model import SlidersFile
+from planar_pushing.study.sliders_file import load_any
+
+TEXT = Path("workflow/config/sliders_smoke.yaml").read_text(encoding="utf-8")
+TEXT = TEXT.replace("../scenes", str(Path("workflow/scenes").resolve()))
+BOX = "vertices: [[-0.8, -0.6], [0.8, -0.6], [0.8, 0.6], [-0.8, 0.6]]"
+
+
+def test_the_kind_of_a_study_is_that_of_its_keys():
+    assert type(load_any("workflow/config/smoke.yaml")) is StudyFile
+    assert type(load_any("workflow/config/sliders_smoke.yaml")) is SlidersFile
+
+
+def test_paths_are_relative_to_the_file():
+    found = load_any("workflow/config/sliders_smoke.yaml")
+    assert found.simulations == {"tripod": "workflow/scenes/tripod.yaml"}
+
+
+@pytest.mark.parametrize(
+    ("written", "instead", "said"),
+    [
+        ("shape: ring", "shape: rings",
+         "supports.ring: {'shape': 'rings', 'radius': 1} given; allowed: 'shape' one of 'ring', 'points', "
+         "'segment', 'disc', 'annulus', 'polygon', 'pressure_map', 'composite'; change the value"),
+        (BOX, "vertices: [[0, 0], [1, 0]]",
+         "supports.box: {'shape': 'polygon', 'vertices': [[0, 0], [1, 0]]} given; allowed: vertices: "),
+        ("weights: [1, 1, 1]", "weights: [1, 1]", "supports.tripod: "),
+        ("weights: [1, 1, 1]", "weights: [1, 1, heavy]", "supports.tripod.weights[2]: 'heavy' given; "),
+        ("{shape: ring, radius: 1}", "{shape: points, positions: [[1, 0]], weights: [1]}",
+         "supports.ring: one point given; allowed: a support that is larger than a point, which "
+         "resists no rotation; leave it out"),
+        ("{shape: ring, radius: 1}", "{shape: ring, radius: 0.000001}",
+         "grid.rod_length: 2.0 given; allowed: at most 1e+06 times the extent of supports.ring, 1e-06; "
+         "shorten the rod"),
+        ("  ring: {", "  a ring: {",
+         "supports.a ring: 'a ring' given; allowed: a name of letters, digits and underscores, "
+         "which becomes a file's name; change the value"),
+        ("center_x: [-1, 0, 1]", "center_x: [1, 0]",
+         "grid.center_x: [1, 0] given; allowed: a list of increasing numbers, or {start, stop, step} with "
+         "a step > 0 that divides the range; change the value"),
+        ("rod_length: [1, 2]", "rod_length: [1, 3]",
+         "grid.rod_length: (1.0, 3.0) given; allowed: values that include 2.0, which the figures plot; "
+         "add it"),
+        ("[0.25, 2, inf]", "[0.25, 2]",
+         "grid.friction_coefficient: (0.25, 2.0) given; allowed: values that include inf, which the figures "
+         "plot; add it"),
+        ("title:", "effects: [inertia]\ntitle:",
+         "effects: ['inertia'] given; allowed: the keys title, slider, supports, grid, simulations, "
+         "golden, tolerances; remove the key"),
+        ("tripod.yaml", "figure_08.yaml", "simulations.tripod: "),
+        ("simulations:", "golden: nowhere\nsimulations:", "golden: "),
+    ],
+)  # fmt: skip
+def test_study_error(tmp_path, written, instead, said):
+    assert written in TEXT
+    path = tmp_path / "file.yaml"
+    path.write_text(TEXT.replace(written, instead, 1), encoding="utf-8")
+    with pytest.raises(InvalidFile) as caught:
+        load_any(path)
+    assert str(caught.value).startswith(f"{path}: {said}")
+    assert "\n" not in str(caught.value)
+
+
+def test_a_study_without_a_support_is_refused(tmp_path):
+    start, end = TEXT.index("supports:"), TEXT.index("# Angles")
+    path = tmp_path / "file.yaml"
+    path.write_text(TEXT[:start] + "supports: {}\n" + TEXT[end:], encoding="utf-8")
+    with pytest.raises(InvalidFile, match="allowed: a mapping of at least one name to a support"):
+        load_any(path)
+
+
+def test_a_grid_of_more_points_than_a_memory_holds_is_refused(tmp_path):
+    path = tmp_path / "file.yaml"
+    fine = "{start: 0, stop: 1, step: 0.0001}"
+    text = TEXT.replace("[-1, 0, 1]", fine).replace("[0, 0.5]", fine)
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InvalidFile, match="points of supports given; allowed: 100000000"):
+        load_any(path)
