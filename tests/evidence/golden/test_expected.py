@@ -30,6 +30,16 @@ study = load_study("workflow/config/smoke.yaml")
 study = study.model_copy(update={"simulations": {"one": sys.argv[1]}})
 print(*set(simulation_expectation("one", study).rules.values()))
 """
+#: Prints those of a picture's scene.
+SCENE_RULES = """import sys
+from planar_pushing.evidence.golden.expected import scene_expectations
+from planar_pushing.study.files.models import PushEntry
+from planar_pushing.study.study_file import load_study
+study = load_study("workflow/config/smoke.yaml")
+push = PushEntry(file=sys.argv[1], pusher_angle=100)
+found = scene_expectations(study.model_copy(update={"scenes": {"one": push}}))
+print(*set(found["one"].rules.values()))
+"""
 
 
 @pytest.mark.parametrize(
@@ -43,11 +53,25 @@ print(*set(simulation_expectation("one", study).rules.values()))
 def test_rules_of_a_simulation(tmp_path, effect, method, rules):
     text = SCENE.replace("EFFECT", effect).replace("METHOD", method)
     (tmp_path / "scene.yaml").write_text(text, encoding="utf-8")
+    assert _printed(RULES, tmp_path / "scene.yaml") == rules
+
+
+def _printed(program, scene):
+    """Words that a program prints of a scene file."""
     # Uncompiled: a disc would be compiled for this test alone, for a minute.
-    run = [sys.executable, "-c", RULES, str(tmp_path / "scene.yaml")]
+    run = [sys.executable, "-c", program, str(scene)]
     environment = os.environ | {"NUMBA_DISABLE_JIT": "1"}
     said = subprocess.run(run, env=environment, check=True, capture_output=True, text=True).stdout
-    assert set(said.split()) == rules
+    return set(said.split())
+
+
+@pytest.mark.parametrize(
+    ("effect", "rules"), [(RING, {Rule.EXACT, Rule.RESIDUAL}), (DISC, {Rule.DERIVED})]
+)
+def test_rules_of_a_scene(tmp_path, effect, rules):
+    text = SCENE.replace("EFFECT", effect).replace("METHOD", EVENTS)
+    (tmp_path / "scene.yaml").write_text(text, encoding="utf-8")
+    assert _printed(SCENE_RULES, tmp_path / "scene.yaml") == rules
 
 
 def test_a_result_that_is_no_number_is_wrong(monkeypatch):
