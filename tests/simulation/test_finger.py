@@ -66,12 +66,12 @@ def test_a_finger_that_sticks_is_a_pin_as_is_a_fence(effects):
 
 @every_effect
 def test_a_contact_that_sticks_moves_with_the_finger(effects):
-    log = check(pushed(scene(effects, pp.Coulomb(2.0)), heading(80)))
+    log = check(pushed(scene(effects, pp.PerfectlyRough()), heading(80)))
     assert (log.mode == pp.ContactMode.STICK).all()
     angle = np.deg2rad(log.rod_angle.values)
     contact = log.position.values - 2.0 * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     assert contact == pytest.approx(log.fence.values, abs=1e-14)
-    assert np.ptp(log.rod_angle) > 1.0
+    assert np.ptp(log.rod_angle.values) > 1.0
 
 
 def straight(effects, velocity, rate=(0.0, 0.0)):
@@ -141,7 +141,7 @@ def test_a_finger_may_pass_beside_the_side():
 
 @every_effect
 def test_mirrored_scenes_have_mirrored_motions(effects):
-    """With infinite friction below and an accelerated finger the modes change on the way."""
+    """The finger's velocity jumps on the way; some leave the side."""
     mirror = {TRIPOD: pp.SupportFriction(support=pp.Points([(x, -y) for x, y in POINTS], SHARES)),
               ASIDE: pp.Inertia(mass=0.7, gyration_radius=0.9, center=(0.2, -0.1))}  # fmt: skip
     others = tuple(mirror.get(each, each) for each in effects)
@@ -155,7 +155,7 @@ def test_mirrored_scenes_have_mirrored_motions(effects):
     assert one.contact_position.values == pytest.approx(-other.contact_position.values, abs=1e-8)
     assert one.position.values == pytest.approx(other.position.values * (-1, 1), abs=1e-8)
     assert np.array_equal(one.parted, other.parted)
-    assert len(set(one.mode.values.tolist())) > 1
+    assert np.ptp(one.contact_position.values) > 0.01
 
 
 def test_a_ring_of_any_support_is_a_ring():
@@ -194,7 +194,7 @@ def check_energy(log):
     check(log.assign(gap=log.gap.where(~log.parted, 0.0)))
 
 
-@every_effect
+@pytest.mark.parametrize("effects", [EFFECTS["ring"], EFFECTS["both"]], ids=["ring", "both"])
 def test_a_batch_has_the_numbers_of_simulate(effects):
     angles, ends = np.array([60.0, 68.0, 120.0]), np.array([0.1, 0.3, np.inf])
     velocity = np.stack([np.cos(np.deg2rad(angles)), np.sin(np.deg2rad(angles))], axis=-1)
