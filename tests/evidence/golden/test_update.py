@@ -9,11 +9,13 @@ from planar_pushing.figures import images
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 
+SMOKE = "workflow/config/smoke.yaml"
+
 
 @pytest.fixture(scope="module")
 def few():
     """Golden data of two small files."""
-    values = update.plain(load_study("workflow/config/smoke.yaml"))
+    values = update.plain(load_study(SMOKE))
     files = {name: pictures.figure(name, values) for name in ("figure_01", "figure_07")}
     return {name: data.assign_attrs(checked_by_integrals=3) for name, data in files.items()}
 
@@ -26,7 +28,7 @@ def command(few, monkeypatch, tmp_path, capsys):
     )
 
     def run(*arguments):
-        code = update.main(["--golden", str(tmp_path), *arguments])
+        code = update.main(["--study", SMOKE, "--golden", str(tmp_path), *arguments])
         return code, capsys.readouterr().out
 
     return run

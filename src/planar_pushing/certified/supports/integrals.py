@@ -51,7 +51,16 @@ def _parts(support: Pieces, c: Vector) -> Iterable[Means]:
 
 
 def _along_line(line: Line, c: Vector) -> Means:
-    """A segment: means over its length."""
+    """A segment: means over its length; from a centre on its line the integrands are |s| and its sign."""
+    d_x, d_y = line.along
+    x, y = line.start[0] - c[0], line.start[1] - c[1]
+    if (x * d_y - y * d_x).is_zero():
+        whole = d_x**2 + d_y**2
+        start = (x * d_x + y * d_y) / whole
+        end, length = start + 1, arb(whole).sqrt()
+        slope = (abs(end) - abs(start)) * line.share / length
+        distance = (end * abs(end) - start * abs(start)) * length * line.share / 2
+        return distance, slope * d_x, slope * d_y
     found = _integrals(_on_line(line, c), 0, arb(1), lambda *_: acb(1))
     return _scaled(found, (arb(line.share), arb(line.share)))
 
