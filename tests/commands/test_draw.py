@@ -30,6 +30,15 @@ def test_any_support_is_drawn(run, tmp_path, name):
     assert path.read_bytes() == first
 
 
+def test_the_limit_curve_is_drawn_where_it_is_asked_for(run, tmp_path):
+    sizes = []
+    for more in ([], ["--limit-curve"]):
+        path = tmp_path / f"scene{len(more)}.svg"
+        assert run("draw", "workflow/scenes/tripod.yaml", *more, "-o", str(path))[0] == 0
+        sizes.append(path.stat().st_size)
+    assert sizes[1] > sizes[0] + 1000
+
+
 @pytest.mark.parametrize("angle", [27.0, 90.0, 153.0, 150.0 - 360.0])
 def test_the_force_that_is_asked_for_is_drawn(run, tmp_path, monkeypatch, angle):
     drawn = {}
@@ -65,6 +74,8 @@ def test_a_perfectly_rough_contact_transmits_every_force(run, tmp_path):
          "force_angle: -20.0 given; allowed: degrees in the friction cone"),
         (["draw", BOTH, "--force-angle", "90", "-o", "scene.svg"],
          "force_angle: 90.0 given; allowed: a scene with one effect"),
+        (["draw", BOTH, "--limit-curve", "-o", "scene.svg"],
+         "limit_curve: 'friction and inertia' given; allowed: a scene with one effect; leave"),
         (["draw", SCENE, "-o", "scene.doc"],
          "output: 'scene.doc' given; allowed: a name ending in .svg"),
         (["draw", SCENE, "--pusher-angle", "1", "--force-angle", "2", "-o", "scene.svg"],

@@ -29,12 +29,17 @@ def add(commands: Commands) -> None:
         help="instead of --pusher-angle: direction of the force, whose motion the fence then follows; "
         "degrees counter-clockwise from the fence, within the friction cone; for scenes with one effect",
     )  # fmt: skip
+    sub.add_argument(
+        "--limit-curve", action="store_true",
+        help="show the limit curve around the contact too, heavier where the slider pivots; "
+        "for scenes with one effect",
+    )  # fmt: skip
     add_output(sub, "FILE.svg|pdf|png", "picture to write; its name ends in .svg, .pdf or .png")
 
 
 def drawn(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the scene, pushed straight ahead where no angle is given."""
-    from planar_pushing.figures.scene_picture import render_scene
+    from planar_pushing.figures.scene_picture import render_curve, render_scene
     from planar_pushing.study.files.models import PushEntry
     from planar_pushing.study.files.scenes import load_scene_file
 
@@ -50,7 +55,8 @@ def drawn(args: argparse.Namespace) -> dict[str, Any]:
         force_angle=args.force_angle,
         pusher_magnitude=args.pusher_magnitude,
     )
-    render_scene(file, push, args.output)
+    render = render_curve if args.limit_curve else render_scene
+    render(file, push, args.output)
     return {"written": str(args.output)}
 
 

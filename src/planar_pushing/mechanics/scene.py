@@ -17,7 +17,7 @@ from planar_pushing.mechanics.effects.any_support import Supports
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.mechanics.supports.pressure.table import Table, table_of
+from planar_pushing.mechanics.supports.pressure.table import Table, extent_of, table_of
 from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
 from planar_pushing.terms.errors import InvalidValue, require_kind
 
@@ -245,7 +245,7 @@ def _extents(friction: Sequence[Any]) -> Number:
         return 1.0
     support = friction[0].support
     supports = np.array(support, dtype=object)
-    extents = np.array([each.extent for each in supports.ravel()]).reshape(supports.shape)
+    extents = np.array([extent_of(each) for each in supports.ravel()]).reshape(supports.shape)
     return _alike(support, extents)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import planar_pushing as pp
+from planar_pushing.commands import main
 
 HEAD = """\
 slider: {rod_length: 2, rod_angle: 80}
@@ -41,24 +42,95 @@ def test_each_shape_is_read_and_written(tmp_path, text, support):
     assert pp.load_scene(tmp_path / "again.yaml") == scene
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("{shape: polygn}", "allowed: 'shape' one of 'ring', 'points', "),
-        ("{shape: polygon, vertices: [[0, 0], [1, 0]]}", "allowed: vertices: "),
-        (
-            "{shape: disc, radius: 0}",
-            "effects[0].support.radius: 0 given; allowed: a finite number > 0",
-        ),
-        ("{shape: disc, radius: 1, center: [0, .nan]}", "two finite numbers, [x, y] in the body"),
-        ("{shape: points, positions: [[0, 1]], weights: [-1]}", "allowed: weights"),
-        ("{shape: annulus, inner: 2, outer: 1}", "effects[0].support: "),
-        ("{shape: disc, radius: 1, centre: [0, 0]}", "did you mean center?"),
-    ],
-)
+BOW_TIE = "{shape: polygon, vertices: [[0, 0], [2, 2], [2, 0], [0, 3]]}"
+MAP = "{shape: pressure_map, x: [0, 1, 2], y: [0, 1], pressure: PRESSURE}"
+#: Of what makes no support the key in the support, and what the line says of it.
+REFUSED = {
+    "{shape: polygn}": ("", "allowed: 'shape' one of 'ring', 'points', "),
+    "{shape: polygon, vertices: [[0, 0], [1, 0]]}": (
+        ".vertices",
+        "((0.0, 0.0), (1.0, 0.0)) given; allowed: at least three vertices; give x and y",
+    ),
+    BOW_TIE: (
+        ".vertices",
+        "'edges 0 and 2, from (0, 0) to (2, 2) and from (2, 0) to (0, 3)' given; allowed: a simple polygon",
+    ),
+    f"{{shape: composite, members: [{{share: 1, support: {BOW_TIE}}}]}}": (
+        ".members[0].support.vertices",
+        "'edges 0 and 2",
+    ),
+    "{shape: polygon, vertices: [[0, 0], [1, 1], [2, 2.00000000000001]]}": (
+        ".vertices",
+        "allowed: a polygon whose area is not zero; use Segment",
+    ),
+    "{shape: polygon, vertices: [[0, 0], [1, 0], [1, .nan]]}": (
+        ".vertices[2]",
+        "[1, nan] given; allowed: two finite numbers",
+    ),
+    "{shape: disc, radius: 0}": (".radius", "0 given; allowed: a finite number > 0"),
+    "{shape: disc, radius: 1, center: [0, .nan]}": (
+        ".center",
+        "[0, nan] given; allowed: two finite numbers, [x, y] in the body",
+    ),
+    "{shape: points, positions: [[0, 1], [1, 1]], weights: [2, -1]}": (
+        ".weights[1]",
+        "-1.0 given; allowed: a number > 0; leave out what carries no weight",
+    ),
+    "{shape: points, positions: [[0, 1], [1, 1]], weights: [2, .nan]}": (
+        ".weights[1]",
+        "nan given; allowed: finite numbers",
+    ),
+    "{shape: points, positions: [[0, 1]]}": (".weights", "missing; allowed: a value"),
+    "{shape: points, positions: [[0, 1], [1, 1]], weights: [2]}": (
+        ".weights",
+        "(2.0,) given; allowed: 2 positive numbers; give one weight for each point",
+    ),
+    "{shape: annulus, inner: 2, outer: 1}": (
+        ".inner",
+        "2.0 given; allowed: a number less than outer, 1.0; use Ring",
+    ),
+    "{shape: segment, start: [1, 1], end: [1, 1]}": (
+        ".end",
+        "(1.0, 1.0) given; allowed: a position",
+    ),
+    "{shape: disc, radius: 1, centre: [0, 0]}": (".centre", "did you mean center?"),
+    MAP.replace("PRESSURE", "[[1, -2]]"): (
+        ".pressure[0][1]",
+        "-2.0 given; allowed: a number >= 0; a support cannot pull",
+    ),
+    MAP.replace("PRESSURE", "[[1, .inf]]"): (
+        ".pressure[0][1]",
+        "inf given; allowed: finite numbers",
+    ),
+    MAP.replace("PRESSURE", "[[1, 2, 3]]"): (
+        ".pressure",
+        "((1.0, 2.0, 3.0),) given; allowed: 1 rows of 2 numbers, to fit y and x",
+    ),
+    MAP.replace("PRESSURE", "[[0, 0]]"): (
+        ".pressure",
+        "0.0 given; allowed: at least one number > 0",
+    ),
+    MAP.replace("[0, 1, 2]", "[0, 2, 1]").replace("PRESSURE", "[[1, 1]]"): (
+        ".x",
+        "[0.0, 2.0, 1.0] given; allowed: at least two increasing numbers",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "said"), REFUSED.items())
 def test_what_makes_no_support_is_one_message(tmp_path, text, said):
     (tmp_path / "scene.yaml").write_text(HEAD + text + "\n", encoding="utf-8")
     with pytest.raises(pp.InvalidFile) as error:
         pp.load_scene(tmp_path / "scene.yaml")
-    assert said in str(error.value)
+    key, words = said
+    assert f"scene.yaml: effects[0].support{key}: " in str(error.value)
+    assert words in str(error.value)
     assert len(str(error.value).splitlines()) == 1
+
+
+def test_the_command_line_says_it_in_one_line(tmp_path, capsys):
+    (tmp_path / "scene.yaml").write_text(f"{HEAD}{BOW_TIE}\n", encoding="utf-8")
+    assert main(["cone", str(tmp_path / "scene.yaml")]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert "effects[0].support.vertices: 'edges 0 and 2" in said

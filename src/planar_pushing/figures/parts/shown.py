@@ -26,8 +26,11 @@ PLOTTED = (
     "spin_ratio",
     "center",
 )
-#: What else it shows: friction around the ring, or at places of any support, and pivots.
-MORE = ("support_force", "place_position", "place_force", "force_end", "pivot")
+#: What else it shows: friction around the ring, or at places of any support, pivots, the limit curve.
+MORE = (
+    "support_force", "place_position", "place_force", "force_end", "pivot", "limit_force",
+    "limit_motion_angle",
+)  # fmt: skip
 
 
 def shown(dataset: xr.Dataset) -> xr.Dataset:

@@ -95,21 +95,34 @@ class Sketch:
             return [one]
         return [one, other] if one[0] * other[1] > one[1] * other[0] else [other, one]
 
+    @property
+    def force_scale(self) -> float:
+        """Drawn length of a unit force; it keeps heads of forces off the head of a motion along them."""
+        speed, reaches = float(np.hypot(*self.motion)), []
+        for force in self.forces:
+            size = float(np.hypot(*force))
+            along = bool(size and force @ self.motion > 0.96 * size * speed)
+            reaches.append((0.6 if along else 0.95) * self.reach / (size or 1.0))
+        return min(reaches)
+
     def drawn_force(self, force: Array) -> Array:
-        """Force at a length that keeps its head off the head of a motion along it."""
-        size, speed = float(np.hypot(*force)), float(np.hypot(*self.motion))
-        along = bool(size and force @ self.motion > 0.96 * size * speed)
-        return (0.6 if along else 0.95) * self.reach * force / size if size else force
+        return np.asarray(self.force_scale * force)
 
     @property
-    def heading(self) -> Array:
-        """Unit vector along the force; zero where there is none."""
-        return _unit(self.force)
+    def curve(self) -> Array:
+        """Limit curve, to the scale of the force: the curve's force along that of the solution."""
+        given = self.data["limit_force"].values if "limit_force" in self.data else np.empty((0, 2))
+        sizes = np.hypot(*given.T)
+        if not self.moves:
+            return np.asarray(0.95 * self.reach / sizes.max(initial=1e-300) * given)
+        here = sizes[np.argmax(given @ self.force / sizes)] if len(given) else 1.0
+        return np.asarray(self.force_scale * float(np.hypot(*self.force)) / here * given)
 
     @property
     def foot(self) -> Array:
         """Point of the line of force that is nearest to the ring centre."""
-        return np.asarray((self.heading @ self.middle) * self.heading)
+        heading = _unit(self.force)
+        return np.asarray((heading @ self.middle) * heading)
 
     def end_of_line(self, force: Array) -> Array:
         """Where the line of a force is drawn to: past the slider."""
@@ -187,7 +200,7 @@ class Sketch:
         """xmin, xmax, ymin, ymax of all that is drawn."""
         rubs = bool(np.any(self.rubbing[1])) and self.moves
         rim = SUPPORT_LENGTH * rubs * self.radius * np.array([[-1.0, -1.0], [1.0, 1.0]])
-        points = [np.zeros(2), self.ring, *(self.body.box(self.pose) + rim)]
+        points = [np.zeros(2), self.ring, *self.curve, *(self.body.box(self.pose) + rim)]
         points += [self.drawn_force(each) for each in self.forces]
         points += [self.drawn_motion(self.pusher), self.drawn_motion(self.motion)]
         points += [self.end_of_line(each) for each in self.forces if self.moves]

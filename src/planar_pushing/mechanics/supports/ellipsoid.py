@@ -11,7 +11,7 @@ from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.supports.base import Position, Support
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.record import Array
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.mechanics.supports.pressure.table import extent_of
 
 #: Motions at which the ellipsoid is compared; means differ by less than 1e-4 from those at ten times more.
 MOTIONS = 20_000
@@ -74,12 +74,7 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
     InvalidValue
         Where the support is one point, which resists no rotation.
     """
-    extent = support.extent
-    if not extent > 0:
-        raise InvalidValue(
-            "support", support, "a support that is larger than a point",
-            "a point resists no rotation: its force is opposite to its motion",
-        )  # fmt: skip
+    extent = extent_of(support)
     pressure = support.record(extent)
     constant = moments(pressure, pressure.center_x, pressure.center_y).torque
     force, motion = np.empty(MOTIONS), np.empty(MOTIONS)

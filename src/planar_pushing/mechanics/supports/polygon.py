@@ -82,9 +82,9 @@ def _require_simple(vertices: Array) -> None:
         if i == 0:
             meets[-1] = _folds(vertices[-1], vertices[0], after[0])
         if meets.any():
-            shown = [_edge(vertices, each) for each in (i, int(others[meets][0]))]
             raise InvalidValue(
-                "vertices", " and ".join(shown), "a simple polygon, whose edges do not cross or touch",
+                "vertices", _edges(vertices, i, int(others[meets][0])),
+                "a simple polygon, whose edges do not cross or touch",
                 "order the vertices along the boundary, each once",
             )  # fmt: skip
     size = np.ptp(vertices, axis=0).max()
@@ -95,9 +95,14 @@ def _require_simple(vertices: Array) -> None:
         )  # fmt: skip
 
 
-def _edge(vertices: Array, i: int) -> str:
-    start, end = vertices[i].tolist(), vertices[(i + 1) % len(vertices)].tolist()
-    return f"edge {i} from {tuple(start)} to {tuple(end)}"
+def _edges(vertices: Array, i: int, j: int) -> str:
+    """Two edges in a message: their numbers first, which a long message keeps."""
+    ends = [(vertices[each], vertices[(each + 1) % len(vertices)]) for each in (i, j)]
+    one, other = (
+        f"from ({start[0]:.4g}, {start[1]:.4g}) to ({end[0]:.4g}, {end[1]:.4g})"
+        for start, end in ends
+    )
+    return f"edges {i} and {j}, {one} and {other}"
 
 
 def _side(start: Array, end: Array, points: Array) -> Array:

@@ -10,6 +10,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.centers import motion_centers
 from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_cone
+from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solutions
@@ -19,8 +20,12 @@ from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import PushEntry, StudyFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EFFECT_DEGREES
+from planar_pushing.terms.quantities import DATASET, attributes
 
+#: Force angles of a limit curve, degrees.
+CURVE_ANGLES = np.linspace(0.0, 360.0, 721)
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
 
@@ -126,6 +131,31 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         source="Secs. 3 and 4",
         parameters={"scene": file, "push": push.model_dump(exclude={"file"})},
     )
+
+
+def with_limit_curve(dataset: xr.Dataset, scene: Scene) -> xr.Dataset:
+    """The same with the limit curve of a scene with one effect, which the picture may show.
+
+    Raises
+    ------
+    InvalidValue
+        Where the scene has friction and inertia: no curve limits the force of all its motions.
+    """
+    if len(scene.kinds) > 1:
+        raise InvalidValue(
+            "limit_curve", "friction and inertia", "a scene with one effect",
+            "leave an effect out, or draw the scene without the curve",
+        )  # fmt: skip
+    curve = limit_curve(scene, np.deg2rad(CURVE_ANGLES))
+    added = xr.Dataset(
+        {
+            "limit_force": (("curve_sample", "xy"), curve.force),
+            "limit_motion_angle": ("curve_sample", np.rad2deg(curve.motion_angle)),
+        }
+    )
+    for name, variable in added.variables.items():
+        variable.attrs = attributes(DATASET, str(name))
+    return dataset.assign(added.variables)
 
 
 def build(study: StudyFile) -> dict[str, xr.Dataset]:

@@ -106,6 +106,8 @@ def _explain(path: Path, error: ErrorDetails) -> str:
             key, given = (f"{key}.{word}" if key else str(word)), given[unknown]
             allowed = f"the keys {', '.join(known)}"
             remedy = f"did you mean {near[0]}?" if near else "remove the key"
+        case "refused":
+            key, given, remedy = f"{key}.{context['name']}", context["given"], context["remedy"]
         case "union_tag_invalid":
             allowed = f"{context['discriminator']} one of {context['expected_tags']}"
         case "union_tag_not_found":

@@ -6,6 +6,7 @@ import math
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
+from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.study.files.fields import FileModel, NotEmpty, Positive, refuse
@@ -45,7 +46,7 @@ class Entry(FileModel):
         try:
             self.build()
         except InvalidValue as error:
-            raise refuse(f"{error.name}: {error.allowed}; {error.remedy}") from None
+            raise PydanticCustomError("refused", "{allowed}", vars(error)) from None
         return self
 
 

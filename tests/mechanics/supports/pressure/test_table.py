@@ -26,3 +26,18 @@ def test_each_pressure_is_that_of_its_support(i):
     assert center == pytest.approx(np.array(support.center_of_pressure) / support.extent, rel=1e-15)
     for x, y in ((0.1, 0.3), (-2.0, 0.4), (50.0, 7.0)):
         assert moments(found, x, y) == moments(alone, x, y)
+
+
+POINT = pp.Points([(1, 2), (1, 2)], [1, 3])
+
+
+@pytest.mark.parametrize("support", [POINT, pp.Composite([(1, POINT)])])
+@pytest.mark.parametrize("radius", [None, 1.0])
+def test_a_single_point_is_no_support_of_a_scene(support, radius):
+    slider = pp.Slider(rod_length=1.0, rod_angle=1.0, radius=radius)
+    with pytest.raises(
+        pp.InvalidValue, match="allowed: a support that is larger than a point; a point"
+    ):
+        _ = pp.Scene(
+            slider=slider, contact=pp.Coulomb(1.0), effects=(pp.SupportFriction(support=support),)
+        ).kinds  # fmt: skip

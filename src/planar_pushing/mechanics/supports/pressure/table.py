@@ -9,6 +9,7 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.supports.pressure.record import Array, Pressure
+from planar_pushing.terms.errors import InvalidValue
 
 #: The pieces of a record, in the order of the columns of `Table.starts`.
 PIECES = ("atoms", "segments", "rings", "discs", "plates")
@@ -39,9 +40,26 @@ class Table(NamedTuple):
     multipoles: Array
 
 
+def extent_of(support: Any) -> float:
+    """Largest distance of a support from its centre of pressure.
+
+    Raises
+    ------
+    InvalidValue
+        Where the support is one point, which resists no rotation.
+    """
+    extent = float(support.extent)
+    if extent == 0.0:
+        raise InvalidValue(
+            "support", support, "a support that is larger than a point",
+            "a point resists no rotation: its force is opposite to its motion",
+        )  # fmt: skip
+    return extent
+
+
 def table_of(supports: Sequence[Any]) -> Table:
     """The table of supports, whose `record` gives each one's pressure."""
-    records = [support.record(support.extent) for support in supports]
+    records = [support.record(extent_of(support)) for support in supports]
     counts = [[len(getattr(record, name)) for name in PIECES] for record in records]
     edges = np.cumsum([0, *(len(record.edges) for record in records)])
     first = [record.first[:-1] + start for record, start in zip(records, edges, strict=False)]
