@@ -26,7 +26,7 @@ def test_animate(run, log, tmp_path):
 
 def test_any_support_is_animated(run, tmp_path):
     log, path = tmp_path / "log.nc", tmp_path / "motion.gif"
-    run("simulate", "workflow/scenes/tripod.yaml", "-o", str(log))
+    run("simulate", "workflow/scenes/stool.yaml", "-o", str(log))
     code, out, _ = run("animate", str(log), "-o", str(path), "--frames", "3", "--json")
     assert (code, json.loads(out)["frames"]) == (0, 3)
 

@@ -20,7 +20,7 @@ def test_draw(run, tmp_path):
     assert path.read_text(encoding="utf-8").lstrip().startswith("<?xml")
 
 
-@pytest.mark.parametrize("name", ["tripod", "box", "plate"])
+@pytest.mark.parametrize("name", ["stool", "box", "plate"])
 def test_any_support_is_drawn(run, tmp_path, name):
     path = tmp_path / "scene.svg"
     code, out, _ = run("draw", f"workflow/scenes/{name}.yaml", "-o", str(path))
@@ -34,7 +34,7 @@ def test_the_limit_curve_is_drawn_where_it_is_asked_for(run, tmp_path):
     sizes = []
     for more in ([], ["--limit-curve"]):
         path = tmp_path / f"scene{len(more)}.svg"
-        assert run("draw", "workflow/scenes/tripod.yaml", *more, "-o", str(path))[0] == 0
+        assert run("draw", "workflow/scenes/stool.yaml", *more, "-o", str(path))[0] == 0
         sizes.append(path.stat().st_size)
     assert sizes[1] > sizes[0] + 1000
 

@@ -97,11 +97,38 @@ def message(tmp_path, text):
         ("  figure_15: .", "  a/b: .",
          "simulations.a/b.[key]: 'a/b' given; allowed: a name of letters, digits and underscores, "
          "which becomes a file's name; change the value"),
+        ("figures:\n", "chunks: {cones: {rod_length: 3}}\nfigures:\n",
+         "chunks.cones: unknown, or not computed; allowed: limit_curves, motion_cones, contact_modes, "
+         "acceleration_centers, center_regions; remove it"),
+        ("figures:\n", "chunks: {motion_cones: {mode: 3}}\nfigures:\n",
+         "chunks.motion_cones: ['mode'] given; allowed: effects, rod_length, rod_angle, "
+         "friction_coefficient; name some of these"),
+        ("figures:\n", "chunks: {motion_cones: {}}\nfigures:\n",
+         "chunks.motion_cones: [] given; allowed: effects, rod_length, rod_angle, "
+         "friction_coefficient; name some of these"),
+        ("figures:\n", "chunks: {motion_cones: {rod_length: 0.5}}\nfigures:\n",
+         "chunks.motion_cones.rod_length: 0.5 given; allowed: an integer >= 1; change the value"),
+        ("figures:\n", "gather: {motion_cones: false}\nfigures:\n",
+         "gather.motion_cones: unknown; allowed: none, as there are no chunks; remove it, or give its "
+         "chunks"),
+        ("figures:\n", "chunks: {motion_cones: {rod_length: 2}}\ngather: {motion_cones: 3}\nfigures:\n",
+         "gather.motion_cones: 3 given; allowed: true or false; change the value"),
     ],
 )  # fmt: skip
 def test_study_error(tmp_path, study_text, written, instead, said):
     assert written in study_text
     assert message(tmp_path, study_text.replace(written, instead, 1)) == said
+
+
+def test_a_grid_beyond_a_terabyte_is_refused(tmp_path, study_text):
+    wide = study_text.replace(
+        "pusher_magnitude: [1]", "pusher_magnitude: {start: 1, stop: 90000, step: 1}"
+    )
+    long = wide.replace("-180, stop: 180, step: 15", "-180, stop: 180, step: 0.05")
+    assert message(tmp_path, long) == (
+        "grid: 54439560000 points of contact_modes given; allowed: 10000000000; shorten the axes effects, "
+        "contact_friction_coefficient, rod_length, pusher_magnitude, pusher_angle"
+    )
 
 
 def test_many_errors_are_cut_short(tmp_path, study_text):

@@ -16,8 +16,8 @@ from workflow.chunked import ENVIRONMENT, RESULTS, command, copy_workflow, files
 CHUNKS = "chunks: {contact_modes: {pusher_angle: 13, contact: 4}}\n"
 TARGETS = [f"{RESULTS}/figures/figure_13.svg"]
 KILLS = 20
-#: Kilobytes of disks that are full in turn: as a chunk, the whole, and a figure is written.
-DISKS = (24, 150, 420)
+#: Kilobytes of a disk that is full as the output of a rule is written.
+DISKS = {"chunk": 40, "gather": 290, "figure": 440}
 
 
 @pytest.fixture(scope="session")
@@ -57,7 +57,7 @@ def disk(tmp_path):
         choice = ",".join([*options, f"size={size}k"])
         subprocess.run(["mount", "-t", "tmpfs", "-o", choice, "tmpfs", folder], check=True)
 
-    resize(DISKS[0])
+    resize(DISKS["chunk"])
     yield lambda size: resize(size, "remount")
     subprocess.run(["umount", folder], check=True)
 
@@ -67,10 +67,11 @@ def test_a_full_disk_ends_a_run_and_with_room_the_next_has_the_same_bytes(
 ):
     expected, _ = undisturbed
     root = copy_workflow(tmp_path, CHUNKS)
-    for size in DISKS:
+    for rule, size in DISKS.items():
         disk(size)
         said = snakemake(root, *TARGETS, code=1)
-        assert "No space left on device" in said, size
+        assert "No space left on device" in said
+        assert f"Error in rule {rule}:" in said
     disk(20_000)
     snakemake(root, *TARGETS)
     assert files(root) == expected
