@@ -30,7 +30,7 @@ all: $(COMPILED)
 	$(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY))
 
 test: $(COMPILED) lint
-	$(BIN)/pytest
+	$(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
 
 test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
 	$(BIN)/pytest tests/workflow/slurm.py
