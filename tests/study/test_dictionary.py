@@ -46,10 +46,9 @@ def whole(results, sliders):
     log = simulate_file(load_scene_file("workflow/scenes/tripod.yaml"))
     own = sliders / "studies/sliders"
     write_dataset(log, own / "data/simulations/tripod.nc")
+    rod = load_sliders(SLIDERS_SMOKE).slider
     for name in GALLERY:
-        write_dataset(
-            select(name, own, load_sliders(SLIDERS_SMOKE).slider), own / f"figures/data/{name}.nc"
-        )
+        write_dataset(select(name, own, rod), own / f"figures/data/{name}.nc")
     errors = {"wrench": wrench_errors(), "cone": cone_errors()}
     write_dataset(errors, results / "data/accuracy_errors.nc")
     write_dataset(hard_cases(), results / "data/hard_cases.nc")

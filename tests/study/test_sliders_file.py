@@ -50,8 +50,8 @@ def test_paths_are_relative_to_the_file():
          "grid.rod_length: (1.0, 3.0) given; allowed: values that include 2.0, which the figures plot; "
          "add it"),
         ("[0.25, 2, inf]", "[0.25, 2]",
-         "grid.friction_coefficient: (0.25, 2.0) given; allowed: values that include inf, which the figures "
-         "plot; add it"),
+         "grid.friction_coefficient: (0.25, 2.0) given; allowed: values that include inf, which the "
+         "figures plot; add it"),
         ("title:", "effects: [inertia]\ntitle:",
          "effects: ['inertia'] given; allowed: the keys title, slider, supports, grid, simulations, "
          "golden, tolerances; remove the key"),

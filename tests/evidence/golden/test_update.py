@@ -77,8 +77,7 @@ def test_enclosures_are_narrow(few):
 def test_images_are_stored_by_command_alone(tmp_path, capsys):
     from PIL import Image
 
-    for name in images.FIGURES:
-        path = tmp_path / "results/figures" / f"{name}.png"
+    for path in images.pictures(tmp_path / "results").values():
         path.parent.mkdir(parents=True, exist_ok=True)
         Image.new("RGB", (900, 600), "white").save(path)
     arguments = ["--results", str(tmp_path / "results"), "--golden", str(tmp_path / "golden")]

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.parts.curves import named, titled
 from planar_pushing.figures.settings import Sources
 from planar_pushing.figures.sliders.gallery import families, styled, supports
-from planar_pushing.figures.sliders.over_rods import AXES, over_rods, panels
+from planar_pushing.figures.sliders.over_rods import AXES, keep_ticks_inside, over_rods, panels
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.plane import Array
@@ -58,6 +58,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
             style: dict[str, Any] = {"color": color, "markersize": 3.0, "clip_on": False}
             ax.plot(data[f"grid_{axis}"], y, "o", **style)
         ax.set_ylim(0.0, None)
+        keep_ticks_inside(ax.yaxis)
         if axis == "rod_length":
             ax.set_ylabel("slipping pushes (percent)")
             ax.legend(loc="lower right")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts.curves import named
@@ -102,3 +103,9 @@ def _frame(ax: Axes, data: xr.Dataset, axis: str) -> None:
         ax.set(xlim=(0.0, 180.0), xticks=range(0, 181, 45))
         cut = f"$l = {float(data.cut_rod_length):g}$"
         ax.set_xlabel(rf"rod angle $\psi$ (degrees), at {cut}", color=DARK)
+
+
+def keep_ticks_inside(axis: Axis) -> None:
+    """Fix the ticks of an axis to those that show."""
+    low, high = axis.get_view_interval()
+    axis.set_ticks([each for each in axis.get_ticklocs() if low <= each <= high])
