@@ -22,7 +22,6 @@ PAPER = "workflow/config/paper.yaml"
 
 def test_both_studies_are_built_unless_one_is_chosen():
     assert chosen_studies({}) == (PAPER, "workflow/config/sliders.yaml")
-    assert chosen_studies({"study": PAPER}) == chosen_studies({})  # its report shows both
     assert chosen_studies({"study": "a/b.yaml"}) == ("a/b.yaml",)
     with pytest.raises(pp.InvalidValue, match="did you mean study"):
         chosen_studies({"studdy": "x"})

@@ -22,7 +22,13 @@ from planar_pushing.study.parts import points, sizes
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.files.sliders_model import SlidersFile
 from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.studies import chosen_studies, provenance, study_folder
+from planar_pushing.study.studies import (
+    PAPER_FILE,
+    SLIDERS_FILE,
+    chosen_studies,
+    provenance,
+    study_folder,
+)
 
 if any(" " in path for path in (sys.executable, workflow.basedir)):
     raise WorkflowError(
@@ -31,6 +37,9 @@ if any(" " in path for path in (sys.executable, workflow.basedir)):
 
 try:
     LOADED = {file: load_any(file) for file in chosen_studies(config)}
+    # The report of the paper's study shows the study of sliders as well.
+    if getattr(LOADED.get(PAPER_FILE), "golden", None):
+        LOADED |= {SLIDERS_FILE: load_any(SLIDERS_FILE)}
     #: Name of each study and digest of its file, which every dataset holds.
     MARKS = {file: provenance(file) for file in LOADED}
 except PlanarPushingError as error:

@@ -20,12 +20,12 @@ KEY = "study"
 
 
 def chosen_studies(config: Mapping[str, object]) -> tuple[str, ...]:
-    """Files of the studies that the workflow builds: the one that its configuration chooses.
+    """Files of the studies that the workflow builds: the one that its configuration chooses, or ours.
 
-    That of sliders is built with the paper's, whose report shows both. Errors as in `chosen_study`.
+    Errors as in `chosen_study`.
     """
     chosen = chosen_study(config)
-    return (PAPER_FILE, SLIDERS_FILE) if chosen == PAPER_FILE else (chosen,)
+    return (chosen,) if KEY in config else (PAPER_FILE, SLIDERS_FILE)
 
 
 def chosen_study(config: Mapping[str, object]) -> str:
