@@ -153,7 +153,8 @@ def _motion_cones(kinds, rows, right, left, reached):
         high_other, high = base.motion_angles(effects, own, toward(own, row[SECOND]))
         # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
         right[i], left[i] = min(low, high), high
-        reached[i] = low_other - low <= RESOLUTION and high - high_other <= RESOLUTION
+        spread = max(low_other - low, high - high_other)
+        reached[i] = len(effects) == 1 or spread <= RESOLUTION
 
 
 def motion_cone(scene: Scene) -> Any:

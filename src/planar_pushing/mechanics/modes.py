@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import inf, sqrt
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import QUARTER_TURN, contact_motion, toward
 from planar_pushing.mechanics.reduced.base import MOTION, held_on_edge, slips, stick
+from planar_pushing.mechanics.reduced.corners import CONTINUUM
 from planar_pushing.mechanics.reduced.sticking import Sustained
 from planar_pushing.mechanics.reduced.turning import SLIPS
 
@@ -109,17 +110,26 @@ def _separate(modes, motions):
 
 @compiled
 def _slipping(effects, own, law, pusher, mode, modes, motions, count):
-    """Write down the slips of a mode; how many solutions there are then, and whether one is the stick."""
+    """Write down the slips of a mode.
+
+    Returns
+    -------
+    count : int
+        How many solutions there are then.
+    at_edge, within : bool
+        Whether one of the slips is the stick, and whether it is between the ends of a continuum.
+    """
     edge, side = (law.left, 1.0) if mode == SLIP_RIGHT else (law.right, -1.0)
-    found = np.empty((SLIPS, MOTION))
-    at_edge = False
+    found, nearest, open_low, open_high = np.empty((SLIPS, MOTION)), inf, inf, -inf
     for i in range(slips(effects, own, toward(own, edge), pusher.y, found)):
         slip = contact_motion(own, found[i, 0], found[i, 1], found[i, 2])[0] - pusher.x
         if side * slip > COINCIDENCE:
             modes[count], motions[count] = mode, found[i]
             count += 1
-        at_edge = at_edge or abs(slip) <= COINCIDENCE
-    return count, at_edge
+        nearest = min(nearest, abs(slip))
+        if found[i, 7] == CONTINUUM:
+            open_low, open_high = min(open_low, slip), max(open_high, slip)
+    return count, nearest <= COINCIDENCE, open_low < -COINCIDENCE and open_high > COINCIDENCE
 
 
 @compiled
@@ -159,11 +169,17 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     rise, noise = _rise(own, moved)
     held = law.rough or (right > right_noise and left > left_noise and rise > noise)
     if law.slips:
-        first, on_left = _slipping(effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1)
-        count, on_right = _slipping(effects, own, law, pusher, SLIP_LEFT, modes, motions, first)
+        first, on_left, within_left = _slipping(
+            effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1
+        )
+        count, on_right, within_right = _slipping(
+            effects, own, law, pusher, SLIP_LEFT, modes, motions, first
+        )
         slides_right, slides_left = first > place + 1, count > first
         # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
         held |= (on_left and not slides_left) or (on_right and not slides_right)
+        # A stick within the motions of a corner, whose slips go on from it.
+        held |= within_left or within_right
         slides = slides_right or slides_left
     else:
         count, slides = place + 1, not law.closed

@@ -13,6 +13,7 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.reduced.corners import CONTINUUM
 from planar_pushing.terms.errors import InvalidValue
 
 #: Numbers of a solution in the table that is printed; vectors by their components.
@@ -45,7 +46,11 @@ class Solution:
     center : ndarray, shape (2,)
         Motion centre relative to the contact; infinite for a translation and at rest.
     pivot : int
-        Number of the support point about which the slider pivots, -1 without one.
+        Number of the support point about which the slider pivots, -1 without one; -2 where the motion is an
+        end of a continuum.
+    continuum : bool
+        Whether every motion from this one to the other end, or to the sticking one, is a solution too, as
+        with a support on one line that a force crosses.
     """
 
     mode: ContactMode
@@ -59,6 +64,10 @@ class Solution:
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
+
+    @property
+    def continuum(self) -> bool:
+        return self.pivot == CONTINUUM
 
     @property
     def adhesive(self) -> bool:

@@ -85,7 +85,11 @@ DATASET: Quantities = {
     "motion_cone_right": ("degree", "right edge of the motion cone"),
     "operation": ("1", "what was computed"),
     "outcome": ("1", "number of consistent solutions: none, one, several"),
-    "pivot": ("1", "number of the support point about which the slider pivots, -1 without one"),
+    "pivot": (
+        "1",
+        "number of the support point about which the slider pivots, -1 without one, -2 at an end of a "
+        "continuum",
+    ),
     "place_force": ("force", "friction of the support on what the place stands for"),
     "place_motion": ("motion", "motion of the slider at the place"),
     "place_position": ("length", "place that stands for a part of the support, from the contact"),

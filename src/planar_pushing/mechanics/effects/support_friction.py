@@ -16,6 +16,11 @@ from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
 
 
+def _is_support(given: object) -> bool:
+    """Whether something is a support, and not a class of them."""
+    return isinstance(given, Support) and not isinstance(given, type)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SupportFriction:
     """Coulomb friction between the slider and its support.
@@ -40,7 +45,7 @@ class SupportFriction:
     def __post_init__(self) -> None:
         require_fields(self, "weight")
         supports = np.ravel(np.array(self.support, dtype=object))
-        if not len(supports) or not all(isinstance(each, Support) for each in supports):
+        if not len(supports) or not all(map(_is_support, supports)):
             raise InvalidValue(
                 "support", self.support,
                 "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",

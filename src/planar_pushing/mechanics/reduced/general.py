@@ -4,20 +4,25 @@ All is seen in the body frame: x along the rod and away from the contact, y to i
 motion is that of the contact, (x, y), with the rotation `spin`. Psi is what is left of the potential at the
 rotation of no torque. The motion under a line of force of direction t that has ``t . u`` given is the one
 of least potential: its force has no part across t and no torque about the contact. The potential is
-convex, with kinks where the centre of rotation is a support point; those are tried first (`pivots`).
+convex, with kinks where the centre of rotation is a support point; those are tried first (`pivots`). It is
+flat where a support on one line turns about a place on that line; there a root of its slope is bracketed.
 """
 
 from __future__ import annotations
 
+from math import pi, tan
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import fastest, gradient, rough
-from planar_pushing.mechanics.numerics.root import EPSILON, EQUATIONS, root
+from planar_pushing.mechanics.numerics.bracket import bracketed
+from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 
 #: Newton steps at most, and trials of one; what a step has to leave of the slope at most; and the relative
 #: size of a step after which the error is rounding.
 STEPS, CUTS, ENOUGH, SETTLED = 100, 12, 0.5, 1e-12
+#: Part of the curvature in one direction that is left in every direction where Newton's method is sure.
+CURVED = 1e-14
 
 
 class Felt(NamedTuple):
@@ -59,6 +64,12 @@ class Line(NamedTuple):
     x: float
     y: float
     along: float
+
+
+class SlopeAcross(NamedTuple):
+    """Slope of the reduced potential across a line, over the angle from it to the contact's motion."""
+
+    line: Line
 
 
 @compiled
@@ -130,8 +141,27 @@ def _slopes(line, motion):
 
 
 @compiled
-def motion_under(line, start):
-    """The motion under a line of force: Newton's method in its part across the line and its rotation.
+def _slope_across(of, angle):
+    line = of.line
+    x, y, _ = _composed(line, line.along * tan(angle), 0.0)
+    now = felt(line.effects, line.length, Motion(x, y, spin_of(line.effects, line.length, x, y)))
+    return now.f_y * line.x - now.f_x * line.y, 0.0
+
+
+EQUATIONS[SlopeAcross] = _slope_across
+
+
+@compiled
+def _between(line):
+    """The motion under a line of force: a root for the rotation in one for the direction."""
+    angle = bracketed(SlopeAcross(line), -pi / 2.0, pi / 2.0, -1.0, 1.0)
+    x, y, _ = _composed(line, line.along * tan(angle), 0.0)
+    return Motion(x, y, spin_of(line.effects, line.length, x, y))
+
+
+@compiled
+def _newton(line, start):
+    """The motion by Newton's method, across the line and in rotation, and whether it has settled.
 
     Along a step the slope of the convex potential increases; a step that it does not fall enough in is
     cut to where the secant has the slope zero.
@@ -139,9 +169,8 @@ def motion_under(line, start):
     across, spin = start.y * line.x - start.x * line.y, start.spin
     one, other, bend, turn, stiff = _slopes(line, start)
     for _ in range(STEPS):
-        # Rounding may leave a flat potential without curvature.
-        whole = max(bend * stiff - turn * turn, EPSILON * bend * stiff)
-        if not whole > 0.0:
+        whole = bend * stiff - turn * turn
+        if not whole > CURVED * bend * stiff:
             break
         step, swing = (turn * other - stiff * one) / whole, (turn * one - bend * other) / whole
         slope = one * step + other * swing
@@ -158,5 +187,12 @@ def motion_under(line, start):
             part *= slope / (slope - last) if last > 0.0 else 2.0
         across, spin = across + part * step, spin + part * swing
         if settled:
-            break
-    return _composed(line, across, spin)
+            return _composed(line, across, spin), True
+    return _composed(line, across, spin), False
+
+
+@compiled
+def motion_under(line, start):
+    """The motion under a line of force, from a first guess."""
+    motion, settled = _newton(line, start)
+    return motion if settled else _between(line)

@@ -12,6 +12,7 @@ from planar_pushing.mechanics.effects.any_mass import MassAt
 from planar_pushing.mechanics.numerics.bracket import bracketed
 from planar_pushing.mechanics.numerics.root import EQUATIONS, excess
 from planar_pushing.mechanics.plane import Direction, Rod
+from planar_pushing.mechanics.reduced.corners import CONTINUUM, corner_under
 from planar_pushing.mechanics.reduced.general import (
     Line,
     Motion,
@@ -80,13 +81,27 @@ def stick(effects, own, towards):
 
 
 @compiled
+def _line(effects, own, edge, along):
+    """The line of a force, of motions with a given part along it."""
+    return Line(effects, own.length, edge.along, -edge.aside, along)
+
+
+@compiled
 def pushed(effects, own, edge, along):
-    """The motion under a line of force that has a given part along it."""
-    line = Line(effects, own.length, edge.along, -edge.aside, along)
+    """The motion under a line of force that has a given part along it; of a corner the translation."""
+    line = _line(effects, own, edge, along)
+    if corner_under(effects, line).exists:
+        motion = Motion(along * line.x, along * line.y, 0.0)
+        return _of_line(effects, own, line, motion)
     pivot = pivot_under(effects, line)
     if pivot.atom != NOWHERE:
         return _sustained(own, pivot.motion, pivot.f_x, pivot.f_y, 0.0, 0.0, pivot.atom)
-    motion = motion_under(line, rough_motion(line))
+    return _of_line(effects, own, line, motion_under(line, rough_motion(line)))
+
+
+@compiled
+def _of_line(effects, own, line, motion):
+    """A motion with its force, which is along a line."""
     now = felt(effects, own.length, motion)
     size = now.f_x * line.x + now.f_y * line.y
     return _sustained(own, motion, size * line.x, size * line.y, 0.0, 0.0, NOWHERE)
@@ -181,12 +196,33 @@ def motion_angle(effects, own, force):
 
 @compiled
 def motion_angles(effects, own, force):
-    """As `base.motion_angles`: between those of each effect alone."""
-    one = _angle(own, force, pushed(effects[:1], own, force, 1.0))
-    other = one
+    """As `base.motion_angles`: between those of each effect alone, and the ends of a corner."""
     if len(effects) > 1:
+        low, high = _angles_alone(effects[:1], own, force)
         other = _angle(own, force, pushed(effects[-1:], own, force, 1.0))
+        # Of the motions of a corner, the slowest are the nearest to that of inertia.
+        near = min(max(low, other), high)
+        return min(near, other), max(near, other)
+    return _angles_alone(effects, own, force)
+
+
+@compiled
+def _angles_alone(effects, own, force):
+    """Least and greatest angle under a force, of one effect."""
+    corner = corner_under(effects, _line(effects, own, force, 1.0))
+    if corner.exists:
+        one = _angle(own, force, _at_end(own, corner.first, 0.0, 0.0))
+        other = _angle(own, force, _at_end(own, corner.last, 0.0, 0.0))
+    else:
+        one = _angle(own, force, pushed(effects, own, force, 1.0))
+        other = one
     return min(one, other), max(one, other)
+
+
+@compiled
+def _at_end(own, motion, f_x, f_y):
+    """A motion at an end of those that one force sustains."""
+    return _sustained(own, motion, f_x, f_y, 0.0, 0.0, CONTINUUM)
 
 
 @generic
@@ -243,13 +279,26 @@ def edge_motion(effects, own, edge):
 
 @compiled
 def steady_slips(effects, own, edge, normal, found):
-    """As `base.slips`, for one effect, whose motion keeps its direction as it grows."""
-    moved = pushed(effects, own, edge, 1.0)
+    """As `base.slips`, for one effect, whose motion keeps its direction; of a corner both ends."""
+    line = _line(effects, own, edge, 1.0)
+    corner = corner_under(effects, line)
+    if corner.exists:
+        middle = pushed(effects, own, edge, 1.0)
+        first = _at_end(own, corner.first, middle.along, -middle.aside)
+        last = _at_end(own, corner.last, middle.along, -middle.aside)
+        count = _grown(effects, own, first, normal, found[0])
+        return count + _grown(effects, own, last, normal, found[count])
+    return _grown(effects, own, pushed(effects, own, edge, 1.0), normal, found[0])
+
+
+@compiled
+def _grown(effects, own, moved, normal, found):
+    """Write down a motion that has grown to a given normal part; how many can."""
     advance = _rise(own, moved)
     if not ((normal > 0.0 and advance > 0.0) or (normal < 0.0 and advance < 0.0)):
         return 0
     scale = normal / advance
-    _write(moved, scale, _growth(effects, scale), found[0])
+    _write(moved, scale, _growth(effects, scale), found)
     return 1
 
 
