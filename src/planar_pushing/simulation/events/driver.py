@@ -15,6 +15,7 @@ from planar_pushing.simulation.fence import displacement, span
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.shapes.base import room
+from planar_pushing.simulation.systems.written import write
 
 #: What comes next: a span of the fence's motion, a step, the samples within it, a choice, a row, nothing.
 ENTERS, STEPS, SAMPLES, CHANGES, LOGS, ENDED = range(6)
@@ -101,7 +102,7 @@ def _row(system, run, time, state, solutions, row):
     row.fence[0], row.fence[1] = displacement(system.fence, mode.during, time)
     row.fence[1] -= system.body.gap
     row.mode = run.kind if run.chosen >= 0 else NO_MODE
-    base.write(system, mode, time, state, row)
+    write(system, mode, time, state, row)
     row.evaluations = system.body.evaluations
 
 

@@ -22,6 +22,7 @@ from planar_pushing.simulation.steps.trials import TRIALS, Step, enumerate_trial
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.motion import friction, kinetic_energy, mass_offset, rod_of
 from planar_pushing.simulation.systems.shapes import base as shapes
+from planar_pushing.simulation.systems.written import put
 
 #: A gap that is this small in radii is closed.
 CLOSED = 1e-12
@@ -217,6 +218,6 @@ def _log(system, run, rows, count):
     row.fence[:], row.force[:] = run.fence, run.force
     row.mode, row.solutions, row.stopped = run.kind, run.solutions, run.stopped
     v_x, v_y = shapes.seen(system.shape, state[base.ANGLE], run.twist[0], run.twist[1])
-    base.put(system, state, v_x, v_y, run.twist[2], row)
+    put(system, state, v_x, v_y, run.twist[2], row)
     row.evaluations = system.body.evaluations
     return count + 1

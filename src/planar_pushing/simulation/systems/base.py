@@ -14,10 +14,9 @@ import numpy as np
 from planar_pushing.mechanics.compiled import by_kind, compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import contact_motion
-from planar_pushing.mechanics.push import spin_ratio
 from planar_pushing.simulation import fence
 from planar_pushing.simulation.fence import Span
-from planar_pushing.simulation.systems.motion import kinetic_energy, rod_of, size_of
+from planar_pushing.simulation.systems.motion import rod_of, size_of
 from planar_pushing.simulation.systems.shapes import base as shapes
 
 #: Where the state holds what: place of the contact relative to the fence, rod angle, slip accumulated,
@@ -246,25 +245,3 @@ def guards(system, mode, time, state, found):
     if mode.kind != SEPARATE and mode.kind != CLEAR and state[GAP] <= SLACK:
         found[END_OF_SIDE] = shapes.room(system.shape, state[ALONG])
     guard_contact(system, mode, now, found)
-
-
-@compiled
-def put(system, state, v_x, v_y, spin, row):
-    """Write down place, twist, spin ratio and kinetic energy; the fence is in the row already."""
-    shape, angle, now = system.shape, state[ANGLE], pose(system, state)
-    row.position[0], row.position[1] = shapes.center(
-        shape, now.own, angle, state[ALONG], state[GAP], row.fence[0], row.fence[1]
-    )
-    row.twist[0], row.twist[1] = shapes.shown(shape, angle, v_x, v_y)
-    row.twist[2] = spin
-    row.spin_ratio = spin_ratio(sqrt(v_x * v_x + v_y * v_y), spin)
-    row.kinetic_energy = kinetic_energy(system.body, now.x, now.y, v_x, v_y, spin)
-    row.contact_position, row.parted = 0.0 - state[ALONG], system.body.parted
-
-
-@compiled
-def write(system, mode, time, state, row):
-    """Write down position, twist, force, spin ratio and kinetic energy."""
-    now = motion(system, mode, time, state)
-    put(system, state, now.v_x, now.v_y, now.spin, row)
-    row.force[0], row.force[1] = shapes.shown(system.shape, state[ANGLE], now.f_x, now.f_y)
