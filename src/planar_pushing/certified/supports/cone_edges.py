@@ -52,7 +52,9 @@ def edge(support: Pieces, length: fmpq, angle: fmpq, friction: float, side: int)
     half = arb(90) if math.isinf(friction) else in_degrees(arb(rational(friction)).atan())
     force = 90 - side * half
     if found.pivot >= 0 and not support.points[found.pivot].place[1]:
-        exact = _across_rod(support.points[found.pivot].place[0] + length, found.sense, angle, force)
+        exact = _across_rod(
+            support.points[found.pivot].place[0] + length, found.sense, angle, force
+        )
         return Edge(force, exact, exact, found)
     low, high = (force + turn for turn in found.turns)
     return Edge(force, low, low if found.turns[0] is found.turns[1] else high, found)
