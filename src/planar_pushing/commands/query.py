@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.arguments import Commands, command
-from planar_pushing.study.catalog import DATASETS, DIMS, EVIDENCE
+from planar_pushing.study.catalog import DATASETS, DIMS, EVIDENCE, SLIDERS
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.quantities import unit_of
 
@@ -28,7 +28,7 @@ def add(commands: Commands) -> None:
         "[--results FOLDER] [--json]"
     )
     sub.epilog = f"{_axes_of_datasets()}\n\n{sub.epilog}"
-    known = ", ".join([*DATASETS, *EVIDENCE])
+    known = ", ".join([*DATASETS, *SLIDERS, *EVIDENCE])
     sub.add_argument(
         "dataset", metavar="DATASET",
         help=f"{known}; a scene as scenes/NAME, a log as simulations/NAME, "

@@ -123,7 +123,7 @@ def render(
     Parameters
     ----------
     name : str
-        "figure_01" to "figure_15".
+        "figure_01" to "figure_20".
     results : path
         The folder that holds data/*.nc.
     settings : Settings

@@ -96,7 +96,8 @@ def open_dataset(
     name : str
         limit_curves, motion_cones, contact_modes, acceleration_centers, center_regions, a scene as
         "scenes/figure_08", a simulation as "simulations/figure_15", what a figure plots as
-        "figures/figure_06", or one on how this work computes, such as "accuracy_errors/cone".
+        "figures/figure_06", or one on how this work computes, such as "accuracy_errors/cone"; of a study of
+        sliders, supports, support_cones and support_modes.
     results : path
         The folder that the pipeline filled.
     study : str, optional
