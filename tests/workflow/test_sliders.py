@@ -76,7 +76,7 @@ def dry(copy, *arguments):
 
 
 def test_both_studies_are_built_and_nothing_twice(fresh):
-    # Without the golden data, which the copy lacks, there is no verdict, and the paper's study has no report.
+    # Without the golden data, which the copy lacks, there is no verdict and no report.
     for name, golden in (("paper", "tests/golden"), ("sliders", "tests/golden/sliders")):
         file = fresh.root / f"workflow/config/{name}.yaml"
         text = file.read_text(encoding="utf-8").replace(f"golden: ../../{golden}\n", "")
