@@ -35,8 +35,8 @@ def test_the_force_of_a_sticking_motion_causes_it(name, turn):
 
 
 def test_no_torque_about_the_contact():
+    found = along(SQUARE, 2, 30)
     push = at_angle(pieces(SQUARE), fmpq(2), fmpq(0), fmpq(30))
-    found = stuck(lambda: push)
     balance, _ = torque(push, found.spin.mid())
     assert abs(float(balance)) < 1e-40
 

@@ -34,11 +34,11 @@ def slip_values(
     place, edge = (*at, MODES.index(mode)), edges(rod, friction)[SLIPS[mode]]
     angle, stored = float(edge.angle), int(tables.pivot[place])
     rounding = ANGLE * EPSILON * (1 + float(rod.length) ** 2)
-    for name, wanted in (("force_angle", float(edge.force_angle)), ("motion_angle", angle)):
+    force = float(edge.force_angle)
+    expected = {"force_angle": force, "force_angle_end": force, "motion_angle": angle}
+    for name, wanted in expected.items():
         error = turned(tables.values[name][place], wanted)
         tables.put(name, place, error, rounding * DEGREE)
-    apart = abs(tables.values["force_angle_end"][place] - tables.values["force_angle"][place])
-    tables.put("force_angle_end", place, apart, 0.0)
     pivots = expected_pivot(rod, friction, SLIPS[mode], stored)
     tables.put("pivot", place, 0.0 if stored == pivots else np.inf, 0.0)
     normal = abs(np.sin(np.deg2rad(angle)))

@@ -26,6 +26,8 @@ PLACE = MODES.index("STICK")
 ON_LINE = 36.0
 #: A slower rotation is about a centre so far away that the torque takes more bits.
 SLOW, FAR = 1e-6, 640
+#: A rotation that moves nothing by a rounding: a translation.
+STILL = 1e-30
 
 
 class Residual:
@@ -94,7 +96,7 @@ def residual(rod: Rod, motion: Vector, spin: float) -> Residual:
     reach = 1 + float(rod.length)
     x, y = rod.support.center
     arm = motion[0] * y - motion[1] * (x + rod.length)
-    if spin == 0:
+    if abs(spin) < STILL:
         error, turn = abs(float(arm)), arb.atan2(motion[1], motion[0])
         return Residual(error, ANGLE * EPSILON * reach, _degrees(turn), ANGLE * EPSILON)
     omega, sense = arb(spin) / rod.support.extent, 1 if spin > 0 else -1
