@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, bodies, drawing, labels
 from planar_pushing.figures.parts.shown import shown
+from planar_pushing.figures.parts.shown import status as status_of
 from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import (
@@ -153,7 +154,7 @@ def centers(ax: Axes, sketch: Sketch) -> None:
 
 def status(ax: Axes, sketch: Sketch) -> None:
     """Say what the contact does."""
-    ax.set_title(sketch.status, fontsize=NOTE_SIZE, color=GUIDE)
+    ax.set_title(status_of(sketch.data), fontsize=NOTE_SIZE, color=GUIDE)
 
 
 LAYERS: tuple[Layer, ...] = (
