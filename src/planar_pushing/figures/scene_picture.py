@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from planar_pushing.figures.parts.limit_curve import limit_curve
+from planar_pushing.figures.parts.forces import limit_curve
 from planar_pushing.figures.parts.scene import LAYERS, draw_scene
 from planar_pushing.figures.render import PathLike, draw_to_files
 from planar_pushing.study.datasets.scenes import scene_dataset, with_limit_curve

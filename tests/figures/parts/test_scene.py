@@ -13,7 +13,8 @@ import planar_pushing as pp
 from figures.parts.conftest import INERTIA, NO_ADHESION, RING, ROUGH, coulomb, scene
 from mechanics.supports.cases import SUPPORTS
 from planar_pushing.figures import style
-from planar_pushing.figures.parts.scene import FAN_ORDER, draw_scene
+from planar_pushing.figures.parts.forces import FAN_ORDER
+from planar_pushing.figures.parts.scene import draw_scene
 from planar_pushing.figures.parts.shown import shown
 from planar_pushing.figures.parts.sketch import Sketch
 from planar_pushing.figures.parts.supports import extents

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from planar_pushing.figures.parts import scene
+from planar_pushing.figures.parts import forces, scene
 
-BALANCE = (scene.body, scene.force, scene.line_of_force, scene.motions, scene.center)
+BALANCE = (scene.body, forces.force, forces.line_of_force, scene.motions, scene.center)
 
-quasi_static = scene.SceneFigure((*BALANCE, scene.support_friction))
+quasi_static = scene.SceneFigure((*BALANCE, forces.support_friction))
 slipping = scene.SceneFigure(
-    (scene.body, scene.motion_cone, scene.force, scene.motions, scene.center)
+    (scene.body, scene.motion_cone, forces.force, scene.motions, scene.center)
 )
 dynamic = scene.SceneFigure((*BALANCE, scene.moment_arm))

@@ -10,9 +10,10 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.parts import arrows, bodies, drawing, labels
+from planar_pushing.figures.parts import arrows, bodies, drawing, forces, labels
 from planar_pushing.figures.parts.shown import shown
-from planar_pushing.figures.parts.sketch import CONE, SUPPORT_LENGTH, Sketch
+from planar_pushing.figures.parts.shown import status as status_of
+from planar_pushing.figures.parts.sketch import CONE, Sketch
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import (
     ABOVE,
@@ -24,12 +25,8 @@ from planar_pushing.figures.style import (
     PUSHER,
     SLIP,
 )
-from planar_pushing.mechanics.plane import Array
 
 Layer = Callable[[Axes, Sketch], None]
-
-#: How much of its colour the fan of a pivot's forces has; it lies over the cones.
-FAN, FAN_ORDER = 0.42, 0.8
 
 
 def body(ax: Axes, sketch: Sketch) -> None:
@@ -49,37 +46,6 @@ def motion_cone(ax: Axes, sketch: Sketch) -> None:
     """Directions that the slider's contact can move in."""
     right, left = (float(sketch.data[f"motion_cone_{side}"]) for side in ("right", "left"))
     drawing.cone(ax, (0, 0), right, left, CONE * sketch.reach, MOTION)
-
-
-def force(ax: Axes, sketch: Sketch) -> None:
-    """Force of the pusher on the slider; a fan of all those that a pivot leaves open."""
-    if not sketch.moves:
-        return
-    name = r"$\mathbf{f}$ (adhesive)" if sketch.adhesive else r"$\mathbf{f}$"
-    drawn = [sketch.drawn_force(each) for each in sketch.forces]
-    for vector in drawn:
-        arrows.force_arrow(ax, (0, 0), vector, name if len(drawn) == 1 else "", width=1.6)
-    if len(drawn) > 1:
-        _fan(ax, drawn, name)
-
-
-def _fan(ax: Axes, ends: list[Array], name: str) -> None:
-    """Directions between two forces, any of which a pivot can have."""
-    right, left = (float(np.rad2deg(np.arctan2(*each[::-1]))) for each in ends)
-    turn, length = (left - right) % 360, min(float(np.hypot(*each)) for each in ends)
-    drawing.cone(
-        ax, (0, 0), right, right + turn, 0.8 * length, FORCE, strength=FAN, zorder=FAN_ORDER
-    )
-    ahead = arrows.unit(right + turn / 2)
-    shift = (11.0 * float(ahead[0]), 9.0 * float(ahead[1]))
-    labels.label(ax, 0.8 * length * ahead, name, offset=shift, color=FORCE)
-
-
-def line_of_force(ax: Axes, sketch: Sketch) -> None:
-    """Line on which the pusher's force and the resistance of the slider act."""
-    if sketch.moves:
-        for each in sketch.forces:
-            drawing.guide(ax, (0, 0), sketch.end_of_line(each), color=FORCE)
 
 
 def motions(ax: Axes, sketch: Sketch) -> None:
@@ -132,20 +98,6 @@ def moment_arm(ax: Axes, sketch: Sketch) -> None:
         drawing.dot(ax, sketch.foot, color=FORCE, size=2.8)
 
 
-def support_friction(ax: Axes, sketch: Sketch) -> None:
-    """Friction of the support on the slider, where it rubs."""
-    if not sketch.moves:
-        return
-    places, (pulls,) = sketch.rubbing
-    largest = float(np.max(np.hypot(*pulls.T), initial=0.0))
-    length = SUPPORT_LENGTH * sketch.radius
-    for place, pull in zip(places, pulls, strict=True):
-        if np.any(pull):
-            along = length * pull / largest
-            head = min(7.0, 0.9 * float(np.hypot(*along)) * points_per_unit(ax))
-            arrows.force_arrow(ax, place, along, width=0.7, head=head)
-
-
 def centers(ax: Axes, sketch: Sketch) -> None:
     """Names of the centres of pressure and of mass, where they are apart."""
     bodies.name_centers(ax, sketch.body, sketch.pose)
@@ -153,18 +105,18 @@ def centers(ax: Axes, sketch: Sketch) -> None:
 
 def status(ax: Axes, sketch: Sketch) -> None:
     """Say what the contact does."""
-    ax.set_title(sketch.status, fontsize=NOTE_SIZE, color=GUIDE)
+    ax.set_title(status_of(sketch.data), fontsize=NOTE_SIZE, color=GUIDE)
 
 
 LAYERS: tuple[Layer, ...] = (
     body,
     motion_cone,
     friction_cone,
-    force,
-    line_of_force,
+    forces.force,
+    forces.line_of_force,
     motions,
     center,
-    support_friction,
+    forces.support_friction,
     centers,
     status,
 )
@@ -184,13 +136,6 @@ class SceneFigure:
     def draw(self, figure: Figure, data: xr.Dataset) -> None:
         """Draw the layers."""
         draw_scene(figure, data, self.layers)
-
-
-def points_per_unit(ax: Axes) -> float:
-    """Scale of the picture: points on paper for a unit of length."""
-    figure = ax.get_figure(root=True)
-    left, right = ax.transData.transform([(0.0, 0.0), (1.0, 0.0)])
-    return float(72 * (right[0] - left[0]) / figure.dpi) if figure else 1.0
 
 
 def draw_scene(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.contact import ContactMode, Outcome
 
 #: Variables of a scene dataset that its picture shows.
 PLOTTED = (
@@ -31,6 +31,13 @@ MORE = (
     "support_force", "place_position", "place_force", "force_end", "pivot", "limit_force",
     "limit_motion_angle",
 )  # fmt: skip
+#: What the contact does.
+NAMES = {
+    ContactMode.SEPARATE: "the contact breaks",
+    ContactMode.STICK: "the contact sticks",
+    ContactMode.SLIP_RIGHT: "slips to the right",
+    ContactMode.SLIP_LEFT: "slips to the left",
+}
 
 
 def shown(dataset: xr.Dataset) -> xr.Dataset:
@@ -52,3 +59,13 @@ def shown(dataset: xr.Dataset) -> xr.Dataset:
     more = [name for name in MORE if name in dataset]
     chosen = dataset[[*PLOTTED, *more, "effect"]].isel(solution=best)
     return chosen.assign_attrs(title=dataset.attrs.get("title", ""))
+
+
+def status(data: xr.Dataset) -> str:
+    """Contact mode of the solution, whether the slider pivots, and whether others are consistent too."""
+    if not data.sizes["solution"]:
+        return "no consistent solution"
+    mode = NAMES[ContactMode(int(data["mode"].values[0]))]
+    pivots = ", the slider pivots" if "pivot" in data and data["pivot"].values[0] >= 0 else ""
+    several = int(data["outcome"]) == Outcome.AMBIGUOUS
+    return f"{mode}{pivots} (one of several solutions)" if several else f"{mode}{pivots}"

@@ -12,7 +12,7 @@ from planar_pushing.figures.parts.arrows import unit
 from planar_pushing.figures.parts.bodies import Body, body_of
 from planar_pushing.figures.parts.shown import shown
 from planar_pushing.figures.parts.supports import Pose
-from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 
 #: A centre further away than this, in units of the slider's span, is pointed to.
@@ -173,28 +173,13 @@ class Sketch:
         return np.asarray(self.ring + 1.6 * self.radius * self.toward_center)
 
     @property
-    def status(self) -> str:
-        """Contact mode, and whether other solutions are consistent too."""
-        if not self.data.sizes["solution"]:
-            return "no consistent solution"
-        names = {
-            ContactMode.SEPARATE: "the contact breaks",
-            ContactMode.STICK: "the contact sticks",
-            ContactMode.SLIP_RIGHT: "slips to the right",
-            ContactMode.SLIP_LEFT: "slips to the left",
-        }
-        mode = names[ContactMode(int(self.data["mode"].values[0]))]
-        pivots = ", the slider pivots" if self.pivots else ""
-        several = int(self.data["outcome"]) == Outcome.AMBIGUOUS
-        return f"{mode}{pivots} (one of several solutions)" if several else f"{mode}{pivots}"
-
-    @property
     def rubbing(self) -> tuple[Array, Array]:
         """Places where the support rubs, and its friction there."""
-        if "place_force" in self.data:
-            return self.data["place_position"].values, self.data["place_force"].values
-        around = [unit(angle) for angle in self.data["support_angle"].values]
-        return self.ring + self.radius * np.array(around), self.data["support_force"].values
+        data = self.data
+        if "place_force" in data:
+            return data["place_position"].values, data["place_force"].values
+        around = [unit(angle) for angle in data["support_angle"].values]
+        return self.ring + self.radius * np.array(around), data["support_force"].values
 
     def box(self, margin: float = 0.0) -> tuple[float, float, float, float]:
         """xmin, xmax, ymin, ymax of all that is drawn."""

@@ -1,4 +1,4 @@
-"""The limit curve in the picture of a scene."""
+"""Forces in the picture of a scene: the limit curve that they end on."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 
 import planar_pushing as pp
 from figures.parts.conftest import RING, coulomb, scene
-from planar_pushing.figures.parts.limit_curve import limit_curve
+from planar_pushing.figures.parts.forces import limit_curve
 from planar_pushing.figures.parts.scene import LAYERS, draw_scene
 from planar_pushing.figures.parts.sketch import Sketch
 from planar_pushing.figures.style import CENTER, FORCE
