@@ -60,11 +60,14 @@ def stream_dataset(
         write_dataset(make({}), path)
         return
     with replacing(path) as temporary:
-        _stretch(make(parts[0]), lengths, temporary)
+        first = make(parts[0])
+        _stretch(first, lengths, temporary)
         with h5py.File(temporary, "r+") as file:
             layout = {name: each.chunks for name, each in file.items()}
-            jobs = (lambda part=part: list(_pieces(make(part), part, layout)) for part in parts)
-            for pieces in _in_order(jobs, threads):
+            jobs = (lambda part=part: list(_pieces(make(part), part, layout)) for part in parts[1:])
+            for pieces in itertools.chain(
+                [_pieces(first, parts[0], layout)], _in_order(jobs, threads)
+            ):
                 for piece in pieces:
                     _store(file[piece.name], piece)
 
