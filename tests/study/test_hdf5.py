@@ -61,9 +61,11 @@ def test_a_cut_file_ends_in_one_line(path, size):
         read_dataset(path)
 
 
+@pytest.mark.parametrize("window", [2**24, 97])
 @pytest.mark.parametrize(("index", "size"), [(0, 0), (1, 2**64 - 16), (1, 2**40)])
-def test_a_heap_in_which_the_library_goes_round_is_refused(path, index, size):
-    """An object whose size leads back to itself, or out of the heap."""
+def test_a_heap_in_which_the_library_goes_round_is_refused(path, index, size, window, monkeypatch):
+    """An object whose size leads back to itself, or out of the heap, wherever a search begins."""
+    monkeypatch.setattr("planar_pushing.study.hdf5.WINDOW", window)
     content = bytearray(path.read_bytes())
     place = content.index(b"GCOL") + 16
     content[place : place + 2] = index.to_bytes(2, "little")

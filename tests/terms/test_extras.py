@@ -83,8 +83,7 @@ def test_the_library_runs_without_any_extra(tmp_path, cones):
     ("report", "typst", "import planar_pushing.report.typeset"),
     ("golden", "flint", "import planar_pushing.certified.ring"),
     ("golden", "flint", "import planar_pushing.evidence.claims.proofs.verdicts"),
-    ("workflow", "dask",
-     "from planar_pushing.study.chunk_files import open_chunks; open_chunks(0, {}, {})"),
+    ("workflow", "dask", "from planar_pushing.study.chunk_files import open_chunks as o; o(0, {}, {})"),
     ("workflow", "grimp", "from planar_pushing.study.dependencies import code_of; code_of('terms')"),
 ])  # fmt: skip
 def test_a_missing_extra_is_named_where_it_is_needed(extra, missing, body):

@@ -30,7 +30,12 @@ def add(commands: Commands) -> None:
         "Rates are measured on this machine, in some seconds."
     )
     sub = command(commands, "plan", planned, about, "workflow/config/paper.yaml")
-    sub.add_argument("study", type=Path, metavar="STUDY.yaml", help="study file")
+    sub.add_argument(
+        "study",
+        type=Path,
+        metavar="STUDY.yaml",
+        help="study file: what is computed, and in which chunks",
+    )
 
 
 def planned(args: argparse.Namespace) -> dict[str, Any]:

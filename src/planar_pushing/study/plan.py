@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import xarray as xr
+
 from planar_pushing.study import effort
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import SPLIT
@@ -19,11 +21,11 @@ from planar_pushing.study.figures import computes
 from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.parts import blocks, cut, points, sizes
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import read_dataset, write_dataset
-from planar_pushing.study.streaming import COMPUTED
+from planar_pushing.study.store import read_dataset, stored_chunks, write_dataset
+from planar_pushing.study.streaming import COMPUTED, pieces
 
-#: Blocks on which a rate is measured, one for each set of effects of a study with all.
-SAMPLES = 3
+#: Blocks on which a rate is measured, four for each set of effects of a study with all.
+SAMPLES = 12
 #: CPU seconds that a job takes to start, beside its points (measured: 2.9).
 START = 3.0
 
@@ -91,9 +93,22 @@ def measured_rates(name: str, values: dict[str, Any]) -> Rates:
 
 def _timed(name: str, values: dict[str, Any], path: Path) -> tuple[int, float, float, int]:
     """Points of a block, CPU seconds to compute and to copy it, and its bytes."""
+    lengths = sizes(name, values)
     start = time.process_time()
-    write_dataset(build_dataset(name, values), path)
+    built: Any = build_dataset(name, values)
+    stored = _packed(built, lengths)
     middle = time.process_time()
-    write_dataset(read_dataset(path).load(), path.with_name("copy.nc"))
+    write_dataset(built, path)
+    written = time.process_time()
+    _packed(read_dataset(path).load(), lengths)
     end = time.process_time()
-    return points(sizes(name, values)), middle - start, end - middle, path.stat().st_size
+    return points(lengths), middle - start, end - written, stored
+
+
+def _packed(built: xr.Dataset, lengths: dict[str, int]) -> int:
+    """Bytes of a block as a stream stores it."""
+    layout = {
+        str(name): stored_chunks(each.shape, each.dtype) for name, each in built.variables.items()
+    }
+    whole = {dim: slice(0, length) for dim, length in lengths.items()}
+    return sum(len(piece.packed or b"") for piece in pieces(built, whole, layout))

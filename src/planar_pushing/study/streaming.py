@@ -60,12 +60,15 @@ def stream_dataset(
         write_dataset(make({}), path)
         return
     with replacing(path) as temporary:
-        _stretch(make(parts[0]), lengths, temporary)
+        first = make(parts[0])
+        _stretch(first, lengths, temporary)
         with h5py.File(temporary, "r+") as file:
             layout = {name: each.chunks for name, each in file.items()}
-            jobs = (lambda part=part: list(_pieces(make(part), part, layout)) for part in parts)
-            for pieces in _in_order(jobs, threads):
-                for piece in pieces:
+            jobs = (lambda part=part: list(pieces(make(part), part, layout)) for part in parts[1:])
+            for found in itertools.chain(
+                [pieces(first, parts[0], layout)], _in_order(jobs, threads)
+            ):
+                for piece in found:
                     _store(file[piece.name], piece)
 
 
@@ -93,7 +96,7 @@ def _create(file: h5netcdf.File, name: str, like: h5netcdf.Variable) -> None:
     file.create_variable(name, like.dimensions, dtype, **layout).attrs.update(like.attrs)
 
 
-def _pieces(made: xr.Dataset, part: Part, layout: Mapping[str, Any]) -> Iterator[Piece]:
+def pieces(made: xr.Dataset, part: Part, layout: Mapping[str, Any]) -> Iterator[Piece]:
     """What a part of a dataset stores; what lies along none of its ranges is stored with the first."""
     for name, variable in ((str(name), each) for name, each in made.variables.items()):
         dims = tuple(map(str, variable.dims))

@@ -64,17 +64,17 @@ def test_a_range_is_counted_before_it_is_built(tmp_path, study_text, given):
         load_study(path)
 
 
-def test_a_grid_that_no_memory_holds_is_refused(tmp_path, study_text):
+def test_a_grid_of_more_than_a_terabyte_is_refused(tmp_path, study_text):
     path = tmp_path / "config/file.yaml"
     long = study_text.replace(
         "{start: 0, stop: 360, step: 15}", "{start: 0, stop: 360, step: 0.005}"
     )
     long = long.replace(
-        "rod_length: [0, 1, 2, 5]", "rod_length: {start: 0, stop: 5, step: 0.0025}", 1
+        "rod_length: [0, 1, 2, 5]", "rod_length: {start: 0, stop: 5, step: 0.0001}", 1
     )
     path.write_text(long, encoding="utf-8")
     with pytest.raises(
-        InvalidFile, match=r"grid: 864444006 points of limit_curves given; allowed: 1"
+        InvalidFile, match=r"grid: 21600732006 points of limit_curves given; allowed: 10000000000; "
     ):
         load_study(path)
 
