@@ -60,7 +60,7 @@ class Results:
 
     def path(self, name: str) -> Path:
         """File of a figure, a simulation or a dataset."""
-        if name in ALL:
+        if name in FIGURES or name in GALLERY:
             return self.folder / "figures" / "data" / f"{name}.nc"
         return self.folder / "data" / f"{name}.nc"
 
