@@ -118,6 +118,7 @@ def gathering(wildcards):
         "steps": chunk_steps(STUDY, name),
     }
 
+
 SHOWN = [name for name in GALLERY_FIGURES if GALLERY and shows(GALLERY, name)]
 
 
