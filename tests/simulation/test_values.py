@@ -28,7 +28,7 @@ def refused(call, name):
 @pytest.mark.parametrize("velocity", [
     (10**400, 1), ("0", "1"), (b"0", 1.0), (np.True_, 1.0), (Decimal(1), 0.0), ([0.0], [1.0]),
     itertools.count(), iter((0.0, 1.0)), "ab", {0.0, 1.0, 2.0}, [(0, (0, 10**400))], [(0, (0, "1"))],
-], ids=repr)  # fmt: skip
+])  # fmt: skip
 def test_a_velocity_is_two_numbers(velocity):
     refused(lambda: pp.Pusher(velocity=velocity), "velocity")
 
