@@ -105,7 +105,7 @@ def test_a_wrong_study_of_sliders_stops_before_any_job(fresh):
     study.write_text(text.replace("weights: [1, 1, 1]", "weights: [1, 1, -1]"), encoding="utf-8")
     code, said = dry(fresh, "--config", f"study={STUDY}")
     assert code == 1
-    assert f"{STUDY}: supports.tripod: " in said
+    assert f"{STUDY}: supports.tripod.weights" in said
     assert "Traceback" not in said
     assert not (fresh.root / "results").exists()
 

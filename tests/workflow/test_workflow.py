@@ -69,10 +69,16 @@ def test_report(built):
     [
         ("figures/paper/figure_06.py", {"figure": 1}),
         ("study/datasets/contact_modes.py", {"dataset": 1, "figure": 1}),
-        ("mechanics/limit_curve.py", {"dataset": 2, "figure": 6}),
+        ("mechanics/limit_curve.py", {"dataset": 3, "figure": 13, "claims_table": 1}),
         (
             "mechanics/modes.py",
-            {"dataset": 2, "figure": 10, "simulation": 3, "simulation_figure": 3},
+            {
+                "dataset": 2,
+                "figure": 10,
+                "simulation": 3,
+                "simulation_figure": 3,
+                "claims_table": 1,
+            },
         ),
         ("figures/motion/trajectory.py", {"figure": 2, "simulation_figure": 3}),
         ("commands/query.py", {}),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import sqrt
 
 import numpy as np
 
@@ -116,20 +116,18 @@ def _slipping(effects, own, law, pusher, mode, modes, motions, count):
     -------
     count : int
         How many solutions there are then.
-    at_edge, within : bool
-        Whether one of the slips is the stick, and whether it is between the ends of a continuum.
+    at_edge, corner : bool
+        Whether one of the slips is the stick, and whether they are the ends of a continuum.
     """
     edge, side = (law.left, 1.0) if mode == SLIP_RIGHT else (law.right, -1.0)
-    found, nearest, open_low, open_high = np.empty((SLIPS, MOTION)), inf, inf, -inf
+    found, at_edge, corner = np.empty((SLIPS, MOTION)), False, False
     for i in range(slips(effects, own, toward(own, edge), pusher.y, found)):
         slip = contact_motion(own, found[i, 0], found[i, 1], found[i, 2])[0] - pusher.x
         if side * slip > COINCIDENCE:
             modes[count], motions[count] = mode, found[i]
             count += 1
-        nearest = min(nearest, abs(slip))
-        if found[i, 7] == CONTINUUM:
-            open_low, open_high = min(open_low, slip), max(open_high, slip)
-    return count, nearest <= COINCIDENCE, open_low < -COINCIDENCE and open_high > COINCIDENCE
+        at_edge, corner = at_edge or abs(slip) <= COINCIDENCE, found[i, 7] == CONTINUUM
+    return count, at_edge, corner
 
 
 @compiled
@@ -167,23 +165,23 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     right, right_noise = _depth(own, moved, law.right, -1.0)
     left, left_noise = _depth(own, moved, law.left, 1.0)
     rise, noise = _rise(own, moved)
+    reached = right >= -right_noise and left >= -left_noise and rise >= -noise
     held = law.rough or (right > right_noise and left > left_noise and rise > noise)
     if law.slips:
-        first, on_left, within_left = _slipping(
+        first, on_left, left_corner = _slipping(
             effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1
         )
-        count, on_right, within_right = _slipping(
+        count, on_right, right_corner = _slipping(
             effects, own, law, pusher, SLIP_LEFT, modes, motions, first
         )
         slides_right, slides_left = first > place + 1, count > first
         # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
         held |= (on_left and not slides_left) or (on_right and not slides_right)
-        # A stick within the motions of a corner, whose slips go on from it.
-        held |= within_left or within_right
+        # A motion of a corner sticks too; slips go on from it.
+        held |= reached and law.closed and (left_corner or right_corner)
         slides = slides_right or slides_left
     else:
         count, slides = place + 1, not law.closed
-    reached = right >= -right_noise and left >= -left_noise and rise >= -noise
     if held or (reached and not slides):
         _stick(own, _kept_inside(effects, own, law, moved, right, left), modes, motions, place)
         return count

@@ -13,6 +13,7 @@ from planar_pushing.figures.sliders import figure_17, figure_18, gallery
 from planar_pushing.figures.sliders.flats import flats
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study import store
+from planar_pushing.study.datasets.gallery import words
 from planar_pushing.study.figures import GALLERY
 
 TRIPOD = pp.Points([(1, 0), (-0.5, 0.75**0.5), (-0.5, -(0.75**0.5))], [1, 1, 1])
@@ -149,7 +150,7 @@ def test_the_motion_centre_of_the_tripod_comes_to_its_far_foot_and_stays(plotted
     [("rectangle_2_1", "rectangle 2:1"), ("l_shape", "L shape"), ("segment_across", "segment across")],
 )  # fmt: skip
 def test_names_in_pictures_are_words(name, said):
-    assert gallery.words(name) == said
+    assert words(name) == said
 
 
 def test_supports_on_areas_are_told_from_points_and_lines():

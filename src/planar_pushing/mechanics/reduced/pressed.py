@@ -182,10 +182,17 @@ def _angle(own, force, moved):
 
 
 @compiled
+def _ratio(moved):
+    """R omega / v; infinite for a rotation about the slider's centre."""
+    speed = hypot(moved.v_x, moved.v_y)
+    return moved.spin / speed if speed > 0.0 else copysign(inf, moved.spin)
+
+
+@compiled
 def spin_ratio(effects, own, force):
     """As `base.spin_ratio`."""
     moved = _typical(effects, own, force)
-    return moved.spin / hypot(moved.v_x, moved.v_y)
+    return _ratio(moved)
 
 
 @compiled
@@ -255,8 +262,7 @@ def _sought(equation):
 def limit_motion(effects, own, force):
     """As `base.limit_motion`."""
     moved = _on_curve(effects, own, force)
-    size, speed = hypot(moved.f_x, moved.f_y), hypot(moved.v_x, moved.v_y)
-    return size, moved.spin / speed, _angle(own, force, moved)
+    return hypot(moved.f_x, moved.f_y), _ratio(moved), _angle(own, force, moved)
 
 
 @compiled
