@@ -3,6 +3,9 @@
 import subprocess
 import sys
 
+import pytest
+
+from planar_pushing.study import locks
 from planar_pushing.study.locks import own_the_folder
 
 HOLD = """
@@ -10,6 +13,16 @@ from planar_pushing.study.locks import own_the_folder
 print(own_the_folder({folder!r}), flush=True)
 input()
 """
+
+
+@pytest.fixture(autouse=True)
+def owned(monkeypatch):
+    """What a test owns, which is given up after it; a process else owns until its end."""
+    held = {}
+    monkeypatch.setattr(locks, "_HELD", held)
+    yield
+    for file in held.values():
+        file.close()
 
 
 def holder(folder):
