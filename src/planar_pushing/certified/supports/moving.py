@@ -16,14 +16,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from flint import arb, ctx
+from flint import arb
 
-from planar_pushing.certified.balls import Undecided, in_degrees, sign
+from planar_pushing.certified.balls import in_degrees, sign
 from planar_pushing.certified.supports import collinear
 from planar_pushing.certified.supports.moments import Vector, moments
 from planar_pushing.certified.supports.newton import enclosed
 from planar_pushing.certified.supports.pivots import pivot
-from planar_pushing.certified.supports.push import PRECISIONS, Push, ball, is_even
+from planar_pushing.certified.supports.push import Push, ball, decided, is_even
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,14 +68,7 @@ def moved(push: Callable[[], Push]) -> Moved:
     Undecided
         Where a sign stays open at the last precision.
     """
-    for precision in PRECISIONS[:-1]:
-        try:
-            with ctx.workprec(precision):
-                return _moved(push())
-        except Undecided:
-            continue
-    with ctx.workprec(PRECISIONS[-1]):
-        return _moved(push())
+    return decided(_moved, push)
 
 
 def _moved(push: Push) -> Moved:

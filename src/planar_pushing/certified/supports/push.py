@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeVar
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import (
     Exact,
+    Undecided,
     cosine_sine,
     exact_direction,
     has_exact_direction,
@@ -22,6 +24,8 @@ from planar_pushing.certified.supports.pieces import Pieces, Place
 
 #: Precisions in bits that are tried in turn.
 PRECISIONS = (320, 640, 1280)
+
+Found = TypeVar("Found")
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,3 +118,21 @@ def on_edge(support: Pieces, length: fmpq, rod_angle: fmpq, friction: float, sid
         e_c, e_s = exact_direction(rod_angle)
         exact = mu * e_c + e_s, e_c - mu * e_s
     return Push(support, length, (mu * c + s) / size, (c - mu * s) / size, exact)
+
+
+def decided(decide: Callable[[Push], Found], push: Callable[[], Push]) -> Found:
+    """What is decided of a push, at the first precision that suffices; the push is made anew for each.
+
+    Raises
+    ------
+    Undecided
+        Where a sign stays open at the last precision.
+    """
+    for precision in PRECISIONS[:-1]:
+        try:
+            with ctx.workprec(precision):
+                return decide(push())
+        except Undecided:
+            continue
+    with ctx.workprec(PRECISIONS[-1]):
+        return decide(push())

@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from flint import arb, ctx
+from flint import arb
 
-from planar_pushing.certified.balls import Undecided, sign
+from planar_pushing.certified.balls import sign
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.supports import collinear
 from planar_pushing.certified.supports.moments import Vector, moments
-from planar_pushing.certified.supports.push import PRECISIONS, Push, ball, is_even
+from planar_pushing.certified.supports.push import Push, ball, decided, is_even
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,14 +54,7 @@ def stuck(push: Callable[[], Push]) -> Stuck:
     Undecided
         Where a sign stays open at the last precision.
     """
-    for precision in PRECISIONS[:-1]:
-        try:
-            with ctx.workprec(precision):
-                return _stuck(push())
-        except Undecided:
-            continue
-    with ctx.workprec(PRECISIONS[-1]):
-        return _stuck(push())
+    return decided(_stuck, push)
 
 
 def _stuck(push: Push) -> Stuck:
