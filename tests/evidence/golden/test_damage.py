@@ -101,6 +101,11 @@ def test_no_datasets_are_refused(tmp_path):
         check.check_results(tmp_path, SMOKE)
 
 
+def test_a_study_that_is_not_there_is_named_before_its_results(tmp_path):
+    with pytest.raises(InvalidFile, match="none.yaml: no such file"):
+        check.check_results(tmp_path, "none.yaml")
+
+
 def test_the_command_passes_fails_and_refuses(smoke_results, folder, tmp_path, capsys):
     assert main(["check", str(smoke_results.parents[1]), "--study", SMOKE]) == 0
     assert capsys.readouterr().out.startswith("passed: every value agrees\n")

@@ -114,9 +114,9 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
     InvalidFile
         Where the results or the golden data are no folders with files.
     """
+    study, results = load_any(file), Results(folder)
     if not any(folder.glob("data/*.nc")):
         raise InvalidFile(f"{folder}: holds no datasets; build them with make or snakemake")
-    study, results = load_any(file), Results(folder)
     checks = []
     for name, groups in expectations(study, provenance(file), results):
         checks += check_file(name, groups, results)
