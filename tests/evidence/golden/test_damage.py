@@ -102,7 +102,7 @@ def test_no_datasets_are_refused(tmp_path):
 
 
 def test_a_study_that_is_not_there_is_named_before_its_results(tmp_path):
-    with pytest.raises(InvalidFile, match="none.yaml: no such file"):
+    with pytest.raises(InvalidFile, match=r"none\.yaml: no such file"):
         check.check_results(tmp_path, "none.yaml")
 
 
