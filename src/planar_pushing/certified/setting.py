@@ -76,7 +76,7 @@ class Slider:
 class Heading:
     """Direction of a force: its angle in degrees, unit vector, and the same exactly.
 
-    Headings are told apart by identity: `heading` and `edge` return the same one for the same direction.
+    Compare headings by identity: `heading` and `edge` return the same object for the same direction.
 
     `rational` is the angle where it is rational, `exact` gives a positive multiple of the vector.
     """

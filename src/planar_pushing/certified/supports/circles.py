@@ -70,7 +70,7 @@ def _at_rim(c: arb) -> tuple[arb, arb, arb]:
     distance and the mean of 1 / rho falls, so that the ends of a ball across the rim enclose them.
     """
     if c.contains(1) and not c.is_exact():
-        with ctx.workprec(3 * ctx.prec):  # that the ends are told from the rim
+        with ctx.workprec(3 * ctx.prec):  # separates the ends from the rim
             ends = list(zip(_at_rim(c.lower()), _at_rim(c.upper()), strict=True))
         whole, slope, inverse = (low.union(high) for low, high in ends)
         return whole, slope, inverse

@@ -29,7 +29,7 @@ def hard_cases() -> xr.Dataset:
     from planar_pushing.evidence.hard_cases.dataset import build
 
     found = build()
-    # A result that is no number is wrong even where it comes out again.
+    # A NaN is wrong even where the recount gives NaN too.
     found["result"] = found["result"].fillna(found["reference_high"])
     return found
 
