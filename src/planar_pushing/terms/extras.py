@@ -13,6 +13,8 @@ EXTRAS = {
     "figures": ("matplotlib", "PIL"),
     "report": ("typst", "PIL"),
     "golden": ("flint",),
+    "explore": ("bokeh", "matplotlib", "PIL"),
+    "manual": ("sphinx", "myst_nb", "numpydoc"),
 }
 
 
