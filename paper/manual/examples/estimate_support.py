@@ -1,7 +1,7 @@
 """Estimate a box's support and friction from twenty noisy pushes, by least squares over simulations.
 
 Part of the weight presses evenly on the base, the rest on the corners, and not alike on all. A finger
-pushes each side at five places and in five directions, sticking or slipping; a camera sees how the box moved.
+pushes each side at five places and in five directions; a camera sees how the box moves and turns.
 """
 
 import numpy as np
