@@ -17,6 +17,7 @@ PROJECT = tomllib.loads(Path("pyproject.toml").read_text(encoding="utf-8"))["pro
 INSTALLED = {
     "PIL": "pillow",
     "flint": "python-flint",
+    "myst_nb": "myst-nb",
     "snakemake_executor_plugin_slurm": "snakemake-executor-plugin-slurm",
 }
 
@@ -81,6 +82,7 @@ def test_the_library_runs_without_any_extra(tmp_path, cones):
     ("figures", "matplotlib", "import planar_pushing.figures.render"),
     ("figures", "PIL", "import planar_pushing.figures.motion.animation"),
     ("report", "typst", "import planar_pushing.report.typeset"),
+    ("manual", "furo", "from planar_pushing.report.manual import build_manual as b; b('a', 'b')"),
     ("golden", "flint", "import planar_pushing.certified.ring"),
     ("golden", "flint", "import planar_pushing.evidence.claims.proofs.verdicts"),
     ("workflow", "dask", "from planar_pushing.study.chunk_files import open_chunks as o; o(0, {}, {})"),
