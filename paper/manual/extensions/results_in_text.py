@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from pathlib import Path
 
 from docutils import nodes
@@ -18,6 +19,9 @@ NUMBERS = ("numbers.json", "accuracy_numbers.json")
 MEASURED = "times_"
 #: What stands behind a number of each unit; other units stand in the prose.
 MARKS = {"degree": "°", "percent": " %"}
+#: A number with an exponent, and the digits of exponents.
+POWER = re.compile(r"\b([\d.]+)e([+-]\d+)\b")
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def tables(app_config: Config, source_folder: Path) -> Path:
@@ -26,10 +30,15 @@ def tables(app_config: Config, source_folder: Path) -> Path:
 
 
 def written(text: str) -> str:
-    """A number as prose has it: a true minus sign, thousands apart."""
+    """A number as prose has it: a true minus sign, a power of ten, thousands apart."""
     if text.isdigit() and len(text) > 4:
         return f"{int(text):,}".replace(",", "\u202f")
-    return text.replace("-", "\u2212")
+    return POWER.sub(_power, text).replace("-", "\u2212")
+
+
+def _power(found: re.Match[str]) -> str:
+    ten = "10" + str(int(found[2])).translate(RAISED)
+    return ten if found[1] == "1" else f"{found[1]} \u00d7 {ten}"
 
 
 class Number(SphinxRole):
@@ -70,7 +79,7 @@ def _table(rows: list[list[str]], caption: str) -> nodes.table:
     head, *body = rows
     group = nodes.tgroup("", cols=len(head))
     group += [nodes.colspec(colwidth=1) for _ in head]
-    group += nodes.thead("", _row(head))
+    group += nodes.thead("", _row([cell.replace("_", " ") for cell in head]))
     group += nodes.tbody("", *map(_row, body))
     title = [nodes.title(caption, caption)] if caption else []
     return nodes.table("", *title, group, classes=["results"])

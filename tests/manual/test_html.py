@@ -1,0 +1,99 @@
+"""The manual as HTML: links, what it loads, and the same bytes twice."""
+
+import re
+from html.parser import HTMLParser
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+from manual.conftest import pages_as_html
+from planar_pushing.report.manual import build_manual
+from planar_pushing.terms.errors import InvalidFile
+from report.setting import set_up
+
+#: Attributes that name what a page loads by itself.
+LOADED = {("script", "src"), ("img", "src"), ("link", "href"), ("source", "src")}
+
+
+class Page(HTMLParser):
+    """What a page links to, what it loads, and its anchors."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.loads, self.anchors = [], [], {""}
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attrs):
+        found = dict(attrs)
+        self.anchors |= {found.get("id"), found.get("name")}
+        if tag == "a" and "href" in found:
+            self.links.append(found["href"])
+        self.loads += [found[key] for each, key in LOADED if each == tag and found.get(key)]
+
+
+@pytest.fixture(scope="session")
+def pages(html):
+    return {path: Page(path) for path in html.rglob("*.html")}
+
+
+def test_every_internal_link_leads_somewhere(pages):
+    for path, page in pages.items():
+        for link in page.links:
+            place = urlsplit(link)
+            if place.scheme or place.netloc:
+                continue
+            target = (path.parent / unquote(place.path)).resolve() if place.path else path
+            assert target.is_file(), f"{path.name}: {link}"
+            if target in pages:
+                assert unquote(place.fragment) in pages[target].anchors, f"{path.name}: {link}"
+
+
+def test_nothing_is_loaded_from_elsewhere(html, pages):
+    for path, page in pages.items():
+        for place in page.loads:
+            found = urlsplit(place)
+            assert not found.netloc, f"{path.name}: {place}"
+            if found.path and found.scheme != "data":
+                assert (path.parent / found.path).is_file(), f"{path.name}: {place}"
+    for path in html.rglob("*.css"):
+        assert not re.search(r"url\(['\"]?(?:https?:)?//", path.read_text(encoding="utf-8")), path
+
+
+def test_formulas_are_set_without_a_network(html):
+    assert (html / "_static/mathjax/tex-chtml.js").is_file()
+
+
+def test_two_builds_are_identical(html, tmp_path):
+    first, second = (
+        {path.relative_to(root): path.read_bytes() for path in root.rglob("*") if path.is_file()}
+        for root in (html, pages_as_html(tmp_path / "second"))
+    )
+    assert first.keys() == second.keys()
+    assert [str(name) for name in first if first[name] != second[name]] == []
+
+
+def test_no_page_names_its_folder(html):
+    for path in html.rglob("*"):
+        if path.is_file():
+            assert str(html.parent).encode() not in path.read_bytes(), path
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("[away](absent.md)", "absent.md"),
+        ("{number}`absent`", "absent: no such number in "),
+        ("```{results-table} absent.csv\n```", "absent.csv: no such table; build it with make"),
+    ],
+)
+def test_what_is_missing_stops_the_build(tmp_path, text, said):
+    set_up(tmp_path)
+    source = tmp_path / "short/pages"
+    source.mkdir(parents=True)
+    for name in ("conf.py", "extensions", "_static"):
+        (source / name).symlink_to(tmp_path / "paper/manual" / name)
+    (source / "index.md").write_text(f"# Title\n\n{text}\n", encoding="utf-8")
+    with pytest.raises(InvalidFile, match="pages: cannot be set: ") as stopped:
+        build_manual(source, tmp_path / "html")
+    assert said in str(stopped.value)
+    assert not (tmp_path / "html").exists()
