@@ -34,7 +34,11 @@ READ = {
     ),
 }
 #: What a page finds beside it, as in the project's folder.
-BESIDE = ("Snakefile", "profiles", "workflow", "src", "paper", "pyproject.toml")
+BESIDE = ("Snakefile", "profiles", "workflow", "src", "tests", "pyproject.toml")
+#: Lines of a file of which a page shows some.
+LINES = 20
+#: Cells that did not run have no language yet.
+UNEXECUTED = ("-D", "nb_execution_mode=off", "-D", "suppress_warnings=myst-nb.lexer")
 
 
 @pytest.fixture(scope="session")
@@ -52,11 +56,15 @@ def filled(tmp_path_factory):
 @pytest.fixture
 def folder(filled, tmp_path, monkeypatch):
     """A folder like the project's, in which a page writes its own files."""
-    for name in BESIDE:
-        (tmp_path / name).symlink_to(Path(name).resolve())
+    _link(tmp_path, *BESIDE, "paper")
     (tmp_path / "results").symlink_to(filled)
     monkeypatch.chdir(tmp_path)
     return tmp_path
+
+
+def _link(folder, *names):
+    for name in names:
+        (folder / name).symlink_to(Path(name).resolve())
 
 
 @pytest.fixture(scope="session")
@@ -68,11 +76,12 @@ def html(tmp_path_factory):
 def pages_as_html(root):
     """The manual as HTML, from results of marked numbers and pictures; notebooks are not executed."""
     set_up(root)
+    _link(root, *BESIDE)
     shutil.copy("results/README.md", root / "results")
     for page in PAGES:
         for name in re.findall(r"results/([\w/]+\.(?:svg|png|txt))", page.read_text(encoding="utf-8")):
-            picture = root / "results" / name
-            picture.parent.mkdir(parents=True, exist_ok=True)
-            picture.write_text(PICTURE, encoding="utf-8")
-    build_manual(root / "paper/manual", root / "html", "-D", "nb_execution_mode=off")
+            shown = root / "results" / name
+            shown.parent.mkdir(parents=True, exist_ok=True)
+            shown.write_text(PICTURE + "\n" * LINES, encoding="utf-8")
+    build_manual(root / "paper/manual", root / "html", *UNEXECUTED)
     return root / "html"

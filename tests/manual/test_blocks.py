@@ -52,7 +52,7 @@ def plan_jobs(arguments, capsys):
     run = [sys.executable, "-m", "snakemake", *arguments, "--dry-run", "--quiet"]
     environment = os.environ | {"PYTHONPATH": str(PROJECT / "src")}
     done = subprocess.run(run, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == 0, done.stdout + done.stderr
     return ""
 
 
