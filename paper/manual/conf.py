@@ -8,6 +8,7 @@ import tempfile
 from pathlib import Path
 
 from planar_pushing import __version__
+from planar_pushing.figures.style import MOTION, STYLE_SHEET
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "extensions"))
@@ -18,6 +19,11 @@ atexit.register(shutil.rmtree, KERNELS, ignore_errors=True)
 for folder in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR"):
     os.environ[folder] = KERNELS
 os.environ.pop("JUPYTER_PATH", None)
+# Their plots are in the figures' style, as vectors whose bytes are the same on every run.
+os.environ["MATPLOTLIBRC"] = str(STYLE_SHEET)
+profile = Path(KERNELS, "profile_default", "ipython_kernel_config.py")
+profile.parent.mkdir()
+profile.write_text('c.InlineBackend.figure_formats = {"svg"}\n', encoding="utf-8")
 
 project = "planar-pushing"
 author = "The planar-pushing developers"
@@ -61,16 +67,9 @@ html_static_path = ["_static"]
 html_css_files = ["manual.css"]
 html_copy_source = False
 html_show_copyright = False
+#: The colour of motions, and the same hue on a dark page.
+LINKS = {"light": MOTION, "dark": "#56B4E9"}
+BRAND = ("color-brand-primary", "color-brand-content", "color-brand-visited", "color-api-name")
 html_theme_options = {
-    # Motion's blue and force's vermilion, as the figures have them; lighter on a dark page.
-    "light_css_variables": {
-        "color-brand-primary": "#0072B2",
-        "color-brand-content": "#0072B2",
-        "color-brand-visited": "#0072B2",
-    },
-    "dark_css_variables": {
-        "color-brand-primary": "#56B4E9",
-        "color-brand-content": "#56B4E9",
-        "color-brand-visited": "#56B4E9",
-    },
+    f"{page}_css_variables": dict.fromkeys(BRAND, color) for page, color in LINKS.items()
 }

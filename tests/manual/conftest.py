@@ -79,7 +79,9 @@ def pages_as_html(root):
     _link(root, *BESIDE)
     shutil.copy("results/README.md", root / "results")
     for page in PAGES:
-        for name in re.findall(r"results/([\w/]+\.(?:svg|png|txt))", page.read_text(encoding="utf-8")):
+        for name in re.findall(
+            r"results/([\w/]+\.(?:svg|png|txt))", page.read_text(encoding="utf-8")
+        ):
             shown = root / "results" / name
             shown.parent.mkdir(parents=True, exist_ok=True)
             shown.write_text(PICTURE + "\n" * LINES, encoding="utf-8")

@@ -15,8 +15,8 @@ from planar_pushing.terms.extras import require_extra
 
 #: What makes two builds the same bytes: sets in one order, and no time of the build.
 FIXED = {"PYTHONHASHSEED": "0", "SOURCE_DATE_EPOCH": "0"}
-#: What Sphinx keeps for a next build.
-KEPT = (".buildinfo",)
+#: What Sphinx keeps for a next build, and the empty folder of sources.
+KEPT = (".buildinfo", "_sources")
 
 
 def build_manual(source: PathLike, output: PathLike, *options: str) -> None:
