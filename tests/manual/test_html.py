@@ -1,6 +1,7 @@
 """The manual as HTML: links, what it loads, and the same bytes twice."""
 
 import re
+import sys
 from html.parser import HTMLParser
 from urllib.parse import unquote, urlsplit
 
@@ -78,6 +79,17 @@ def test_no_page_names_its_folder(html):
             assert str(html.parent).encode() not in path.read_bytes(), path
 
 
+def short_manual(root, text):
+    """A folder of pages with one page, beside results of marked numbers."""
+    set_up(root)
+    source = root / "short/pages"
+    source.mkdir(parents=True)
+    for name in ("conf.py", "extensions", "_static"):
+        (source / name).symlink_to(root / "paper/manual" / name)
+    (source / "index.md").write_text(text, encoding="utf-8")
+    return source
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -87,13 +99,31 @@ def test_no_page_names_its_folder(html):
     ],
 )
 def test_what_is_missing_stops_the_build(tmp_path, text, said):
-    set_up(tmp_path)
-    source = tmp_path / "short/pages"
-    source.mkdir(parents=True)
-    for name in ("conf.py", "extensions", "_static"):
-        (source / name).symlink_to(tmp_path / "paper/manual" / name)
-    (source / "index.md").write_text(f"# Title\n\n{text}\n", encoding="utf-8")
+    source = short_manual(tmp_path, f"# Title\n\n{text}\n")
     with pytest.raises(InvalidFile, match="pages: cannot be set: ") as stopped:
         build_manual(source, tmp_path / "html")
     assert said in str(stopped.value)
     assert not (tmp_path / "html").exists()
+
+
+NOTEBOOK = """---
+file_format: mystnb
+kernelspec:
+  name: python3
+---
+
+# Title
+
+```{code-cell} ipython3
+import json, sys
+from ipykernel.connect import get_connection_info
+print(sys.executable, json.loads(get_connection_info())["ip"], sep=" on ")
+```
+"""
+
+
+def test_kernels_run_this_python_on_loopback_and_need_no_home(tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", "/dev/null")
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    build_manual(short_manual(tmp_path, NOTEBOOK), tmp_path / "html")
+    assert f"{sys.executable} on 127.0.0.1" in (tmp_path / "html/index.html").read_text()
