@@ -10,7 +10,7 @@ import pytest
 from manual.conftest import pages_as_html
 from planar_pushing.report.manual import build_manual
 from planar_pushing.terms.errors import InvalidFile
-from report.setting import set_up
+from report.setting import Setting, set_up
 
 #: Attributes that name what a page loads by itself.
 LOADED = {("script", "src"), ("img", "src"), ("link", "href"), ("source", "src")}
@@ -127,3 +127,28 @@ def test_kernels_run_this_python_on_loopback_and_need_no_home(tmp_path, monkeypa
     monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
     build_manual(short_manual(tmp_path, NOTEBOOK), tmp_path / "html")
     assert f"{sys.executable} on 127.0.0.1" in (tmp_path / "html/index.html").read_text()
+
+
+READ = """# Title
+
+{number}`values` and {number}`edge`.
+
+```{results-table} ellipsoids.csv
+```
+
+```{results-table} times_absent.csv
+Nothing was measured.
+```
+"""
+
+
+def test_numbers_and_tables_are_read_from_the_results(tmp_path):
+    source = short_manual(tmp_path, READ)
+    values = {"values": ("22019911", "1"), "edge": ("-1.6e-14", "degree")}
+    entries = {key: {"text": text, "unit": unit} for key, (text, unit) in values.items()}
+    Setting(tmp_path).write_numbers(entries)
+    build_manual(source, tmp_path / "html")
+    text = (tmp_path / "html/index.html").read_text(encoding="utf-8")
+    assert "22\u202f019\u202f911 and \u22121.6 \u00d7 10⁻¹⁴°." in text
+    assert "some support" in text
+    assert "Nothing was measured." in text
