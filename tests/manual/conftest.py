@@ -13,7 +13,7 @@ from planar_pushing.report.manual import build_manual
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from report.setting import PICTURE, set_up
 
