@@ -77,6 +77,11 @@ def fastest(effect, length):
 
 
 @compiled
+def count_points(effect):
+    return any_support.count_points(_plain(effect))
+
+
+@compiled
 def point(effect, i):
     x, y, most = any_support.point(_plain(effect), i)
     x, y = _outward(effect, x, y)

@@ -11,7 +11,7 @@ from math import sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.base import point, wrench_about
+from planar_pushing.mechanics.effects.base import count_points, point, wrench_about
 from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.reduced.general import Motion
@@ -82,7 +82,7 @@ def _no_pivot_of(effects, length, x, y):
 @compiled
 def _pivot_under(effects, line):
     t_x, t_y = line.x, line.y
-    for i in range(len(effects[0].pressure.atoms)):
+    for i in range(count_points(effects[0])):
         x, y, most = point(effects[0], i)
         r_x, r_y = x + line.length, y
         arm = t_x * r_y - t_y * r_x
@@ -99,7 +99,7 @@ def _pivot_under(effects, line):
 @compiled
 def _pivot_of(effects, length, x, y):
     speed = sqrt(x * x + y * y)
-    for i in range(len(effects[0].pressure.atoms)):
+    for i in range(count_points(effects[0])):
         p_x, p_y, most = point(effects[0], i)
         r_x, r_y = p_x + length, p_y
         reach = sqrt(r_x * r_x + r_y * r_y)
