@@ -72,6 +72,11 @@ def _atom(pressure, i):
 
 
 @compiled
+def outward(effect, x, y):
+    return x, y
+
+
+@compiled
 def count_points(effect):
     return effect.pressure.starts[SEGMENTS] - effect.pressure.starts[ATOMS]
 

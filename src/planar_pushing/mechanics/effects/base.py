@@ -207,6 +207,12 @@ def fastest(kind: Any) -> Callable[..., Any]:
 
 
 @generic
+def outward(kind: Any) -> Callable[..., Any]:
+    """A vector of the support's body frame in the frame of the rod: effect, x, y."""
+    return member(kind, "outward")
+
+
+@generic
 def count_points(kind: Any) -> Callable[..., Any]:
     """How many support points there are: effect."""
     return member(kind, "count_points")

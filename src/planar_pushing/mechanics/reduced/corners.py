@@ -11,7 +11,8 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.any_support import Support
+from planar_pushing.mechanics.effects.base import outward
+from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.reduced.general import Motion
 from planar_pushing.mechanics.reduced.pivots import DIRECTION
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, EDGES, RINGS, SEGMENTS
@@ -81,7 +82,7 @@ def extent(pressure):
 @generic
 def corner_under(kinds: Any) -> Callable[..., Any]:
     """The corner of a line of force, of motions with a given part along it: effects, line."""
-    return _corner_under if len(kinds) == 1 and kinds[0] is Support else _no_corner
+    return _corner_under if len(kinds) == 1 and kinds[0] in PRESSED else _no_corner
 
 
 @compiled
@@ -100,8 +101,9 @@ def _no_corner(effects, line):
 def _corner_under(effects, line):
     effect = effects[0]
     x, y, low, high = extent(effect.pressure)
-    r_x = effect.extent * effect.pressure.center_x + line.length
-    r_y = effect.extent * effect.pressure.center_y
+    x, y = outward(effect, x, y)
+    p_x, p_y = outward(effect, effect.pressure.center_x, effect.pressure.center_y)
+    r_x, r_y = effect.extent * p_x + line.length, effect.extent * p_y
     if low == high or abs(line.x * x + line.y * y) > DIRECTION:
         return no_corner()
     if abs(r_x * x + r_y * y) > DIRECTION * (abs(r_x) + abs(r_y)):
