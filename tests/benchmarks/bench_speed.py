@@ -16,6 +16,7 @@ import pytest
 from scipy.special import ellipe, ellipkm1
 
 import planar_pushing as pp
+from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
@@ -30,6 +31,12 @@ MODES = {"friction": 100.0, "inertia": 100.0, "both": 500.0}
 #: A simulation with 101 samples, and a scene of a batch of ten thousand, in scalar pairs; the time of
 #: two cores as a part of that of one.
 SIMULATE, BATCH, TWO_CORES = 11_000.0, 180.0, 1 / 1.7
+#: Nanoseconds of an element of the floor where the bars of supports were set; an element of D, G and T may
+#: take this many nanoseconds for each point, for each edge of a polygon near by, and of one far away.
+FLOOR, POINT, SIDE, FAR = 24.0, 5.0, 40.0, 2000.0
+#: A solve with any support, as a multiple of one with the ring; with both effects its slips are sought at
+#: many sizes of the motion under each edge. And 1e5 quadrilaterals, in seconds.
+ANY_SUPPORT, QUADRILATERALS = {"friction": 5.0, "both": 100.0}, 10.0
 ARRAYS = {
     "even in direction": np.tan(RANDOM.uniform(0, np.pi / 2, COUNT)),
     "uniform in [0, 2]": RANDOM.uniform(0, 2, COUNT),
@@ -135,6 +142,84 @@ def test_simulate_a_scene(ratio, effects):
         scale=20_000,
         rounds=10,
     )
+
+
+@numba.njit(nogil=True, error_model="numpy")
+def elements(pressure, centers, found):
+    """Sums of D, G and T, which leaves nothing of them out."""
+    for i in range(len(centers)):
+        now = moments(pressure, centers[i, 0], centers[i, 1])
+        found[i] = now.distance + now.unit_x + now.unit_y + now.torque
+
+
+def around(count):
+    angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
+    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+
+ELEMENTS = {
+    **{
+        f"{n} points": (pp.Points(around(n), np.ones(n)), (0.0, 1.2), n * POINT)
+        for n in (8, 64, 512)
+    },
+    **{f"{n} edges near by": (pp.Polygon(around(n)), (0.0, 1.2), n * SIDE) for n in (4, 16, 64)},
+    **{f"{n} edges far away": (pp.Polygon(around(n)), (1.8, 6.0), FAR) for n in (4, 64)},
+}
+
+
+@pytest.mark.parametrize("name", ELEMENTS)
+def test_element_of_a_support(ratio, name):
+    support, (nearest, farthest), bar = ELEMENTS[name]
+    count, record = COUNT // 10, support.record(1.0)
+    angle, away = RANDOM.uniform(0, 2 * np.pi, count), RANDOM.uniform(nearest, farthest, count)
+    centers = np.stack([away * np.cos(angle), away * np.sin(angle)], axis=-1)
+    floor, found = two_integrals(ARRAYS["even in direction"]), np.empty(count)
+    ratio(
+        lambda: elements(record, centers, found), floor, bar / FLOOR, scale=COUNT / count, rounds=10
+    )
+
+
+BOX, STOOL = pp.Polygon(around(4)), pp.Points(around(3), np.ones(3))
+
+
+@pytest.mark.parametrize("support", [BOX, STOOL], ids=["square", "tripod"])
+@pytest.mark.parametrize("effects", ANY_SUPPORT)
+def test_modes_with_any_support(ratio, effects, support):
+    """As a multiple of the ring's."""
+    count = COUNT // 100
+    every = scenes(EFFECT_SETS[effects], count)
+    friction = pp.SupportFriction(support=support, weight=every.effects[0].weight)
+    slider = pp.Slider(
+        rod_length=every.slider.rod_length, rod_angle=every.slider.rod_angle, radius=1.0
+    )
+    other = pp.Scene(slider=slider, contact=every.contact, effects=(friction, *every.effects[1:]))
+    angle, size = RANDOM.uniform(-np.pi, np.pi, count), 10 ** RANDOM.uniform(-1, 1, count)
+    ratio(
+        lambda: pp.solve(other, angle, size), lambda: pp.solve(every, angle, size),
+        ANY_SUPPORT[effects], rounds=3,
+    )  # fmt: skip
+
+
+def quadrilaterals(count):
+    """Solutions of scenes with a quadrilateral each, which are made as well."""
+    angle = (np.arange(4) + RANDOM.uniform(0, 0.8, (count, 4))) * np.pi / 2
+    away = RANDOM.uniform(0.4, 1.0, (count, 4))
+    supports = np.empty(count, dtype=object)
+    corners = np.stack([away * np.cos(angle), away * np.sin(angle)], axis=-1)
+    supports[:] = [pp.Polygon(each) for each in corners]
+    slider = pp.Slider(rod_length=1.0, rod_angle=RANDOM.uniform(0.5, 2.5, count))
+    effects = (pp.SupportFriction(support=supports),)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
+    return pp.solve(scene, RANDOM.uniform(0, np.pi, count))
+
+
+def test_quadrilaterals_in_seconds(ratio, monkeypatch):
+    """The ratio of 1e5 of them, on two cores, is to one second."""
+    monkeypatch.setattr(numba.config, "NUMBA_NUM_THREADS", 2)
+    quadrilaterals(10)
+    start = time.perf_counter()
+    ratio.benchmark.pedantic(lambda: quadrilaterals(100_000), rounds=1)
+    ratio.write(time.perf_counter() - start, QUADRILATERALS)
 
 
 def batch():

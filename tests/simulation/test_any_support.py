@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
 from simulation.runs import check, final, run
@@ -58,3 +59,35 @@ def test_steps_converge_to_the_event_driven_motion(masses):
         for step in (0.02, 0.01, 0.005)
     ]  # fmt: skip
     assert errors[0] / errors[2] == pytest.approx(4.0, rel=0.25)
+
+
+def pushed(psi, mu):
+    """A tripod that slips."""
+    slider = pp.Slider(rod_length=2.0, rod_angle=psi, radius=1.0)
+    effects = (pp.SupportFriction(support=TRIPOD),)
+    return pp.Scene(slider=slider, contact=pp.Coulomb(mu), effects=effects)
+
+
+@pytest.mark.parametrize(
+    ("psi", "mu", "velocity", "duration"),
+    [(2.0, 0.2, (-0.2, 1.0), 2.0), (1.2, 0.3, (0.3, 1.0), 2.5)],
+    ids=["right", "left"],
+)
+def test_a_pivot_starts_at_an_event(psi, mu, velocity, duration):
+    log = check(run(pushed(psi, mu), velocity, duration, samples=2))
+    assert log.sizes["time"] == 3
+    event, angle = float(log.time[1]), np.deg2rad(float(log.rod_angle[1]))
+    heading = np.arctan2(*velocity[::-1])
+    for side in (-1, 1):
+        turned = np.sign(log.rod_angle[-1] - log.rod_angle[0]).item() * side
+        (slip,) = pp.solve(pushed(angle + 1e-9 * turned, mu), heading)
+        assert (slip.pivot >= 0) == (side > 0)
+
+    def turns(_, state):
+        (slip,) = pp.solve(pushed(state[0], mu), heading, np.hypot(*velocity))
+        return [slip.twist[2]]
+
+    state, rtol = [psi], {"method": "DOP853", "rtol": 1e-12, "atol": 1e-12}
+    for span in ((0.0, event), (event, duration)):
+        state = solve_ivp(turns, span, state, **rtol).y[:, -1]
+    assert final(log, "rod_angle") == pytest.approx(np.rad2deg(state[0]), abs=1e-8)

@@ -16,6 +16,14 @@ from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
+from planar_pushing.mechanics.supports.pressure.record import (
+    ATOMS,
+    DISCS,
+    PLATES,
+    RINGS,
+    SEGMENTS,
+    rows_of,
+)
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 from planar_pushing.terms.errors import InvalidValue
@@ -64,13 +72,14 @@ def test_supports_are_plain_values(name):
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_shares_add_to_1(name):
     record = SUPPORTS[name][0].record(1.0)
-    rows = (record.atoms, record.segments, record.rings, record.discs, record.plates)
-    assert sum(each[:, -1].sum() for each in rows) == pytest.approx(1.0, rel=1e-14)
+    shares = {ATOMS: 2, SEGMENTS: 5, RINGS: 3, DISCS: 3, PLATES: 3}
+    whole = sum(rows_of(record, kind)[:, column].sum() for kind, column in shares.items())
+    assert whole == pytest.approx(1.0, rel=1e-14)
 
 
 def test_a_ring_has_the_radius_of_the_slider_or_its_own():
-    assert Ring().record(7.0).rings.tolist() == [[0.0, 0.0, 1.0, 1.0]]
-    assert Ring(3.5).record(7.0).rings.tolist() == [[0.0, 0.0, 0.5, 1.0]]
+    for ring, radius in ((Ring(), 1.0), (Ring(3.5), 0.5)):
+        assert rows_of(ring.record(7.0), RINGS).tolist() == [[0.0, 0.0, radius, 1.0, 0.0, 0.0]]
 
 
 def test_the_direction_of_a_polygon_and_the_unit_of_weights_do_not_matter():
@@ -79,10 +88,10 @@ def test_the_direction_of_a_polygon_and_the_unit_of_weights_do_not_matter():
         moments(there.record(1.0), 0.3, 0.2)
     )
     heavy = Points(TRIPOD.positions, [5.0, 5.0, 5.0]).record(1.0)
-    assert np.array_equal(heavy.atoms, TRIPOD.record(1.0).atoms)
+    assert np.array_equal(heavy.rows, TRIPOD.record(1.0).rows)
     loud = PressureMap([0, 1, 3], [0, 2], [[1e-300, 2e-300]]).record(1.0)
     quiet = PressureMap([0, 1, 3], [0, 2], [[1e300, 2e300]]).record(1.0)
-    assert np.allclose(loud.edges, quiet.edges, rtol=1e-14)
+    assert np.allclose(loud.rows, quiet.rows, rtol=1e-14)
 
 
 NAN, INF = math.nan, math.inf

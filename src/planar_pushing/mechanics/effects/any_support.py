@@ -8,7 +8,7 @@ from typing import NamedTuple
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import SCALE, SUPPORT, WEIGHT
 from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.mechanics.supports.pressure.record import Pressure
+from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pressure
 from planar_pushing.mechanics.supports.pressure.table import Table, pressure_of
 
 #: A centre of rotation further away than this, in the support's extents, acts like one there, but for its
@@ -65,9 +65,26 @@ def gradient(effect, x, y, spin):
 
 
 @compiled
+def _atom(pressure, i):
+    """Place of an atom, and its share."""
+    row = pressure.starts[ATOMS] + i
+    return pressure.rows[row, 0], pressure.rows[row, 1], pressure.rows[row, 2]
+
+
+@compiled
+def outward(effect, x, y):
+    return x, y
+
+
+@compiled
+def count_points(effect):
+    return effect.pressure.starts[SEGMENTS] - effect.pressure.starts[ATOMS]
+
+
+@compiled
 def wrench_about(effect, i, spin, c_x, c_y):
     weight, extent, pressure = effect
-    _, g_x, g_y, torque, _, _, _, _ = moments(pressure, pressure.atoms[i, 0], pressure.atoms[i, 1])
+    _, g_x, g_y, torque, _, _, _, _ = moments(pressure, *_atom(pressure, i)[:2])
     sign = copysign(weight, spin)
     f_x, f_y = -sign * g_y, sign * g_x
     arm = pressure.center_x * f_y - pressure.center_y * f_x
@@ -88,5 +105,5 @@ def fastest(effect, length):
 
 @compiled
 def point(effect, i):
-    x, y, share = effect.pressure.atoms[i]
+    x, y, share = _atom(effect.pressure, i)
     return effect.extent * x, effect.extent * y, effect.weight * share

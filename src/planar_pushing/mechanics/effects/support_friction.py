@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,15 +11,15 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import WEIGHT
 from planar_pushing.mechanics.supports import ring
-from planar_pushing.mechanics.supports.base import Support
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
 
 
-def _is_support(given: object) -> bool:
-    """Whether something is a support, and not a class of them."""
-    return isinstance(given, Support) and not isinstance(given, type)
+@lru_cache
+def _is_kind(kind: type) -> bool:
+    """Whether the instances of a class are supports; an instance itself would compute its properties."""
+    return all(hasattr(kind, name) for name in ("center_of_pressure", "extent", "pieces", "record"))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +46,7 @@ class SupportFriction:
     def __post_init__(self) -> None:
         require_fields(self, "weight")
         supports = np.ravel(np.array(self.support, dtype=object))
-        if not len(supports) or not all(map(_is_support, supports)):
+        if not len(supports) or not all(map(_is_kind, map(type, supports))):
             raise InvalidValue(
                 "support", self.support,
                 "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",

@@ -37,8 +37,7 @@ def _plain(effect):
 
 
 @compiled
-def _outward(effect, x, y):
-    """A vector of the body frame, seen from the rod."""
+def outward(effect, x, y):
     return effect.x * x - effect.y * y, effect.y * x + effect.x * y
 
 
@@ -47,8 +46,8 @@ def gradient(effect, x, y, spin):
     c, s = effect.x, effect.y
     own = any_support.gradient(_plain(effect), c * x + s * y, c * y - s * x, spin)
     f_x, f_y, torque, xx, xy, yy, xs, ys, ss = own
-    f_x, f_y = _outward(effect, f_x, f_y)
-    xs, ys = _outward(effect, xs, ys)
+    f_x, f_y = outward(effect, f_x, f_y)
+    xs, ys = outward(effect, xs, ys)
     across = c * s * (xx - yy) + (c * c - s * s) * xy
     one = c * c * xx - 2.0 * c * s * xy + s * s * yy
     other = s * s * xx + 2.0 * c * s * xy + c * c * yy
@@ -58,14 +57,14 @@ def gradient(effect, x, y, spin):
 @compiled
 def wrench_about(effect, i, spin, c_x, c_y):
     f_x, f_y, torque = any_support.wrench_about(_plain(effect), i, spin, c_x, c_y)
-    f_x, f_y = _outward(effect, f_x, f_y)
+    f_x, f_y = outward(effect, f_x, f_y)
     return f_x, f_y, torque
 
 
 @compiled
 def rough(effect):
     x, y, gyration = any_support.rough(_plain(effect))
-    x, y = _outward(effect, x, y)
+    x, y = outward(effect, x, y)
     return x, y, gyration
 
 
@@ -77,9 +76,14 @@ def fastest(effect, length):
 
 
 @compiled
+def count_points(effect):
+    return any_support.count_points(_plain(effect))
+
+
+@compiled
 def point(effect, i):
     x, y, most = any_support.point(_plain(effect), i)
-    x, y = _outward(effect, x, y)
+    x, y = outward(effect, x, y)
     return x, y, most
 
 

@@ -1,6 +1,8 @@
-"""Roots of functions of one number whose slope is not known."""
+"""Roots and dips of functions of one number whose slope is not known."""
 
 from __future__ import annotations
+
+from math import sqrt
 
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.numerics.root import excess
@@ -9,6 +11,9 @@ from planar_pushing.mechanics.numerics.root import excess
 RESOLUTION = 1e-15
 #: More than bisection needs to come to zero through all the exponents.
 ITERATIONS = 2000
+#: Golden section, and how many look for the least value of a dip: to 1e-7 of its width, where the value is
+#: known to 1e-14 of its depth.
+SECTION, SECTIONS = (3.0 - sqrt(5.0)) / 2.0, 34
 
 
 @inlined
@@ -47,3 +52,24 @@ def bracketed(equation, low, high, at_low, at_high, resolution=RESOLUTION):
         limit = resolution * abs(best) / abs(b - a)
         part = min(max(_part(a, b, c, at_a, at_b, at_c), limit), 1.0 - limit)
     return a
+
+
+@compiled
+def dip(equation, low, middle, high, at_middle):
+    """A place where an equation is negative in a dip, and the value there; the least one where none is.
+
+    Golden sections about the middle one of three places, at which the equation is least.
+    """
+    place, value = middle, at_middle
+    for _ in range(SECTIONS):
+        left = place - low > high - place
+        other = place - SECTION * (place - low) if left else place + SECTION * (high - place)
+        at_other = excess(equation, other)[0]
+        if at_other < value:
+            low, high = (low, place) if left else (place, high)
+            place, value = other, at_other
+        else:
+            low, high = (other, high) if left else (low, other)
+        if value < 0.0:
+            break
+    return place, value

@@ -15,17 +15,19 @@ from typing import Any
 from planar_pushing.mechanics.compiled import generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
 from planar_pushing.mechanics.effects.turned_support import PRESSED
-from planar_pushing.mechanics.reduced import isotropic, pressed, sticking, turning
+from planar_pushing.mechanics.reduced import isotropic, sticking, turning
+from planar_pushing.mechanics.reduced.pressed import cones, motions
+from planar_pushing.mechanics.reduced.pressed import slips as pressed_slips
 
 #: Entries of a motion that is written down: v_x, v_y, R omega; force, and the other end of its interval
 #: where it is not settled; number of the support point about which the slider pivots, -1 without one.
 MOTION = 8
 
 
-def _of(kinds: Any, name: str, family: Any = isotropic) -> Callable[..., Any]:
-    """A function of a family of isotropic effects, or where one is not isotropic of `pressed`."""
+def _of(kinds: Any, name: str, any_support: Any, family: Any = isotropic) -> Callable[..., Any]:
+    """A function of a family of isotropic effects, or where one is not isotropic of one for any support."""
     found: Callable[..., Any] = getattr(
-        pressed if kinds[0] in PRESSED or MassAt in kinds else family, name
+        any_support if kinds[0] in PRESSED or MassAt in kinds else family, name
     )
     return found
 
@@ -33,13 +35,13 @@ def _of(kinds: Any, name: str, family: Any = isotropic) -> Callable[..., Any]:
 @generic
 def stick(kinds: Any) -> Callable[..., Any]:
     """`Sustained` motion of a contact that moves by one unit towards a direction: the gradient of Psi."""
-    return _of(kinds, "stick", sticking)
+    return _of(kinds, "stick", motions, sticking)
 
 
 @generic
 def held_on_edge(kinds: Any) -> Callable[..., Any]:
     """The `Sustained` motion next to another one, whose force has the direction of an edge."""
-    return _of(kinds, "held_on_edge", sticking)
+    return _of(kinds, "held_on_edge", motions, sticking)
 
 
 @generic
@@ -52,13 +54,15 @@ def slips(kinds: Any) -> Callable[..., Any]:
     found : ndarray, shape (SLIPS, MOTION)
         Takes the motions, slow ones first.
     """
-    return _of(kinds, "steady_slips") if len(kinds) == 1 else _of(kinds, "slips", turning)
+    if len(kinds) == 1:
+        return _of(kinds, "steady_slips", pressed_slips)
+    return _of(kinds, "slips", pressed_slips, turning)
 
 
 @generic
 def edge_motion(kinds: Any) -> Callable[..., Any]:
     """Motion of unit size under a force on an edge, of one effect: v_x, v_y, R omega, f_x, f_y."""
-    return _of(kinds, "edge_motion")
+    return _of(kinds, "edge_motion", pressed_slips)
 
 
 @generic
@@ -67,25 +71,25 @@ def limit_motion(kinds: Any) -> Callable[..., Any]:
 
     Without friction the curve is that of the kinetic energy of a unit translation.
     """
-    return _of(kinds, "limit_motion")
+    return _of(kinds, "limit_motion", cones)
 
 
 @generic
 def spin_ratio(kinds: Any) -> Callable[..., Any]:
     """Spin ratio under a force in a direction, the centre at unit speed."""
-    return _of(kinds, "spin_ratio")
+    return _of(kinds, "spin_ratio", cones)
 
 
 @generic
 def motion_angle(kinds: Any) -> Callable[..., Any]:
     """Angle of the contact's motion under a force in a direction, the centre at unit speed."""
-    return _of(kinds, "motion_angle")
+    return _of(kinds, "motion_angle", cones)
 
 
 @generic
 def motion_angles(kinds: Any) -> Callable[..., Any]:
     """Least and greatest `motion_angle` over all magnitudes of the motion."""
-    return _of(kinds, "motion_angles")
+    return _of(kinds, "motion_angles", cones)
 
 
 @generic
@@ -94,10 +98,10 @@ def center_of(kinds: Any) -> Callable[..., Any]:
 
     Of a translation the coordinates are infinite, or the slider's centre's where it moves along them.
     """
-    return _of(kinds, "center_of")
+    return _of(kinds, "center_of", cones)
 
 
 @generic
 def center_under(kinds: Any) -> Callable[..., Any]:
     """Motion centre relative to the slider's centre under a force in a direction, as `motion_angle`."""
-    return _of(kinds, "center_under")
+    return _of(kinds, "center_under", cones)

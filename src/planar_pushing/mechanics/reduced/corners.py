@@ -11,9 +11,11 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.any_support import Support
+from planar_pushing.mechanics.effects.base import outward
+from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.reduced.general import Motion
 from planar_pushing.mechanics.reduced.pivots import DIRECTION
+from planar_pushing.mechanics.supports.pressure.record import ATOMS, EDGES, RINGS, SEGMENTS
 
 #: In the place of a support point's number: the motion is an end of an interval of motions.
 CONTINUUM = -2
@@ -39,11 +41,12 @@ class Corner(NamedTuple):
 @compiled
 def _tangent(pressure):
     """Direction of the line that a support of points and segments may be on."""
-    if len(pressure.segments) > 0:
-        return pressure.segments[0, 2], pressure.segments[0, 3]
+    rows, first = pressure.rows, pressure.starts[SEGMENTS]
+    if pressure.starts[RINGS] > first:
+        return rows[first, 2], rows[first, 3]
     x, y, most = 0.0, 0.0, 0.0
-    for a, b, _ in pressure.atoms:
-        d_x, d_y = a - pressure.center_x, b - pressure.center_y
+    for i in range(pressure.starts[ATOMS], first):
+        d_x, d_y = rows[i, 0] - pressure.center_x, rows[i, 1] - pressure.center_y
         away = (d_x * d_x + d_y * d_y) ** 0.5
         if away > most:
             x, y, most = d_x / away, d_y / away, away
@@ -51,31 +54,35 @@ def _tangent(pressure):
 
 
 @compiled
+def _end(rows, i, sign):
+    """An end of a segment, or a point."""
+    away = sign * rows[i, 4]
+    return rows[i, 0] + away * rows[i, 2], rows[i, 1] + away * rows[i, 3]
+
+
+@compiled
 def extent(pressure):
     """The line of a support."""
     nowhere = Extent(0.0, 0.0, 0.0, 0.0)
-    if len(pressure.rings) + len(pressure.discs) + len(pressure.plates) > 0:
+    starts = pressure.starts
+    if starts[EDGES] > starts[RINGS]:
         return nowhere
     x, y = _tangent(pressure)
-    low, high, count = 0.0, 0.0, len(pressure.atoms)
-    for i in range(count + 2 * len(pressure.segments)):
-        if i < count:
-            p_x, p_y = pressure.atoms[i, 0], pressure.atoms[i, 1]
-        else:
-            m_x, m_y, t_x, t_y, half, _ = pressure.segments[(i - count) // 2]
-            sign = half if (i - count) % 2 else -half
-            p_x, p_y = m_x + sign * t_x, m_y + sign * t_y
-        p_x, p_y = p_x - pressure.center_x, p_y - pressure.center_y
-        if abs(x * p_y - y * p_x) > DIRECTION * pressure.extent:
-            return nowhere
-        low, high = min(low, x * p_x + y * p_y), max(high, x * p_x + y * p_y)
+    low, high, line = 0.0, 0.0, starts[SEGMENTS]
+    for i in range(starts[ATOMS], starts[RINGS]):
+        for sign in (-1.0, 1.0):
+            p_x, p_y = _end(pressure.rows, i, sign if i >= line else 0.0)
+            p_x, p_y = p_x - pressure.center_x, p_y - pressure.center_y
+            if abs(x * p_y - y * p_x) > DIRECTION * pressure.extent:
+                return nowhere
+            low, high = min(low, x * p_x + y * p_y), max(high, x * p_x + y * p_y)
     return Extent(x, y, low, high) if low < 0.0 < high else nowhere
 
 
 @generic
 def corner_under(kinds: Any) -> Callable[..., Any]:
     """The corner of a line of force, of motions with a given part along it: effects, line."""
-    return _corner_under if len(kinds) == 1 and kinds[0] is Support else _no_corner
+    return _corner_under if len(kinds) == 1 and kinds[0] in PRESSED else _no_corner
 
 
 @compiled
@@ -94,8 +101,9 @@ def _no_corner(effects, line):
 def _corner_under(effects, line):
     effect = effects[0]
     x, y, low, high = extent(effect.pressure)
-    r_x = effect.extent * effect.pressure.center_x + line.length
-    r_y = effect.extent * effect.pressure.center_y
+    x, y = outward(effect, x, y)
+    p_x, p_y = outward(effect, effect.pressure.center_x, effect.pressure.center_y)
+    r_x, r_y = effect.extent * p_x + line.length, effect.extent * p_y
     if low == high or abs(line.x * x + line.y * y) > DIRECTION:
         return no_corner()
     if abs(r_x * x + r_y * y) > DIRECTION * (abs(r_x) + abs(r_y)):

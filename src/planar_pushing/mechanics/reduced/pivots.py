@@ -7,11 +7,11 @@ leaves no torque about the contact; it is a pivot where E is within the point's 
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import sqrt
+from math import inf, nan, sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.base import point, wrench_about
+from planar_pushing.mechanics.effects.base import count_points, point, wrench_about
 from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.reduced.general import Motion
@@ -81,25 +81,40 @@ def _no_pivot_of(effects, length, x, y):
 
 @compiled
 def _pivot_under(effects, line):
-    t_x, t_y = line.x, line.y
-    for i in range(len(effects[0].pressure.atoms)):
-        x, y, most = point(effects[0], i)
-        r_x, r_y = x + line.length, y
-        arm = t_x * r_y - t_y * r_x
-        if abs(arm) <= DIRECTION * (abs(r_x) + abs(r_y)):
-            continue
-        motion, f_x, f_y, torque = _about(effects, line.length, i, line.along / arm)
-        across = t_x * f_y - t_y * f_x
-        e_x, e_y = (torque * t_x - r_x * across) / arm, (torque * t_y - r_y * across) / arm
-        if sqrt(e_x * e_x + e_y * e_y) <= most * (1.0 + SHARE):
-            return Pivot(i, motion, f_x + e_x, f_y + e_y, 0.0, 0.0)
+    for i in range(count_points(effects[0])):
+        excess, motion, f_x, f_y = _held(effects, line, i)
+        if excess <= SHARE:
+            return Pivot(i, motion, f_x, f_y, 0.0, 0.0)
     return none()
+
+
+@compiled
+def _held(effects, line, i):
+    """What a point under a line of force would carry, over its share, less 1; motion about it and force."""
+    (x, y, most), t_x, t_y = point(effects[0], i), line.x, line.y
+    r_x, r_y = x + line.length, y
+    arm = t_x * r_y - t_y * r_x
+    if abs(arm) <= DIRECTION * (abs(r_x) + abs(r_y)):
+        return inf, Motion(0.0, 0.0, 0.0), 0.0, 0.0
+    motion, f_x, f_y, torque = _about(effects, line.length, i, line.along / arm)
+    across = t_x * f_y - t_y * f_x
+    e_x, e_y = (torque * t_x - r_x * across) / arm, (torque * t_y - r_y * across) / arm
+    return sqrt(e_x * e_x + e_y * e_y) / most - 1.0, motion, f_x + e_x, f_y + e_y
+
+
+@compiled
+def kink_under(effects, line):
+    """Positive while a motion under a line of force is a pivot, zero where one starts or ends."""
+    least = inf
+    for i in range(count_points(effects[0])):
+        least = min(least, _held(effects, line, i)[0])
+    return -least / (2.0 + least) if least < inf else nan
 
 
 @compiled
 def _pivot_of(effects, length, x, y):
     speed = sqrt(x * x + y * y)
-    for i in range(len(effects[0].pressure.atoms)):
+    for i in range(count_points(effects[0])):
         p_x, p_y, most = point(effects[0], i)
         r_x, r_y = p_x + length, p_y
         reach = sqrt(r_x * r_x + r_y * r_y)

@@ -11,7 +11,7 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import DISCS, PLATES, Pieces, Pressure
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
 from planar_pushing.mechanics.supports.ring import inner, polynomial
 from planar_pushing.terms.errors import require_positive
@@ -67,11 +67,11 @@ class Disc:
 
 
 @inlined
-def of_discs(total, discs, x, y, p_x, p_y):
+def of_discs(total, pressure, x, y):
     """Totals, their torque about p, with the discs."""
-    for i in range(len(discs)):
-        q_x, q_y, radius = discs[i, 0], discs[i, 1], discs[i, 2]
-        share = discs[i, 3]
+    rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
+    for i in range(pressure.starts[DISCS], pressure.starts[PLATES]):
+        q_x, q_y, radius, share = rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3]
         total = added(total, share, disc(x - q_x, y - q_y, radius), q_x - p_x, q_y - p_y)
     return total
 

@@ -10,7 +10,7 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import DISCS, RINGS, Pieces, Pressure
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
 from planar_pushing.mechanics.supports.ring import ring_wrench
 from planar_pushing.terms.errors import require_positive
@@ -57,11 +57,11 @@ class Ring:
 
 
 @inlined
-def of_rings(total, rings, x, y, p_x, p_y):
+def of_rings(total, pressure, x, y):
     """Totals, their torque about p, with the rings."""
-    for i in range(len(rings)):
-        q_x, q_y, radius = rings[i, 0], rings[i, 1], rings[i, 2]
-        share = rings[i, 3]
+    rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
+    for i in range(pressure.starts[RINGS], pressure.starts[DISCS]):
+        q_x, q_y, radius, share = rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3]
         total = added(total, share, ring(x - q_x, y - q_y, radius), q_x - p_x, q_y - p_y)
     return total
 

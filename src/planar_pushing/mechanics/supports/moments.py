@@ -60,21 +60,10 @@ def moments(pressure, c_x, c_y):
     -y, x) and the torque ``sgn(omega) T`` about the centre of pressure, and its potential is |omega| D. In
     the limit of a translation v the potential is |v|, the force v / |v|, and the torque zero.
     """
-    p_x, p_y = pressure.center_x, pressure.center_y
-    total, atom = of_atoms(pressure.atoms, c_x, c_y, p_x, p_y, pressure.extent)
-    total = of_segments(total, pressure.segments, c_x, c_y, p_x, p_y)
-    total = of_rings(total, pressure.rings, c_x, c_y, p_x, p_y)
-    total = of_discs(total, pressure.discs, c_x, c_y, p_x, p_y)
-    total = of_plates(
-        total,
-        pressure.plates,
-        pressure.first,
-        pressure.edges,
-        pressure.multipoles,
-        c_x,
-        c_y,
-        p_x,
-        p_y,
-    )
+    total, atom = of_atoms(pressure, c_x, c_y)
+    total = of_segments(total, pressure, c_x, c_y)
+    total = of_rings(total, pressure, c_x, c_y)
+    total = of_discs(total, pressure, c_x, c_y)
+    total = of_plates(total, pressure, c_x, c_y)
     distance, unit_x, unit_y, torque, xx, xy, yy = total
     return Moments(distance, unit_x, unit_y, torque, xx, xy, yy, atom)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import sqrt
 from typing import Any
 
 import numpy as np
@@ -10,12 +11,9 @@ import numpy as np
 from planar_pushing.mechanics.compiled import inlined
 from planar_pushing.mechanics.supports.base import Position, positions, weights
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
-from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
-from planar_pushing.mechanics.supports.pressure.sums import NOTHING, added, point
+from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.sums import NOTHING
 from planar_pushing.terms.errors import InvalidValue
-
-#: A centre of rotation this close to an atom, over the size of the numbers it was computed from, is on it.
-ROUNDING = 1e-15
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,14 +62,24 @@ class Points:
 
 
 @inlined
-def of_atoms(atoms, x, y, p_x, p_y, extent):
+def of_atoms(pressure, x, y):
     """Sum over the atoms, its torque about p, and which is at (x, y), or -1; that one gives no force."""
-    total, hit = NOTHING, -1
-    for i in range(len(atoms)):
-        q_x, q_y, share = atoms[i, 0], atoms[i, 1], atoms[i, 2]
-        r_x, r_y = x - q_x, y - q_y
-        if abs(r_x) + abs(r_y) <= ROUNDING * (extent + abs(q_x) + abs(q_y)):
-            hit = i
-        else:
-            total = added(total, share, point(r_x, r_y), q_x - p_x, q_y - p_y)
-    return total, hit
+    rows, first, hit = pressure.rows, pressure.starts[ATOMS], -1
+    distance, unit_x, unit_y, torque, xx, xy, yy = NOTHING
+    for i in range(first, pressure.starts[SEGMENTS]):
+        q_x, q_y, share = rows[i, 0], rows[i, 1], rows[i, 2]
+        r_x, r_y = q_x - x, q_y - y
+        square = r_x * r_x + r_y * r_y
+        apart = square > rows[i, 3]
+        hit = hit if apart else i - first
+        # The square root and the division do not wait for one another.
+        away, bend = sqrt(square), 1.0 / square if apart else 0.0
+        f_x, f_y = share * (away * bend) * r_x, share * (away * bend) * r_y
+        distance += share * away
+        unit_x += f_x
+        unit_y += f_y
+        torque += (q_x - pressure.center_x) * f_x + (q_y - pressure.center_y) * f_y
+        xx += bend * f_y * r_y
+        xy -= bend * f_x * r_y
+        yy += bend * f_x * r_x
+    return (distance, unit_x, unit_y, torque, xx, xy, yy), hit

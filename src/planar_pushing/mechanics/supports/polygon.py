@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import inlined
+from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position, positions
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
 from planar_pushing.mechanics.supports.pressure.multipole import far
 from planar_pushing.mechanics.supports.pressure.plate import FAR, near
-from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import EDGES, PLATES, Array, Pieces, Pressure
 from planar_pushing.mechanics.supports.pressure.sums import added
 from planar_pushing.terms.errors import InvalidValue
 
@@ -58,36 +58,35 @@ class Polygon:
         vertices = np.array(self.vertices)
         area = _area(vertices)
         start = vertices if area > 0 else vertices[::-1]
-        rest = np.full(len(start), 1.0 / abs(area))
-        return Pieces(plates=(np.column_stack([start, np.roll(start, -1, axis=0), rest]),))
+        edges = np.empty((len(start), 5))
+        edges[:, :2], edges[:-1, 2:4], edges[-1, 2:4] = start, start[1:], start[0]
+        edges[:, 4] = 1.0 / abs(area)
+        return Pieces(plates=(edges,))
 
     def record(self, radius: float) -> Pressure:
         return assembled(self.pieces(), radius)
 
 
-def _area(vertices: Array) -> float:
+@compiled
+def _area(vertices):
     """Area, positive where the vertices turn counter-clockwise."""
-    x, y = (vertices - vertices[0]).T
-    return float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) / 2)
+    total, (corner_x, corner_y) = 0.0, vertices[0]
+    for i in range(1, len(vertices) - 1):
+        x, y = vertices[i, 0] - corner_x, vertices[i, 1] - corner_y
+        total += x * (vertices[i + 1, 1] - corner_y) - y * (vertices[i + 1, 0] - corner_x)
+    return total / 2.0
 
 
 def _require_simple(vertices: Array) -> None:
     """Refuse a polygon whose edges meet elsewhere than at their common vertices, or without area."""
-    count = len(vertices)
-    after = np.roll(vertices, -1, axis=0)
-    for i in range(count - 1):
-        others = np.arange(i + 1, count)
-        meets = _meet(vertices[i], after[i], vertices[others], after[others])
-        meets[0] = _folds(vertices[i], after[i], after[i + 1])
-        if i == 0:
-            meets[-1] = _folds(vertices[-1], vertices[0], after[0])
-        if meets.any():
-            raise InvalidValue(
-                "vertices", _edges(vertices, i, int(others[meets][0])),
-                "a simple polygon, whose edges do not cross or touch",
-                "order the vertices along the boundary, each once",
-            )  # fmt: skip
-    size = np.ptp(vertices, axis=0).max()
+    i, j = _crossing(vertices)
+    if i >= 0:
+        raise InvalidValue(
+            "vertices", _edges(vertices, i, j),
+            "a simple polygon, whose edges do not cross or touch",
+            "order the vertices along the boundary, each once",
+        )  # fmt: skip
+    size = (vertices.max(axis=0) - vertices.min(axis=0)).max()
     if abs(_area(vertices)) <= THINNEST * size**2:
         raise InvalidValue(
             "vertices", vertices.tolist(), "a polygon whose area is not zero",
@@ -105,38 +104,64 @@ def _edges(vertices: Array, i: int, j: int) -> str:
     return f"edges {i} and {j}, {one} and {other}"
 
 
-def _side(start: Array, end: Array, points: Array) -> Array:
-    """On which side of a line points are: 1 on the left, -1 on the right, 0 on it."""
-    (along, across), offset = (end - start).T, points - start
-    return np.asarray(np.sign(along * offset[..., 1] - across * offset[..., 0]))
+@compiled
+def _crossing(vertices):
+    """Numbers of two edges that meet elsewhere than at a common vertex, -1 where there are none."""
+    count = len(vertices)
+    for i in range(count - 1):
+        for j in range(i + 1, count):
+            last = vertices[(j + 1) % count]
+            if j == i + 1:
+                meets = _folds(vertices[i], vertices[j], last)
+            else:
+                meets = _meet(vertices[i], vertices[i + 1], vertices[j], last)
+            if i == 0 and j == count - 1:
+                meets = _folds(vertices[j], last, vertices[1])
+            if meets:
+                return i, j
+    return -1, -1
 
 
-def _meet(start: Array, end: Array, starts: Array, stops: Array) -> Array:
-    """Which of several edges have a point in common with an edge."""
-    splits = _side(start, end, starts) * _side(start, end, stops) <= 0
-    split = _side(starts, stops, start) * _side(starts, stops, end) <= 0
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    boxes = (np.minimum(starts, stops) <= high) & (np.maximum(starts, stops) >= low)
-    return np.asarray(splits & split & boxes.all(axis=-1))
+@compiled
+def _side(start, end, point):
+    """On which side of a line a point is: 1 on the left, -1 on the right, 0 on it."""
+    along, across = end[0] - start[0], end[1] - start[1]
+    left = along * (point[1] - start[1]) - across * (point[0] - start[0])
+    return np.sign(left)
 
 
-def _folds(first: Array, corner: Array, last: Array) -> bool:
+@compiled
+def _meet(start, end, first, last):
+    """Whether two edges have a point in common."""
+    for k in range(2):
+        if min(first[k], last[k]) > max(start[k], end[k]) or max(first[k], last[k]) < min(
+            start[k], end[k]
+        ):
+            return False
+    splits = _side(start, end, first) * _side(start, end, last) <= 0.0
+    return splits and _side(first, last, start) * _side(first, last, end) <= 0.0
+
+
+@compiled
+def _folds(first, corner, last):
     """Whether an edge runs back along the one before it, or has no length."""
-    before, after = corner - first, last - corner
-    turn = before[0] * after[1] - before[1] * after[0]
-    return bool(turn == 0 and before @ after <= 0)
+    one_x, one_y = corner[0] - first[0], corner[1] - first[1]
+    other_x, other_y = last[0] - corner[0], last[1] - corner[1]
+    turn = one_x * other_y - one_y * other_x
+    return turn == 0.0 and one_x * other_x + one_y * other_y <= 0.0
 
 
 @inlined
-def of_plates(total, plates, first, edges, multipoles, x, y, p_x, p_y):
+def of_plates(total, pressure, x, y):
     """Totals, their torque about p, with the polygons and the cells of pressure maps."""
-    for i in range(len(plates)):
-        q_x, q_y, radius = plates[i, 0], plates[i, 1], plates[i, 2]
-        share = plates[i, 3]
+    rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
+    first = pressure.starts[PLATES]
+    for i in range(first, pressure.starts[EDGES]):
+        q_x, q_y, radius, share = rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3]
         r_x, r_y = x - q_x, y - q_y
         if r_x * r_x + r_y * r_y < (FAR * radius) ** 2:
-            piece = near(edges, first[i], first[i + 1], r_x, r_y)
+            piece = near(rows, int(rows[i, 4]), int(rows[i, 5]), r_x, r_y)
         else:
-            piece = far(multipoles, i, r_x, r_y, radius)
+            piece = far(pressure.multipoles, pressure.series + i - first, r_x, r_y, radius)
         total = added(total, share, piece, q_x - p_x, q_y - p_y)
     return total

@@ -12,16 +12,17 @@ from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
 from planar_pushing.mechanics.supports.pressure.edges import (
     LEAST,
-    SHORT,
     ends,
     mean_distance,
     mean_inverse,
 )
-from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import RINGS, SEGMENTS, Pieces, Pressure
 from planar_pushing.mechanics.supports.pressure.sums import added
 from planar_pushing.mechanics.supports.ring import polynomial
 from planar_pushing.terms.errors import InvalidValue
 
+#: Below this ratio of the line's length to the sum of its ends' distances, the torque is a power series.
+SHORT = 0.1
 #: ``(z / (1 - z^2) - atanh z) / z^3`` in powers of z^2, to 1e-17 below SHORT.
 TORQUE = tuple((2 * k + 2) / (2 * k + 3) for k in range(9))
 
@@ -69,11 +70,12 @@ class Segment:
 
 
 @inlined
-def of_segments(total, segments, x, y, p_x, p_y):
+def of_segments(total, pressure, x, y):
     """Totals, their torque about p, with the segments."""
-    for i in range(len(segments)):
-        q_x, q_y, t_x = segments[i, 0], segments[i, 1], segments[i, 2]
-        t_y, half, share = segments[i, 3], segments[i, 4], segments[i, 5]
+    rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
+    for i in range(pressure.starts[SEGMENTS], pressure.starts[RINGS]):
+        q_x, q_y, t_x = rows[i, 0], rows[i, 1], rows[i, 2]
+        t_y, half, share = rows[i, 3], rows[i, 4], rows[i, 5]
         r_x, r_y = q_x - x, q_y - y
         local = segment(r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x, half)
         total = added(total, share, _placed(local, t_x, t_y), q_x - p_x, q_y - p_y)

@@ -44,9 +44,9 @@ AT_REST = 1e-9
 #: Why a mode ends, or why the modes are enumerated anew; of two at once the first counts. The force leaves
 #: the friction cone, a slip or a force ends, the contact is made, the fence begins to push a slider at
 #: rest; without a force the contact would part, or no longer; the ring's centre comes down to the fence,
-#: the slider comes to rest, the response to the motion is not smooth; the fence's normal motion changes its
-#: sign, or it starts to move, or its motion along itself changes its sign; a finger comes to the end of its
-#: side.
+#: the slider comes to rest, the response to the motion is not smooth or a pivot starts or ends; the normal
+#: motion of the fence changes its sign, or it starts to move, or its motion along itself changes its sign;
+#: a finger comes to the end of its side.
 CAUSES = 12
 LEAVES_CONE, SLIP_ENDS, FORCE_ENDS, TOUCHES, STARTS, LIFTS = range(6)
 LIES, STOPS, KINK, TURNS, TURNS_ALONG, END_OF_SIDE = range(6, CAUSES)
@@ -117,7 +117,7 @@ modes = by_kind(SYSTEMS, "modes")
 after = by_kind(SYSTEMS, "after")
 #: The `Motion` at an instant: mode, time, state.
 motion = by_kind(SYSTEMS, "motion")
-#: Write down what ends a contact: mode, motion, found.
+#: Write down what ends a contact: mode, state, motion, found.
 guard_contact = by_kind(SYSTEMS, "guard_contact")
 
 
@@ -244,4 +244,4 @@ def guards(system, mode, time, state, found):
         found[LIES] = shapes.upright(system.shape, body, state[ANGLE], state[GAP])
     if mode.kind != SEPARATE and mode.kind != CLEAR and state[GAP] <= SLACK:
         found[END_OF_SIDE] = shapes.room(system.shape, state[ALONG])
-    guard_contact(system, mode, now, found)
+    guard_contact(system, mode, state, now, found)

@@ -133,7 +133,7 @@ def _free(body, own, drag_x, drag_y, drag, spin):
 
 
 @compiled
-def guard_contact(system, mode, now, found):
+def guard_contact(system, mode, state, now, found):
     body, kind, side = system.body, mode.kind, contact.side_of(mode.kind)
     if kind == base.STICK:
         found[base.LEAVES_CONE] = contact.margin(body, now.f_x, now.f_y, NO_FORCE * body.force)

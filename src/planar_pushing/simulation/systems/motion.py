@@ -12,6 +12,8 @@ from planar_pushing.mechanics.effects.base import fastest, gradient, response, r
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.plane import Direction, Rod
+from planar_pushing.mechanics.reduced.general import Line
+from planar_pushing.mechanics.reduced.pivots import kink_under
 
 #: The kinds of inertia.
 MASSES = (Mass, MassAt)
@@ -159,16 +161,21 @@ def _mean_distance(effects):
 
 @generic
 def kink(kinds: Any) -> Callable[..., Any]:
-    """Watch of the motion's kink on the ring, none for other supports: effects, spin, speed."""
-    return _no_kink if kinds[0] in PRESSED else _kink_on_ring
+    """Watch of the motion's kinks: the centre on the ring, or a pivot that starts or ends in a slip.
+
+    Parameters are effects, rod, direction of the force of a slip, NaN without one, spin and speed.
+    """
+    return _kink_at_points if kinds[0] in PRESSED else _kink_on_ring
 
 
 @compiled
-def _no_kink(effects, spin, speed):
-    return nan
+def _kink_at_points(effects, own, force, spin, speed):
+    if force.x != force.x:
+        return nan
+    return kink_under(effects, Line(effects, own.length, force.along, -force.aside, 1.0))
 
 
 @compiled
-def _kink_on_ring(effects, spin, speed):
+def _kink_on_ring(effects, own, force, spin, speed):
     total = abs(spin) + speed
     return (abs(spin) - speed) / total if total > 0.0 else 0.0

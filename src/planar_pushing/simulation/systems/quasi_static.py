@@ -5,7 +5,7 @@ The state needs no twist, and the contact stays on the fence because the gap is 
 
 from __future__ import annotations
 
-from math import sqrt
+from math import nan, sqrt
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.plane import contact_motion
@@ -80,7 +80,7 @@ def _slipping(system, now, kind):
 
 
 @compiled
-def guard_contact(system, mode, now, found):
+def guard_contact(system, mode, state, now, found):
     kind, speed = mode.kind, sqrt(now.fence_x * now.fence_x + now.fence_y * now.fence_y)
     if kind == base.STICK:
         rests = now.f_x == 0.0 and now.f_y == 0.0
@@ -88,8 +88,8 @@ def guard_contact(system, mode, now, found):
         found[base.LEAVES_CONE] = -1.0 if rests else left
     elif contact.side_of(kind) != 0.0:
         _guard_slip(system, mode, now, speed, found)
-    if kind < base.CLEAR:
-        found[base.KINK] = kink(system.effects, now.spin, now.speed)
+    if kind == base.STICK or contact.side_of(kind) != 0.0:
+        found[base.KINK] = _kink(system, kind, base.pose(system, state), now)
     if steady(system.shape, mode.during):
         return
     if kind == base.HELD:
@@ -97,6 +97,15 @@ def guard_contact(system, mode, now, found):
     elif kind != base.CLEAR:
         found[base.TURNS] = now.fence_y / speed if speed > 0.0 else 0.0
         found[base.TURNS_ALONG] = now.fence_x / speed if speed > 0.0 else 0.0
+
+
+@compiled
+def _kink(system, kind, at, now):
+    """Watch of what is not smooth in the motion of a contact."""
+    f_x, f_y = nan, nan
+    if kind != base.STICK:
+        f_x, f_y, _ = contact.edge_of(system.body, kind)
+    return kink(at.effects, at.own, seen_from(at.own, f_x, f_y), now.spin, now.speed)
 
 
 @compiled

@@ -23,6 +23,7 @@ from planar_pushing.mechanics.supports import (
     Segment,
 )
 from planar_pushing.mechanics.supports.base import Support
+from planar_pushing.mechanics.supports.pressure.table import extents_of
 
 #: Seed of the random supports, so that every run has the same.
 SEED = 1995
@@ -77,7 +78,7 @@ def everywhere(holds: Any, names: Iterable[object], method: str) -> Evidence:
 
 def reach(supports: Any) -> Array:
     """Largest distance of each support from its centre of pressure."""
-    return np.array([[support.extent] for support in supports[:, 0]])
+    return extents_of(supports[:, 0])[:, None]
 
 
 def touched(supports: Any, length: Any, angle: Any) -> Scene:

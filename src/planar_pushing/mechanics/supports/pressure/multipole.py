@@ -14,10 +14,13 @@ m = 0, 1, ... and in each for k = 0, 1, ...
 from __future__ import annotations
 
 from math import log, sqrt
+from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.numerics.arrays import in_threads
+from planar_pushing.mechanics.supports.pressure.record import Array
 
 #: Highest power n, enough for 1e-16 from `FAR` of `plate` on.
 ORDER = 52
@@ -27,6 +30,31 @@ TERMS = sum((ORDER - m) // 2 + 1 for m in range(ORDER + 1))
 DIGITS = 28.0
 #: Coefficients of sqrt(1 - z).
 ROOT = tuple(np.cumprod([1.0] + [(2 * j - 3) / (2 * j) for j in range(1, ORDER + 1)]).tolist())
+
+
+#: Plates of a block: some milliseconds of work.
+BLOCK = 512
+
+
+def of_all(rows: Array, plates: Any) -> Array:
+    """Terms of all plates, which are some of the rows of a record; shape (plates, TERMS, 2)."""
+    found = np.empty((len(plates), TERMS, 2))
+
+    def block(start: int) -> None:
+        part = slice(start, start + BLOCK)
+        _expand(rows, plates[part], found[part])
+
+    block(0)
+    if len(plates) > BLOCK:
+        in_threads(block, range(BLOCK, len(plates), BLOCK))
+    return found
+
+
+@compiled
+def _expand(rows, plates, found):
+    for i in range(len(plates)):
+        row = rows[plates[i]]
+        found[i] = multipoles(rows[int(row[4]) : int(row[5])], row[2])
 
 
 @compiled
@@ -50,6 +78,8 @@ def _add_edge(sums, start, end, area):
     """
     means, power, square = np.empty_like(sums), _powers(end), _powers(end * end.conjugate())
     for n in range(ORDER + 1):
+        # Complex numbers are divided by a real one slowly.
+        part, whole = 1.0 / (n + 1.0), area / (n + 2.0)
         for k in range(n // 2 + 1):
             m = n - 2 * k
             mean = square[k] * power[m]
@@ -59,8 +89,8 @@ def _add_edge(sums, start, end, area):
                 mean += k * start * means[1, k - 1].conjugate()
             if k > 0:
                 mean += k * start.conjugate() * means[m + 1, k - 1]
-            means[m, k] = mean / (1.0 + n)
-            sums[m, k] += area / (n + 2.0) * means[m, k]
+            means[m, k] = part * mean
+            sums[m, k] += whole * means[m, k]
 
 
 @compiled

@@ -10,10 +10,17 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 
 
+#: Kinds of rows of a record, in their order.
+ATOMS, SEGMENTS, RINGS, DISCS, PLATES, EDGES = range(6)
+#: Columns of a row.
+COLUMNS = 6
+
+
 class Pressure(NamedTuple):
     """Unit pressure in the compiled core: pieces whose shares add to 1, in the body frame.
 
-    Lengths are in units of the slider's radius. Arrays are C-contiguous; float64 but for `first`.
+    Lengths are in units of the slider's radius. All pieces are rows of one array, since each array that a
+    function takes costs it time. Rows that are shorter than others end in zeros.
 
     Parameters
     ----------
@@ -21,35 +28,35 @@ class Pressure(NamedTuple):
         Centre of pressure.
     extent : float
         Largest distance of the support from the centre of pressure.
-    atoms : array, shape (n, 3)
-        Points: x, y, share. No two are at the same place.
-    segments : array, shape (n, 6)
-        Even lines: x and y of the middle, unit tangent, half the length, share.
-    rings, discs : array, shape (n, 4)
-        Even circles and discs: x and y of the centre, radius, share. A hole has a negative share.
-    plates : array, shape (n, 4)
-        Areas whose pressure is even between edges: x and y of the centre of pressure, largest distance
-        of an edge from it, share.
-    first : array of int64, shape (n + 1,)
-        Where the edges of each plate begin, and the number of all edges.
-    edges : array, shape (m, 6)
-        Edges of the plates: x and y of the middle from the plate's centre, unit tangent, half the
-        length, and the pressure on the left of the tangent less that on the right, per unit share.
-    multipoles : array, shape (n, TERMS, 2)
+    starts : tuple of int
+        Rows in which the pieces of each kind begin: `ATOMS` to `EDGES`.
+    series : int
+        Number of the first plate's multipoles.
+    rows : array, shape (n, COLUMNS)
+        Atoms are points: x, y, share, and the square of the distance below which a centre of rotation is
+        on the point. No two are at the same place.
+        Segments are even lines: x and y of the middle, unit tangent, half the length, share.
+        Rings and discs are even: x and y of the centre, radius, share. A hole has a negative share.
+        Plates are areas whose pressure is even between edges: x and y of the centre of pressure, largest
+        distance of an edge from it, share, and the rows in which its edges begin and end.
+        Edges of the plates: x and y of the middle from the plate's centre, unit tangent, half the length,
+        and the pressure on the left of the tangent less that on the right, per unit share.
+    multipoles : array, shape (m, TERMS, 2)
         Moments of the plates as `far` of `multipole` reads them.
     """
 
     center_x: float
     center_y: float
     extent: float
-    atoms: Array
-    segments: Array
-    rings: Array
-    discs: Array
-    plates: Array
-    first: npt.NDArray[np.int64]
-    edges: Array
+    starts: tuple[int, int, int, int, int, int]
+    series: int
+    rows: Array
     multipoles: Array
+
+
+def rows_of(pressure: Pressure, kind: int) -> Array:
+    """The rows of one kind of pieces but `EDGES`."""
+    return pressure.rows[pressure.starts[kind] : pressure.starts[kind + 1]]
 
 
 class Pieces(NamedTuple):

@@ -40,13 +40,3 @@ def turned(x, y, distance, slope, torque, along, across):
     bend = along - across
     xx, xy, yy = across + bend * u_x * u_x, bend * u_x * u_y, across + bend * u_y * u_y
     return distance, -slope * u_x, -slope * u_y, torque, xx, xy, yy
-
-
-@compiled
-def point(x, y):
-    """The piece of a point that is not the centre of rotation."""
-    distance = sqrt(x * x + y * y)
-    inverse = 1.0 / distance
-    u_x, u_y = x * inverse, y * inverse
-    xx, xy, yy = u_y * u_y * inverse, -u_x * u_y * inverse, u_x * u_x * inverse
-    return distance, -u_x, -u_y, 0.0, xx, xy, yy

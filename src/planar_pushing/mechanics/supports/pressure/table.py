@@ -8,11 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.supports.pressure.assembly import Gathered, gathered, stacked
 from planar_pushing.mechanics.supports.pressure.record import Array, Pressure
 from planar_pushing.terms.errors import InvalidValue
-
-#: The pieces of a record, in the order of the columns of `Table.starts`.
-PIECES = ("atoms", "segments", "rings", "discs", "plates")
 
 
 class Table(NamedTuple):
@@ -22,66 +20,55 @@ class Table(NamedTuple):
     ----------
     centers : ndarray, shape (n, 2)
         Centres of pressure.
-    starts : ndarray of int, shape (n + 1, 5)
-        Where the pieces of each support begin, in the order of `PIECES`.
-    atoms, segments, rings, discs, plates, first, edges, multipoles : ndarray
+    starts : ndarray of int, shape (n, 7)
+        Where the pieces of each support begin, as in `Pressure`, and the number of its first multipoles.
+    rows, multipoles : ndarray
         As in `Pressure`, of all supports.
     """
 
     centers: Array
     starts: Any
-    atoms: Array
-    segments: Array
-    rings: Array
-    discs: Array
-    plates: Array
-    first: Any
-    edges: Array
+    rows: Array
     multipoles: Array
 
 
-def extent_of(support: Any) -> float:
-    """Largest distance of a support from its centre of pressure.
+def extents_of(supports: Sequence[Any]) -> Array:
+    """Largest distances of supports from their centres of pressure.
 
     Raises
     ------
     InvalidValue
-        Where the support is one point, which resists no rotation.
+        Where a support is one point, which resists no rotation.
     """
-    extent = float(support.extent)
-    if extent == 0.0:
+    return _required(supports, gathered([support.pieces() for support in supports])).extents
+
+
+def extent_of(support: Any) -> float:
+    """As `extents_of`, of one support."""
+    return float(extents_of([support])[0])
+
+
+def _required(supports: Sequence[Any], found: Gathered) -> Gathered:
+    """What was gathered, where no support is one point."""
+    points = np.flatnonzero(found.extents == 0.0)
+    if len(points):
         raise InvalidValue(
-            "support", support, "a support that is larger than a point",
+            "support", supports[points[0]], "a support that is larger than a point",
             "a point resists no rotation: its force is opposite to its motion",
         )  # fmt: skip
-    return extent
+    return found
 
 
 def table_of(supports: Sequence[Any]) -> Table:
-    """The table of supports, whose `record` gives each one's pressure."""
-    records = [support.record(extent_of(support)) for support in supports]
-    counts = [[len(getattr(record, name)) for name in PIECES] for record in records]
-    edges = np.cumsum([0, *(len(record.edges) for record in records)])
-    first = [record.first[:-1] + start for record, start in zip(records, edges, strict=False)]
-    stacked = [np.concatenate([getattr(record, name) for record in records]) for name in PIECES]
-    return Table(
-        np.array([[record.center_x, record.center_y] for record in records]),
-        np.cumsum([[0] * len(PIECES), *counts], axis=0),
-        **dict(zip(PIECES, stacked, strict=True)),
-        first=np.concatenate([*first, edges[-1:]]),
-        edges=np.concatenate([record.edges for record in records]),
-        multipoles=np.concatenate([record.multipoles for record in records]),
-    )
+    """The table of supports."""
+    found = _required(supports, gathered([support.pieces() for support in supports]))
+    starts, rows, multipoles = stacked(found, found.extents)
+    return Table(found.centers / found.extents[:, None], starts, rows, multipoles)
 
 
 @compiled
 def pressure_of(table, i):
     """One of the pressures."""
-    start, end = table.starts[i], table.starts[i + 1]
-    return Pressure(
-        table.centers[i, 0], table.centers[i, 1], 1.0,
-        table.atoms[start[0] : end[0]], table.segments[start[1] : end[1]],
-        table.rings[start[2] : end[2]], table.discs[start[3] : end[3]],
-        table.plates[start[4] : end[4]], table.first[start[4] : end[4] + 1],
-        table.edges, table.multipoles[start[4] : end[4]],
-    )  # fmt: skip
+    x, y, at = table.centers[i, 0], table.centers[i, 1], table.starts[i]
+    starts = at[0], at[1], at[2], at[3], at[4], at[5]
+    return Pressure(x, y, 1.0, starts, at[6], table.rows, table.multipoles)

@@ -1,0 +1,1 @@
+"""Any support and any centre of mass: what the contact feels of them, by subject."""
