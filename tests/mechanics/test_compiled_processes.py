@@ -51,12 +51,12 @@ COMPILED = """
 import json, numpy as np
 import planar_pushing as pp
 from mechanics.builders import make_scene
-from planar_pushing.mechanics import push, wrench
+from planar_pushing.mechanics import solve, wrench
 
 pp.solve(make_scene(2.0, 1.0, [pp.Inertia()]), 1.0)
 pp.wrench(pp.RingFriction(), [1.0, 2.0, 3.0])
 found = {}
-for name, kernel in (("solve with inertia", push._modes), ("wrench of friction", wrench._wrenches)):
+for name, kernel in (("solve with inertia", solve._modes), ("wrench of friction", wrench._wrenches)):
     (signature,) = kernel.signatures
     code = kernel.inspect_llvm(signature)
     found[name] = [word for word in ("supports4ring", "turning", "llvm.log.f64") if word in code]

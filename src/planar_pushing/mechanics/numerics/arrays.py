@@ -63,9 +63,7 @@ def mapped(
         part = slice(start, min(start + BLOCK, size))
         rows = np.empty((part.stop - start, len(flat)))
         for i, column in enumerate(flat):
-            rows[:, i] = (
-                column if isinstance(column, np.ndarray) and not column.ndim else column[part]
-            )
+            rows[:, i] = column[part] if column.ndim else column
         kernel(kinds, rows, *(each[part] for each in found))
 
     starts = range(0, size, BLOCK)
@@ -77,11 +75,9 @@ def mapped(
     return [each.reshape(shape + tail) for each, tail in zip(found, tails, strict=True)]
 
 
-def _flat(array: Array, shape: tuple[int, ...]) -> Any:
-    """An array to be sliced as if it were broadcast to a shape and flat; a number stays one."""
-    if array.ndim == 0 or array.shape == shape:
-        return array if array.ndim == 0 else array.reshape(-1)
-    return np.broadcast_to(array, shape).flat
+def _flat(array: Array, shape: tuple[int, ...]) -> Array:
+    """An array, broadcast to a shape and flat; a number stays one."""
+    return np.broadcast_to(array, shape).reshape(-1) if array.ndim else array
 
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:

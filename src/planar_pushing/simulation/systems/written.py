@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import sqrt
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.push import spin_ratio
+from planar_pushing.mechanics.solve import spin_ratio
 from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.motion import kinetic_energy
 from planar_pushing.simulation.systems.shapes import base as shapes
