@@ -13,6 +13,7 @@ EXTRAS = {
     "figures": ("matplotlib", "PIL"),
     "report": ("typst", "PIL"),
     "golden": ("flint",),
+    "explore": ("bokeh", "matplotlib", "PIL"),
 }
 
 
