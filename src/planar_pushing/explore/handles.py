@@ -167,3 +167,23 @@ DRAGS: dict[Handle, Callable[[State, Array], State]] = {
 def dragged(state: State, handle: Handle, place: Array) -> State:
     """The state after a handle was dragged to a place of the picture."""
     return DRAGS[handle](state, np.asarray(place, dtype=float))
+
+
+#: Steps of a key: degrees, and parts of a length; ten times as much with the shift key.
+DEGREE, PART = 1.0, 0.02
+
+
+def nudged(
+    state: State, handle: Handle, force: Array | None, right: int, up: int, coarse: bool
+) -> State:
+    """The state after an arrow key moved a handle: around with left and right, out and in with up and down."""
+    place = places(state, force).get(handle)
+    if place is None:
+        return state
+    step = 10.0 if coarse else 1.0
+    centre = frame_of(state.scene).pose.at(frame_of(state.scene).body.middle)
+    about = centre if handle == Handle.SIZE else np.zeros(2)
+    arm = place - about
+    angle = math.atan2(arm[1], arm[0]) - math.radians(DEGREE * step * right)
+    length = float(np.hypot(*arm)) * (1.0 + PART * step * up)
+    return dragged(state, handle, about + length * direction(angle))

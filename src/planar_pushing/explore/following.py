@@ -1,0 +1,84 @@
+"""What happens next: the push of a state followed over time, with every choice that was taken."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.explore.python_lines import acceleration, settings
+from planar_pushing.explore.state import Start, State
+from planar_pushing.figures.motion.timeline import Run, plotted, runs
+from planar_pushing.figures.motion.trajectory import box
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.simulate import simulate
+
+#: Ways on that can be taken by hand, by the policies that prefer them.
+WAYS = {
+    "stick": "sticks",
+    "slip-right": "slips to the right",
+    "slip-left": "slips to the left",
+    "separate": "breaks",
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Motion:
+    """A log, and what is plotted of it."""
+
+    log: xr.Dataset
+    data: xr.Dataset
+    times: Array
+    runs: tuple[Run, ...]
+    bounds: Array
+
+
+def followed(state: State) -> Motion:
+    """Simulate the push of a state."""
+    options = settings(state)
+    if state.start == Start.ACCELERATION:
+        x, y = acceleration(state)
+        shape = options["pusher"].shape
+        options["pusher"] = Pusher(velocity=lambda time: (x * time, y * time), shape=shape)
+    log = simulate(state.scene, **options)
+    data = plotted(log)
+    left, right, low, high = box(data)
+    corners = np.array([(left, low), (right, high)])
+    return Motion(log, data, data["time"].values, tuple(runs(data)), corners)
+
+
+def row_at(motion: Motion, time: float) -> int:
+    """Row of the log that holds at a time."""
+    return int(np.clip(np.searchsorted(motion.times, time, side="right") - 1, 0, len(motion.times) - 1))
+
+
+def run_at(motion: Motion, time: float) -> Run:
+    """The run of one mode that holds at a time."""
+    row = row_at(motion, time)
+    return next(each for each in reversed(motion.runs) if each.start <= row)
+
+
+def choice_at(motion: Motion, time: float) -> float | None:
+    """Time at which the ambiguity began in which a time lies; None where the motion is the only one."""
+    run = run_at(motion, time)
+    return float(motion.times[run.start]) if run.several else None
+
+
+def taken(state: State, time: float, way: str) -> State:
+    """The state in which a way is taken by hand from a time on; choices behind it are void."""
+    before = tuple(each for each in state.choices if each[0] < time)
+    return replace(state, choices=(*before, (time, way)), time=time)
+
+
+def energies(motion: Motion) -> dict[str, Any]:
+    """Work and where it went, over time."""
+    log = motion.log
+    return {
+        "work": log["work"].values,
+        "support friction": log["dissipated"].sum("effect").values,
+        "contact friction": log["contact_dissipated"].values,
+        "kinetic energy": log["kinetic_energy"].values,
+    }

@@ -1,0 +1,294 @@
+"""The widgets of the page: what each shows of a state, and what a change of it means."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from bokeh.models import (
+    CheckboxGroup,
+    CustomJSTickFormatter,
+    RadioButtonGroup,
+    Select,
+    Slider,
+    Spinner,
+)
+
+from planar_pushing.explore.handles import magnitude_matters, unit_of_magnitude
+from planar_pushing.explore.pictures.modes import axes_of, axis_of
+from planar_pushing.explore.presets import gallery
+from planar_pushing.explore.state import (
+    MAGNITUDES,
+    ROD_ANGLES,
+    Start,
+    State,
+    effect,
+    pushed,
+    simulated,
+    with_effect,
+    with_law,
+    with_rod,
+    with_size,
+    with_support,
+)
+from planar_pushing.explore.supports import name_in
+from planar_pushing.study.datasets.gallery import words
+from planar_pushing.terms.options import EffectKind, Policy, Shape
+
+FRICTION, INERTIA = EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA
+#: Laws by their names on the page, as scene files have them.
+LAWS: dict[str, dict[str, Any]] = {
+    "Coulomb friction": {"law": "coulomb"},
+    "infinite friction": {"law": "infinite_friction", "at_zero_normal": "free"},
+    "infinite friction, definition 2": {"law": "infinite_friction", "at_zero_normal": "none"},
+    "perfectly rough": {"law": "perfectly_rough"},
+}
+#: The coefficient that the law takes up where there was none.
+COEFFICIENT = 1.0
+OWN = "own support"
+POWER = CustomJSTickFormatter(code="return Number(Math.pow(10, tick).toPrecision(2)).toString()")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Control:
+    """A widget: which of its properties holds the value, what that is of a state, and what a change does.
+
+    `options` are other properties that follow the state.
+    """
+
+    widget: Any
+    read: Callable[[State], Any]
+    write: Callable[[State, Any], State]
+    holds: str = "value"
+    options: Callable[[State], dict[str, Any]] = lambda state: {}
+
+
+def law_name(state: State) -> str:
+    """Name of the law on the page."""
+    given = state.file.contact.model_dump()
+    return next(
+        name for name, law in LAWS.items() if all(given.get(k) == v for k, v in law.items())
+    )
+
+
+def coefficient(state: State) -> float:
+    """The coefficient of friction; that which Coulomb's law would take up where there is none."""
+    return float(getattr(state.scene.contact, "friction_coefficient", COEFFICIENT))
+
+
+def _with_law(state: State, name: str) -> State:
+    law = dict(LAWS[name])
+    if law["law"] == "coulomb":
+        law["friction_coefficient"] = coefficient(state)
+    return with_law(state, law)
+
+
+def _with_coefficient(state: State, given: float) -> State:
+    return with_law(state, {"law": "coulomb", "friction_coefficient": float(given)})
+
+
+def support_name(state: State) -> str:
+    """Name of the support in the gallery."""
+    entry = (effect(state, FRICTION) or {}).get("support")
+    return name_in(gallery(), entry, state.size) or OWN
+
+
+def _with_support(state: State, name: str) -> State:
+    if name == OWN:
+        return state
+    return with_support(state, None if name == "ring" else gallery()[name])
+
+
+def kinds(state: State) -> list[int]:
+    """Which of the effects resist the motion."""
+    return [i for i, kind in enumerate((FRICTION, INERTIA)) if effect(state, kind) is not None]
+
+
+def _with_kinds(state: State, active: list[int]) -> State:
+    """The state with these effects; the one that goes last stays."""
+    fresh = {FRICTION: {"type": "ring_friction"}, INERTIA: {"type": "inertia", "gyration_radius": state.size}}
+    found = state
+    for index, kind in enumerate((FRICTION, INERTIA)):
+        if index in active and effect(found, kind) is None:
+            found = with_effect(found, kind, dict(fresh[kind]))
+    for index, kind in enumerate((FRICTION, INERTIA)):
+        if index not in active:
+            found = with_effect(found, kind, None)
+    return found
+
+
+def _number_of(kind: EffectKind, key: str, default: float) -> Any:
+    def read(state: State) -> float:
+        return float((effect(state, kind) or {}).get(key, default))
+
+    def write(state: State, value: Any) -> State:
+        entry = effect(state, kind)
+        return with_effect(state, kind, entry | {key: float(value)}) if entry and value else state
+
+    return read, write
+
+
+def _center_of_mass(part: int) -> Any:
+    def read(state: State) -> float:
+        return float((effect(state, INERTIA) or {}).get("center", (0.0, 0.0))[part])
+
+    def write(state: State, value: Any) -> State:
+        entry = effect(state, INERTIA)
+        if entry is None or value is None:
+            return state
+        center = list(entry.get("center", (0.0, 0.0)))
+        center[part] = float(value)
+        return with_effect(state, INERTIA, entry | {"center": center})
+
+    return read, write
+
+
+def _is_off(kind: EffectKind) -> Callable[[State], dict[str, Any]]:
+    return lambda state: {"disabled": effect(state, kind) is None}
+
+
+def _size_of_push(state: State) -> float:
+    return float(np.log10(state.magnitude / unit_of_magnitude(state.scene)))
+
+
+def _with_size_of_push(state: State, value: float) -> State:
+    return pushed(state, state.angle, unit_of_magnitude(state.scene) * 10.0**value)
+
+
+def _room(value: Callable[[State], float], most: float) -> Callable[[State], dict[str, Any]]:
+    """Ends of a slider that hold the value too."""
+    return lambda state: {"end": max(most, float(value(state)))}
+
+
+def _spinner(name: str, title: str, read: Any, write: Any, kind: EffectKind, **limits: Any) -> Control:
+    widget = Spinner(name=name, title=title, step=0.1, **limits)
+    return Control(widget=widget, read=read, write=write, options=_is_off(kind))
+
+
+def _slider(name: str, title: str, ends: tuple[float, float], step: float, **rest: Any) -> Slider:
+    low, high = ends
+    return Slider(name=name, title=title, start=low, end=high, value=high, step=step, **rest)
+
+
+def _contact() -> dict[str, Control]:
+    return {
+        "law": Control(
+            widget=Select(name="law", title="Contact law", options=list(LAWS)),
+            read=law_name, write=_with_law,
+        ),
+        "friction": Control(
+            widget=_slider("friction", "Coefficient of friction \u03bc", (0.0, 5.0), 0.01),
+            read=coefficient, write=_with_coefficient,
+            options=lambda state: {
+                "end": max(5.0, coefficient(state)),
+                "disabled": law_name(state) != "Coulomb friction",
+            },
+        ),
+        "shape": Control(
+            widget=RadioButtonGroup(name="shape", labels=["Fence", "Finger"]),
+            read=lambda state: list(Shape).index(state.shape), holds="active",
+            write=lambda state, index: simulated(state, pusher_shape=list(Shape)[index].value),
+        ),
+    }  # fmt: skip
+
+
+def _slider_controls() -> dict[str, Control]:
+    names = {name: words(name) for name in gallery()}
+    return {
+        "support": Control(
+            widget=Select(name="support", title="Support", options=[*names.items(), (OWN, OWN)]),
+            read=support_name, write=_with_support,
+            options=lambda state: {"disabled": effect(state, FRICTION) is None},
+        ),
+        "rod_length": Control(
+            widget=_slider("rod_length", "Rod length", (0.0, 10.0), 0.01),
+            read=lambda state: state.file.slider.rod_length,
+            write=lambda state, value: with_rod(state, value, state.file.slider.rod_angle),
+            options=_room(lambda state: state.file.slider.rod_length, 10.0),
+        ),
+        "rod_angle": Control(
+            widget=_slider("rod_angle", "Rod angle (degrees)", ROD_ANGLES, 0.5),
+            read=lambda state: state.file.slider.rod_angle,
+            write=lambda state, value: with_rod(state, state.file.slider.rod_length, value),
+        ),
+        "size": Control(
+            widget=_slider("size", "Size of the support", (0.1, 4.0), 0.01),
+            read=lambda state: state.size, write=with_size, options=_room(lambda s: s.size, 4.0),
+        ),
+    }  # fmt: skip
+
+
+def _effects() -> dict[str, Control]:
+    weight, mass = _number_of(FRICTION, "weight", 1.0), _number_of(INERTIA, "mass", 1.0)
+    gyration = _number_of(INERTIA, "gyration_radius", 1.0)
+    small = {"low": 0.001}
+    return {
+        "effects": Control(
+            widget=CheckboxGroup(name="effects", labels=["Support friction", "Inertia"]),
+            read=kinds, write=_with_kinds, holds="active",
+        ),
+        "weight": _spinner("weight", "Friction W", *weight, FRICTION, **small),
+        "mass": _spinner("mass", "Mass m", *mass, INERTIA, **small),
+        "gyration": _spinner("gyration", "Radius of gyration", *gyration, INERTIA, **small),
+        "mass_x": _spinner("mass_x", "Centre of mass, x", *_center_of_mass(0), INERTIA),
+        "mass_y": _spinner("mass_y", "Centre of mass, y", *_center_of_mass(1), INERTIA),
+    }  # fmt: skip
+
+
+def _push() -> dict[str, Control]:
+    ends = float(np.log10(MAGNITUDES[0])), float(np.log10(MAGNITUDES[1]))
+    return {
+        "angle": Control(
+            widget=_slider("angle", "Direction (degrees)", (-180.0, 180.0), 0.5),
+            read=lambda state: state.angle,
+            write=lambda state, value: pushed(state, value, state.magnitude),
+        ),
+        "magnitude": Control(
+            widget=_slider("magnitude", "Size, m a / W", ends, 0.01, format=POWER),
+            read=_size_of_push, write=_with_size_of_push,
+            options=lambda state: {"disabled": not magnitude_matters(state.scene)},
+        ),
+        "start": Control(
+            widget=RadioButtonGroup(name="start", labels=["Moving at once", "From rest"]),
+            read=lambda state: list(Start).index(state.start), holds="active",
+            write=lambda state, index: replace(
+                state, start=list(Start)[index], time=None, choices=()
+            ),
+            options=lambda state: {"disabled": not state.scene.stores_energy},
+        ),
+    }  # fmt: skip
+
+
+def _views() -> dict[str, Control]:
+    return {
+        "across": Control(
+            widget=Select(name="across", title="Map over", options=["friction"]),
+            read=axis_of, write=lambda state, name: replace(state, across=name),
+            options=lambda state: {"options": list(axes_of(state))},
+        ),
+        "duration": Control(
+            widget=Spinner(name="duration", title="Duration", low=0.01, step=0.5),
+            read=lambda state: state.file.simulate.duration if state.file.simulate else 1.0,
+            write=lambda state, value: _simulated_again(state, duration=float(value)),
+        ),
+        "policy": Control(
+            widget=Select(
+                name="policy", title="Where several ways are consistent",
+                options=[(each.value, each.value.replace("-", " ")) for each in list(Policy)[:3]],
+            ),
+            read=lambda state: str(state.file.simulate.on_ambiguity) if state.file.simulate else "",
+            write=lambda state, value: _simulated_again(state, on_ambiguity=value),
+        ),
+    }  # fmt: skip
+
+
+def _simulated_again(state: State, **options: Any) -> State:
+    """The state with other options, followed anew where it was followed."""
+    return replace(simulated(state, **options), time=state.time)
+
+
+def controls() -> dict[str, Control]:
+    """All widgets that show a part of the state, by name."""
+    return {**_contact(), **_slider_controls(), **_effects(), **_push(), **_views()}

@@ -1,0 +1,200 @@
+"""The page's models in one place: it shows what it is told, and tells what was done to it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from bokeh.events import Pan, PanEnd, PanStart, Tap
+from bokeh.models import (
+    Button,
+    ColumnDataSource,
+    CustomJS,
+    Div,
+    RadioButtonGroup,
+    Select,
+)
+
+from planar_pushing.explore.handles import Handle
+from planar_pushing.explore.page.canvas import ASPECT, Canvas, MapCanvas
+from planar_pushing.explore.page.controls import controls
+from planar_pushing.explore.page.tables import legend, solutions
+from planar_pushing.explore.pictures.modes import AXES, Map
+from planar_pushing.explore.presets import presets
+from planar_pushing.explore.state import State
+
+#: Buttons that save a file, and the files.
+SAVES = {
+    "scene.yaml": "Scene (YAML)",
+    "scene.svg": "Picture (SVG)",
+    "log.nc": "Log (netCDF)",
+    "scene.py": "Python",
+}
+#: Once a picture is drawn the page says so.
+DRAWN = "requestAnimationFrame(() => { drawn.data = {number: [beat.data.number[0]]} })"
+SAVE = """
+const [name] = file.data.name
+const bytes = Uint8Array.from(atob(file.data.content[0]), (c) => c.charCodeAt(0))
+const link = document.createElement("a")
+link.href = URL.createObjectURL(new Blob([bytes]))
+link.download = name
+link.click()
+setTimeout(() => URL.revokeObjectURL(link.href), 1000)
+"""
+ADDRESS = """
+history.replaceState(null, "", "?" + address.data.query[0])
+"""
+PICTURE = (
+    "The slider, the pusher and every consistent motion. Drag a grey dot, or choose one below and press "
+    "the arrow keys."
+)
+
+
+class View:
+    """Figures, widgets and texts of the page."""
+
+    def __init__(self) -> None:
+        self.scene = Canvas("scene", PICTURE, sizing_mode="scale_width", aspect_ratio=ASPECT)
+        self.curve = Canvas("curve", "Limit curve", sizing_mode="scale_width", aspect_ratio=1.0)
+        self.curve.fit(np.array([(-1.34, -1.34), (1.34, 1.34)]), 1.0)
+        self.map = MapCanvas()
+        self.controls = controls()
+        self.words = Div(name="words", sizing_mode="stretch_width")
+        self.status = Div(name="status", sizing_mode="stretch_width")
+        self.table = Div(name="solutions", sizing_mode="stretch_width")
+        self.legend = Div(name="legend", sizing_mode="stretch_width")
+        self.python = Div(name="python", sizing_mode="stretch_width")
+        self.preset = Select(
+            name="preset", options=[("", "Start from \u2026"), *presets().items()], value=""
+        )
+        self.handle = RadioButtonGroup(name="handle", labels=[_capital(each) for each in Handle])
+        self.solution = RadioButtonGroup(name="solution", labels=["stick"])
+        self.saves = {name: Button(name=name, label=word) for name, word in SAVES.items()}
+        self.close = Button(name="close", label="Close", button_type="danger")
+        self.modes: list[str] = []
+        self.said = ""
+        self._channels()
+
+    def _channels(self) -> None:
+        """Sources by which page and server speak: they hold one number or text each."""
+        self.ticks = ColumnDataSource({"number": [0], "pans": [0]}, name="beat")
+        self.drawn = ColumnDataSource({"number": [0]}, name="drawn")
+        self.keys = ColumnDataSource({"right": [], "up": [], "coarse": []}, name="keys")
+        self.file = ColumnDataSource({"name": [], "content": []}, name="file")
+        self.address = ColumnDataSource({"query": []}, name="address")
+        js = {"drawn": self.drawn, "beat": self.ticks}
+        self.ticks.js_on_change("data", CustomJS(args=js, code=DRAWN))
+        self.file.js_on_change("data", CustomJS(args={"file": self.file}, code=SAVE))
+        self.address.js_on_change("data", CustomJS(args={"address": self.address}, code=ADDRESS))
+
+    @property
+    def roots(self) -> list[Any]:
+        """Everything that the template places, by its name."""
+        shown = [self.scene.figure, self.curve.figure, self.map.figure, self.words, self.status]
+        shown += [self.table, self.legend, self.python, self.preset, self.handle, self.solution]
+        shown += [each.widget for each in self.controls.values()]
+        shown += [*self.saves.values(), self.close]
+        return [*shown, self.ticks, self.drawn, self.keys, self.file, self.address]
+
+    # -- what is told ------------------------------------------------------------------------
+
+    def on_drag(self, grab: Any, drag: Any, drop: Callable[[], None]) -> None:
+        """Drags on the picture, by mouse or finger; on the curve they hold the line of force."""
+        on = self.scene.figure
+        on.on_event(PanStart, lambda event: grab(_place(event)))
+        on.on_event(Pan, lambda event: drag(_place(event)))
+        on.on_event(PanEnd, lambda event: drop())
+
+    def on_curve(self, aim: Any, drop: Callable[[], None]) -> None:
+        """Drags and clicks on the limit curve, which aim the force."""
+        on = self.curve.figure
+        for kind in (PanStart, Pan, Tap):
+            on.on_event(kind, lambda event: aim(_place(event)))
+        on.on_event(PanEnd, lambda event: drop())
+
+    def on_map(self, go: Callable[[float, float], None]) -> None:
+        """Clicks on the map."""
+        self.map.figure.on_event(Tap, lambda event: go(event.y, event.x))
+
+    def on_keys(self, key: Callable[[int, int, bool], None]) -> None:
+        """Arrow keys on the picture."""
+
+        def pressed(name: str, old: Any, new: Any) -> None:
+            if new["right"]:
+                key(int(new["right"][0]), int(new["up"][0]), bool(new["coarse"][0]))
+
+        self.keys.on_change("data", pressed)
+
+    def on_drawn(self, drew: Callable[[int], None]) -> None:
+        """The number of the picture that the page has drawn."""
+        self.drawn.on_change("data", lambda name, old, new: drew(int(new["number"][0])))
+
+    def on_choice(self, handle: Callable[[int], None], solution: Callable[[str], None]) -> None:
+        """The handle that the keys move, and the solution that is drawn in full."""
+        self.handle.on_change("active", lambda name, old, new: handle(new))
+        self.solution.on_change("active", lambda name, old, new: solution(self.modes[new]))
+
+    # -- what is shown -----------------------------------------------------------------------
+
+    def read(self, state: State) -> None:
+        """Let the widgets show a state."""
+        for control in self.controls.values():
+            control.widget.update(**control.options(state), **{control.holds: control.read(state)})
+
+    def draw(self, state: State, found: Any) -> None:
+        """Show pictures and words."""
+        self.scene.show(found.scene)
+        self.curve.show(found.curve)
+        self.words.text = f'<h2 aria-live="polite">{found.words}</h2>'
+        self.table.text = solutions(found.found)
+        axis = AXES[self.controls["across"].read(state)]
+        self.map.cross.data = {"x": [axis.here(state)], "y": [state.angle]}
+        self.modes = [each.mode.name for each in found.found.solutions]
+        labels = [name.replace("_", " ").capitalize() for name in self.modes] or ["None"]
+        self.solution.update(labels=labels, active=max(found.found.shown, 0), disabled=len(labels) < 2)
+        self.say("")
+
+    def draw_map(self, state: State, found: Map) -> None:
+        """Show a map and its legend."""
+        self.map.show(found, AXES[found.axis].ticks(state))
+        self.legend.text = legend(found)
+
+    def select(self, handle: int) -> None:
+        """Mark the handle that the keys move."""
+        self.handle.active = handle
+
+    def rest(self, query: str, lines: str) -> None:
+        """The address and the lines of Python."""
+        self.address.data = {"query": [query]}
+        text = lines.replace("&", "&amp;").replace("<", "&lt;")
+        self.python.text = f"<pre>{text}</pre>"
+
+    def beat(self, number: int, pans: int) -> None:
+        """Number of the picture that was sent last, and of the moves that it answers."""
+        self.ticks.data = {"number": [number], "pans": [pans]}
+
+    def say(self, text: str) -> None:
+        """Say what went wrong, or nothing."""
+        self.said = text
+        self.wait(False)
+
+    def wait(self, waits: bool) -> None:
+        """Say that something takes long, or what was said before."""
+        text = "Compiling this kind of slider, once: up to half a minute \u2026" if waits else self.said
+        shown = f'<p role="status">{text}</p>' if text else ""
+        if self.status.text != shown:
+            self.status.text = shown
+
+    def save(self, name: str, content: str) -> None:
+        """Hand a file, in base64, to the browser."""
+        self.file.data = {"name": [name], "content": [content]}
+
+
+def _place(event: Any) -> Any:
+    """Place of an event in the picture."""
+    return np.array([event.x, event.y], dtype=float)
+
+
+def _capital(word: str) -> str:
+    return str(word)[0].upper() + str(word)[1:]
