@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from bokeh.core.properties import value
 from bokeh.models import (
     ColumnDataSource,
     FixedTicker,
@@ -34,7 +35,7 @@ ENERGIES = {
 }
 
 
-def plain_figure(name: str, description: str, **options: Any) -> Any:
+def plain_figure(name: str, **options: Any) -> Any:
     """A figure without frame, axes and tools."""
     found = figure(
         name=name, toolbar_location=None, tools="", outline_line_color=None, min_border=0,
@@ -43,15 +44,14 @@ def plain_figure(name: str, description: str, **options: Any) -> Any:
     )  # fmt: skip
     found.axis.visible = False
     found.grid.visible = False
-    found.tags = [description]
     return found
 
 
 class Canvas:
     """A figure that draws marks."""
 
-    def __init__(self, name: str, description: str, **options: Any) -> None:
-        self.figure = plain_figure(name, description, **options)
+    def __init__(self, name: str, **options: Any) -> None:
+        self.figure = plain_figure(name, **options)
         self.sources = {
             kind: ColumnDataSource({column: [] for column in columns}, name=f"{name} {kind}")
             for kind, columns in COLUMNS.items()
@@ -83,7 +83,7 @@ class Canvas:
         for width, color in ((4.0, "white"), (0.0, "color")):  # white behind letters keeps them legible
             on.text(
                 "x", "y", text="text", text_color="color", x_offset="dx", y_offset="dy",
-                text_font=FONT, text_font_size="17px", text_font_style="bold",
+                text_font=value(FONT), text_font_size="17px", text_font_style="bold",
                 text_align="center", text_baseline="middle", source=sources["labels"],
                 text_outline_color=color if width else None, text_outline_width=width,
             )  # fmt: skip
@@ -173,7 +173,7 @@ class TimeCanvas:
         self.energy.yaxis.axis_label = "energy"
         self.energy.grid.grid_line_color = LIGHT
         self.energy.grid.grid_line_alpha = 0.4
-        self.energy.legend.update(
+        self.energy.legend[0].update(
             location="top_left", border_line_color=None, background_fill_alpha=0.7,
             label_text_font=FONT, label_text_font_size="12px", spacing=0, padding=4,
         )  # fmt: skip
@@ -193,9 +193,10 @@ class TimeCanvas:
 
 def styled(on: Any) -> None:
     """Letters and ticks of axes."""
-    on.axis.update(
-        axis_label_text_font=FONT, axis_label_text_font_style="normal",
-        axis_label_text_font_size="13px", major_label_text_font=FONT,
-        major_label_text_font_size="12px", axis_line_color=GUIDE, major_tick_line_color=GUIDE,
-        minor_tick_line_color=None, axis_label_text_color=DARK, major_label_text_color=DARK,
-    )  # fmt: skip
+    for axis in on.axis:
+        axis.update(
+            axis_label_text_font=FONT, axis_label_text_font_style="normal",
+            axis_label_text_font_size="13px", major_label_text_font=FONT,
+            major_label_text_font_size="12px", axis_line_color=GUIDE, major_tick_line_color=GUIDE,
+            minor_tick_line_color=None, axis_label_text_color=DARK, major_label_text_color=DARK,
+        )  # fmt: skip

@@ -45,18 +45,14 @@ setTimeout(() => URL.revokeObjectURL(link.href), 1000)
 ADDRESS = """
 history.replaceState(null, "", "?" + address.data.query[0])
 """
-PICTURE = (
-    "The slider, the pusher and every consistent motion. Drag a grey dot, or choose one below and press "
-    "the arrow keys."
-)
 
 
 class View:
     """Figures, widgets and texts of the page."""
 
     def __init__(self) -> None:
-        self.scene = Canvas("scene", PICTURE, sizing_mode="scale_width", aspect_ratio=ASPECT)
-        self.curve = Canvas("curve", "Limit curve", sizing_mode="scale_width", aspect_ratio=1.0)
+        self.scene = Canvas("scene", sizing_mode="scale_width", aspect_ratio=ASPECT)
+        self.curve = Canvas("curve", sizing_mode="scale_width", aspect_ratio=1.0)
         self.curve.fit(np.array([(-1.34, -1.34), (1.34, 1.34)]), 1.0)
         self.map = MapCanvas()
         self.controls = controls()
@@ -83,6 +79,8 @@ class View:
         self.keys = ColumnDataSource({"right": [], "up": [], "coarse": []}, name="keys")
         self.file = ColumnDataSource({"name": [], "content": []}, name="file")
         self.address = ColumnDataSource({"query": []}, name="address")
+        # No glyph refers to them: the document finds them here.
+        self.scene.figure.tags = [self.ticks, self.drawn, self.keys, self.file, self.address]
         js = {"drawn": self.drawn, "beat": self.ticks}
         self.ticks.js_on_change("data", CustomJS(args=js, code=DRAWN))
         self.file.js_on_change("data", CustomJS(args={"file": self.file}, code=SAVE))
@@ -95,7 +93,7 @@ class View:
         shown += [self.table, self.legend, self.python, self.preset, self.handle, self.solution]
         shown += [each.widget for each in self.controls.values()]
         shown += [*self.saves.values(), self.close]
-        return [*shown, self.ticks, self.drawn, self.keys, self.file, self.address]
+        return shown
 
     # -- what is told ------------------------------------------------------------------------
 
