@@ -9,6 +9,8 @@ from bokeh.core.properties import value
 from bokeh.models import (
     ColumnDataSource,
     FixedTicker,
+    Legend,
+    LegendItem,
     LinearColorMapper,
     Range1d,
     Span,
@@ -22,7 +24,7 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 
 #: Width over height of the picture of a scene, and room around what it holds.
-ASPECT, MARGIN = 1.3, 1.06
+ASPECT, MARGIN = 1.45, 1.05
 #: Codes of the sets of modes.
 CODES = 1 << len(ContactMode)
 FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif"
@@ -30,7 +32,7 @@ FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif"
 ENERGIES = {
     "work": DARK,
     "support friction": "#D55E00",
-    "contact friction": "#B57A00",
+    "contact friction": "#CC79A7",
     "kinetic energy": "#56B4E9",
 }
 
@@ -157,10 +159,11 @@ class TimeCanvas:
             "left", "right", 1, 0, fill_color="fill", line_color="white", hatch_pattern="hatch",
             hatch_color="white", hatch_alpha=0.8, source=self.modes,
         )  # fmt: skip
-        for name, color in ENERGIES.items():
-            self.energy.line(
-                "time", name, color=color, line_width=2, legend_label=name, source=self.energies
-            )
+        lines = {
+            name: self.energy.line("time", name, color=color, line_width=2, source=self.energies)
+            for name, color in ENERGIES.items()
+        }
+        self.energy.add_layout(_legend(lines), "above")
         self.now = [Span(dimension="height", line_width=2, line_color=DARK) for _ in range(2)]
         self.bar.add_layout(self.now[0])
         self.energy.add_layout(self.now[1])
@@ -173,10 +176,6 @@ class TimeCanvas:
         self.energy.yaxis.axis_label = "energy"
         self.energy.grid.grid_line_color = LIGHT
         self.energy.grid.grid_line_alpha = 0.4
-        self.energy.legend[0].update(
-            location="top_left", border_line_color=None, background_fill_alpha=0.7,
-            label_text_font=FONT, label_text_font_size="12px", spacing=0, padding=4,
-        )  # fmt: skip
         styled(self.energy)
 
     def show(self, modes: dict[str, Any], times: Array, energies: dict[str, Any]) -> None:
@@ -189,6 +188,15 @@ class TimeCanvas:
         """Move the line of the present instant."""
         for each in self.now:
             each.location = float(np.float64(time))
+
+
+def _legend(lines: dict[str, Any]) -> Legend:
+    """Names of lines, in rows above a figure."""
+    return Legend(
+        items=[LegendItem(label=name, renderers=[line]) for name, line in lines.items()],
+        ncols=2, location="left", border_line_color=None, label_text_font=FONT,
+        label_text_font_size="12px", spacing=0, padding=2, margin=0, background_fill_color=None,
+    )  # fmt: skip
 
 
 def styled(on: Any) -> None:

@@ -163,19 +163,24 @@ def _room(value: Callable[[State], float], most: float) -> Callable[[State], dic
 
 
 def _spinner(name: str, title: str, read: Any, write: Any, kind: EffectKind, **limits: Any) -> Control:
-    widget = Spinner(name=name, title=title, step=0.1, **limits)
+    widget = Spinner(name=name, title=title, step=0.1, width=80, sizing_mode="stretch_width", **limits)
     return Control(widget=widget, read=read, write=write, options=_is_off(kind))
 
 
 def _slider(name: str, title: str, ends: tuple[float, float], step: float, **rest: Any) -> Slider:
     low, high = ends
+    rest |= {"width": 100, "sizing_mode": "stretch_width"}
     return Slider(name=name, title=title, start=low, end=high, value=high, step=step, **rest)
+
+
+def _select(name: str, title: str, options: list[Any]) -> Select:
+    return Select(name=name, title=title, options=options, width=100, sizing_mode="stretch_width")
 
 
 def _contact() -> dict[str, Control]:
     return {
         "law": Control(
-            widget=Select(name="law", title="Contact law", options=list(LAWS)),
+            widget=_select("law", "Contact law", list(LAWS)),
             read=law_name, write=_with_law,
         ),
         "friction": Control(
@@ -198,7 +203,7 @@ def _slider_controls() -> dict[str, Control]:
     names = {name: words(name) for name in gallery()}
     return {
         "support": Control(
-            widget=Select(name="support", title="Support", options=[*names.items(), (OWN, OWN)]),
+            widget=_select("support", "Support", [*names.items(), (OWN, OWN)]),
             read=support_name, write=_with_support,
             options=lambda state: {"disabled": effect(state, FRICTION) is None},
         ),
@@ -264,19 +269,19 @@ def _push() -> dict[str, Control]:
 def _views() -> dict[str, Control]:
     return {
         "across": Control(
-            widget=Select(name="across", title="Map over", options=["friction"]),
+            widget=_select("across", "Map over", ["friction"]),
             read=axis_of, write=lambda state, name: replace(state, across=name),
             options=lambda state: {"options": list(axes_of(state))},
         ),
         "duration": Control(
-            widget=Spinner(name="duration", title="Duration", low=0.01, step=0.5),
+            widget=Spinner(name="duration", title="Duration", low=0.01, step=0.5, width=90, sizing_mode="stretch_width"),
             read=lambda state: state.file.simulate.duration if state.file.simulate else 1.0,
             write=lambda state, value: _simulated_again(state, duration=float(value)),
         ),
         "policy": Control(
-            widget=Select(
-                name="policy", title="Where several ways are consistent",
-                options=[(each.value, each.value.replace("-", " ")) for each in list(Policy)[:3]],
+            widget=_select(
+                "policy", "Where several ways are consistent",
+                [(each.value, each.value.replace("-", " ")) for each in list(Policy)[:3]],
             ),
             read=lambda state: str(state.file.simulate.on_ambiguity) if state.file.simulate else "",
             write=lambda state, value: _simulated_again(state, on_ambiguity=value),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -24,12 +23,20 @@ from planar_pushing.explore.page.controller import Controller
 from planar_pushing.explore.page.workers import Worker
 from planar_pushing.explore.pictures.motion import mode_bar, picture
 from planar_pushing.explore.state import State
-from planar_pushing.explore.words import number
-from planar_pushing.figures.motion.timeline import MODES
+from planar_pushing.explore.words import NUMBERS, number
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.terms.errors import PlanarPushingError
 
 #: Milliseconds between pictures of a motion that is played, and seconds that the whole of it takes.
 STEP, WHOLE = 33, 6.0
+#: What the contact does at an instant, by its mode.
+DOES = {
+    -1: "no motion is consistent",
+    ContactMode.SEPARATE: "the contact is broken",
+    ContactMode.STICK: "the contact sticks",
+    ContactMode.SLIP_RIGHT: "the slider slips to the right",
+    ContactMode.SLIP_LEFT: "the slider slips to the left",
+}
 
 
 class Follower:
@@ -51,7 +58,6 @@ class Follower:
         self.way = RadioButtonGroup(name="way", labels=list(WAYS.values()), visible=False)
         self.forget = Button(name="forget", label="Forget the choices", visible=False)
         self.worker = Worker(controller.document, self._compute, self._keep)
-        self.shown_at = 0.0
         self._listen()
 
     @property
@@ -189,7 +195,7 @@ class Follower:
         motion = self.motion
         assert motion is not None
         row = row_at(motion, now)
-        mode = MODES[int(motion.data["path_mode"].values[row])][1]
+        mode = DOES[int(motion.data["path_mode"].values[row])]
         count = int(motion.data["path_solutions"].values[row])
         self.controller.view.words.text = f"<h2>{_sentence(now, mode, count)}</h2>"
         self.time.value = now
@@ -203,10 +209,5 @@ class Follower:
 
 
 def _sentence(now: float, mode: str, count: int) -> str:
-    more = "" if count < 2 else f" (one of {count} consistent ways)"
-    return f"Time {now:.3f}: {mode}{more}."
-
-
-def clock() -> float:
-    """Seconds of a clock that never goes back."""
-    return time.monotonic()
+    more = "" if count < 2 else f", one of {NUMBERS[count]} consistent ways"
+    return f"At time {now:.3f} {mode}{more}."

@@ -62,8 +62,9 @@ class View:
         self.legend = Div(name="legend", sizing_mode="stretch_width")
         self.python = Div(name="python", sizing_mode="stretch_width")
         self.preset = Select(
-            name="preset", options=[("", "Start from \u2026"), *presets().items()], value=""
-        )
+            name="preset", options=[("", "Start from \u2026"), *presets().items()], value="",
+            width=120, sizing_mode="stretch_width",
+        )  # fmt: skip
         self.handle = RadioButtonGroup(name="handle", labels=[_capital(each) for each in Handle])
         self.solution = RadioButtonGroup(name="solution", labels=["stick"])
         self.saves = {name: Button(name=name, label=word) for name, word in SAVES.items()}

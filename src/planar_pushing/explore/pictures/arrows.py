@@ -13,7 +13,7 @@ from planar_pushing.mechanics.plane import Array, direction
 #: Length and half the width of a head, in units of the reach of arrows.
 HEAD = 0.13, 0.05
 #: Distance between an arrow's tip and its letter, pixels.
-AWAY = 15.0
+AWAY = 19.0
 
 
 def arrow(
@@ -43,7 +43,8 @@ def arrow(
     marks.line([start, end], color, width, alpha=alpha)
     marks.head([neck + half * across, tip, neck - half * across], color, filled=filled, alpha=alpha)
     if text:
-        offset = AWAY * (across * aside if aside else ahead)
+        wide = np.array([1.0 + 0.16 * len(text), 1.0])
+        offset = AWAY * wide * (across * aside if aside else ahead)
         marks.label(start + at * along, text, color, offset)
 
 

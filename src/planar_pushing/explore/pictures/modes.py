@@ -17,8 +17,9 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 
-#: Directions and values of the first map, and the most of the second one.
-COARSE, FINE = (37, 15), (181, 91)
+#: Directions and values of the first map, and the most of the second one. An even number of directions keeps
+#: off the push along the fence, which is a case of its own.
+COARSE, FINE = (36, 15), (240, 161)
 #: Seconds that the second map may take.
 TIME = 0.3
 #: Friction angles that have a finite coefficient.
@@ -147,8 +148,8 @@ def maps(state: State) -> Any:
     yield mode_map(state, COARSE)
     each = (time.perf_counter() - start) / np.prod(COARSE)
     finer = float(np.sqrt(min(TIME / each / np.prod(FINE), 1.0)))
-    size = tuple(int(finer * most) | 1 for most in FINE)
-    if size > COARSE:
+    size = 2 * round(finer * FINE[0] / 2), round(finer * FINE[1])
+    if size[0] > COARSE[0]:
         yield mode_map(state, size)
 
 

@@ -207,6 +207,6 @@ def _center(marks: Marks, sketch: Sketch, strength: float) -> None:
 def bounds(state: State) -> Array:
     """Corners of what a picture of a scene has to hold, whatever the push."""
     frame = frame_of(state.scene)
-    reach = 1.42 * frame.reach
-    corners = [*frame.body.box(frame.pose), (-reach, -reach), (reach, reach)]
+    reach = 1.36 * frame.reach
+    corners = [*frame.body.box(frame.pose), (-1.3 * reach, -reach), (1.3 * reach, reach)]
     return np.array([np.min(corners, axis=0), np.max(corners, axis=0)])

@@ -1,0 +1,94 @@
+"""20,000 random drags: neither page nor server grows, and each move is drawn soon."""
+
+import random
+import time
+
+import numpy as np
+
+from browser.page import handle, on_screen
+
+DRAGS = 600
+#: Moves of a drag.
+MOVES = 2
+#: Drags before memory is measured for the first time, and between two measurements.
+WARM, BLOCK = 100, 100
+#: Most that page and server may grow from the first measurement to the last, bytes.
+PAGE, SERVER = 4e6, 40e6
+#: Most milliseconds between a move and its picture, for 99 of 100.
+LATENCY = 100.0
+#: Every move of the pointer is noted as it comes in, and every picture once it is on the screen.
+NOTE = """() => {
+  const find = (name) => Bokeh.documents[0].get_model_by_name(name)
+  const [figure, beat] = [find("scene"), find("beat")]
+  window.noted = {moves: [], waits: [], count: beat.data.pans[0], last: 0}
+  window.addEventListener("pointermove", (event) => { noted.last = event.timeStamp }, true)
+  const pass = figure.trigger_event.bind(figure)
+  figure.trigger_event = (event) => {
+    if (event.event_name === "pan") noted.moves.push([++noted.count, noted.last])
+    pass(event)
+  }
+  beat.properties.data.change.connect(() => {
+    const pans = beat.data.pans[0]
+    requestAnimationFrame(() => requestAnimationFrame(() => {
+      const now = performance.now()
+      while (noted.moves.length && noted.moves[0][0] <= pans) noted.waits.push(now - noted.moves.shift()[1])
+    }))
+  })
+}"""
+
+
+def heap(session):
+    """JavaScript in use after the garbage is collected, bytes."""
+    session.send("HeapProfiler.collectGarbage")
+    return session.send("Runtime.getHeapUsage")["usedSize"]
+
+
+def mouse(session, kind, place, buttons):
+    """One event of the mouse, straight to the page."""
+    session.send("Input.dispatchMouseEvent", {
+        "type": kind, "x": place[0], "y": place[1], "button": "left" if kind != "mouseMoved" else "none",
+        "buttons": buttons, "clickCount": 1,
+    })  # fmt: skip
+
+
+def drags(page, session, count, random_of):
+    """Short drags from the pusher's handle or the rod's to places around the contact."""
+    for _ in range(count):
+        name = random_of.choice(("pusher", "pusher", "line of force", "rod"))
+        try:
+            start = on_screen(page, handle(page, name))
+        except ValueError:  # no force is transmitted
+            start = on_screen(page, handle(page, "pusher"))
+        mouse(session, "mousePressed", start, 1)
+        for _ in range(MOVES):
+            angle, reach = random_of.uniform(-3.1, 3.1), random_of.uniform(0.4, 2.5)
+            if name == "rod":
+                angle, reach = random_of.uniform(0.3, 2.8), random_of.uniform(1.0, 4.0)
+            place = on_screen(page, (reach * np.cos(angle), reach * np.sin(angle)))
+            mouse(session, "mouseMoved", place, 1)
+        mouse(session, "mouseReleased", place, 0)
+
+
+def test_memory_and_latency(page, server, context):
+    session = context.new_cdp_session(page)
+    page.evaluate(NOTE)
+    random_of = random.Random(16)
+    drags(page, session, WARM, random_of)
+    sizes = [(heap(session), server.memory)]
+    start = time.perf_counter()
+    for _ in range((DRAGS - WARM) // BLOCK):
+        drags(page, session, BLOCK, random_of)
+        sizes.append((heap(session), server.memory))
+    seconds = time.perf_counter() - start
+    waits = np.array(page.evaluate("noted.waits"))
+    p50, p99 = np.percentile(waits, [50, 99])
+    pages, servers = np.array(sizes).T / 1e6
+    print(
+        f"\n{DRAGS} drags, {len(waits)} moves drawn, {1e3 * seconds / (DRAGS - WARM):.1f} ms a drag\n"
+        f"from a move to its picture: median {p50:.0f} ms, p99 {p99:.0f} ms\n"
+        f"page {pages[0]:.1f} to {pages[-1]:.1f} MB, server {servers[0]:.0f} to {servers[-1]:.0f} MB"
+    )
+    assert len(waits) > DRAGS
+    assert p99 < LATENCY
+    assert pages[-1] - pages[0] < PAGE / 1e6
+    assert servers[-1] - servers[0] < SERVER / 1e6
