@@ -20,20 +20,21 @@ LATENCY = 100.0
 NOTE = """() => {
   const find = (name) => Bokeh.documents[0].get_model_by_name(name)
   const [figure, beat] = [find("scene"), find("beat")]
-  window.noted = {moves: [], waits: [], count: beat.data.pans[0], last: 0}
+  window.noted = {moves: [], waits: [], count: beat.data.moves[0], last: 0}
   window.addEventListener("pointermove", (event) => { noted.last = event.timeStamp }, true)
   const pass = figure.trigger_event.bind(figure)
   figure.trigger_event = (event) => {
     if (event.event_name === "pan") noted.moves.push([++noted.count, noted.last])
     pass(event)
   }
-  beat.properties.data.change.connect(() => {
-    const pans = beat.data.pans[0]
-    requestAnimationFrame(() => requestAnimationFrame(() => {
-      const now = performance.now()
-      while (noted.moves.length && noted.moves[0][0] <= pans) noted.waits.push(now - noted.moves.shift()[1])
-    }))
-  })
+  const index = Bokeh.index
+  const view = index.find_one_by_id ? index.find_one_by_id(figure.id) : index[figure.id]
+  const paint = view.paint.bind(view)
+  view.paint = (...given) => {
+    paint(...given)
+    const [now, moves] = [performance.now(), beat.data.moves[0]]
+    while (noted.moves.length && noted.moves[0][0] <= moves) noted.waits.push(now - noted.moves.shift()[1])
+  }
 }"""
 
 

@@ -77,10 +77,11 @@ class Explorer:
         view.preset.on_change("value", partial(_start_from, controller))
         view.close.on_click(partial(self._close, view))
         sheet = InlineStyleSheet(css=(PAGE / "texts.css").read_text(encoding="utf-8"))
-        for root in [*view.roots, *follower.roots]:
-            if hasattr(root, "text"):
-                root.stylesheets = [sheet]
-            document.add_root(root)
+        with document.models.freeze():  # else every root has the document look through all models
+            for root in [*view.roots, *follower.roots]:
+                if hasattr(root, "text"):
+                    root.stylesheets = [sheet]
+                document.add_root(root)
         document.title = state.file.title or "Planar pushing"
         document.template = _template()
         document.template_variables["style"] = (PAGE / "page.css").read_text(encoding="utf-8")

@@ -90,11 +90,9 @@ class Canvas:
                 text_outline_color=color if width else None, text_outline_width=width,
             )  # fmt: skip
 
-    def show(self, columns: dict[str, Any]) -> None:
-        """Draw these columns; kinds that are as they were are not sent again."""
-        for kind, given in columns.items():
-            if self.sources[kind].data != given:
-                self.sources[kind].data = given
+    def named(self, columns: dict[str, Any]) -> dict[str, Any]:
+        """Columns by the names of the sources that they fill."""
+        return {str(self.sources[kind].name): given for kind, given in columns.items()}
 
     def fit(self, corners: Array, aspect: float = ASPECT) -> None:
         """Show a box, in the middle, to one scale in both directions."""
@@ -125,6 +123,8 @@ class MapCanvas:
                 source=self.cross,
             )  # fmt: skip
         self.figure.grid.visible = False
+        self.ticks = FixedTicker(ticks=[])
+        self.figure.xaxis.ticker = self.ticks
         self.figure.yaxis.axis_label = "direction of the push (degrees)"
         self.figure.yaxis.ticker = FixedTicker(ticks=list(range(-180, 181, 60)))
         styled(self.figure)
@@ -133,7 +133,7 @@ class MapCanvas:
         """Draw a map."""
         left, right = found.left, found.right
         self.figure.x_range.update(start=left, end=right)
-        self.figure.xaxis.ticker = FixedTicker(ticks=list(ticks))
+        self.ticks.ticks = list(ticks)  # another ticker would have the document look through all models
         self.figure.xaxis.major_label_overrides = dict(ticks)
         self.figure.xaxis.axis_label = AXES[found.axis].title
         self.source.data = {

@@ -24,7 +24,7 @@ from planar_pushing.terms.errors import PlanarPushingError
 
 LOG = logging.getLogger("planar_pushing")
 #: Milliseconds without a change after which the map, the address and the frame follow.
-REST = 120
+REST = 200
 #: Seconds after which a page that did not say that it drew is sent the next picture all the same.
 PATIENCE = 0.25
 #: Seconds after which the page says that something takes long.
@@ -32,10 +32,11 @@ LONG = 0.4
 
 
 class Order(NamedTuple):
-    """A picture that is wanted: of a state, with a handle selected."""
+    """A picture that is wanted: of a state, with a handle selected, after a number of moves."""
 
     state: State
     selected: handles.Handle
+    moves: int
 
 
 class Pictures(NamedTuple):
@@ -64,7 +65,8 @@ class Controller:
         self.selected = handles.Handle.PUSHER
         self.dragged: handles.Handle | None = None
         self.force: Any = None
-        self.pans = self.sent = self.drawn = 0
+        self.place: Any = None
+        self.moves = self.sent = self.drawn = 0
         self.sent_at = self.asked_at = 0.0
         self.quiet = False
         self.resting: Any = None
@@ -78,6 +80,14 @@ class Controller:
         self.document.add_periodic_callback(self._watch, 100)
         self.put(self.state)
         self.fit()
+
+    def _begin(self) -> None:
+        """Draw for a page that is new, or loaded again."""
+        self.drawn = self.sent
+        for listener in self.listeners:
+            listener(self.state)
+        self.redraw()
+        self._rest_later()
 
     # -- states ------------------------------------------------------------------------------
 
@@ -94,7 +104,7 @@ class Controller:
         """Order the pictures of the state."""
         self.asked_at = time.monotonic()
         if self.state.time is None:
-            self.worker.ask(Order(self.state, self.selected))
+            self.worker.ask(Order(self.state, self.selected, self.moves))
 
     def move(self, state: State) -> None:
         """Take a state that differs in its time alone, which needs no pictures of the push."""
@@ -129,6 +139,7 @@ class Controller:
         self.view.on_map(self._go)
         self.view.on_keys(self._key)
         self.view.on_drawn(self._drew)
+        self.view.on_ready(self.document, self._begin)
         self.view.on_choice(self._choose_handle, self._choose_solution)
 
     def _widget(self, control: Any, name: str, old: Any, new: Any) -> None:
@@ -142,13 +153,24 @@ class Controller:
                 self._select(self.dragged)
 
     def _drag(self, place: Any) -> None:
-        self.pans += 1
-        held = self.dragged
+        """Note a move; it is followed as soon as the picture before it is drawn."""
+        self.moves += 1
+        self.place = place
+        self._follow()
+
+    def _follow(self) -> None:
+        """Follow the last move, if there is room for its picture."""
+        if self.place is None or self.worker.busy or not self.drawn_all:
+            return
+        place, held, self.place = self.place, self.dragged, None
         if held is not None and self.state.time is None:
             self.change(lambda state: handles.dragged(state, held, place))
 
     def _drop(self) -> None:
-        self.dragged = None
+        """Follow the last move, whether there is room or not."""
+        place, held, self.place, self.dragged = self.place, self.dragged, None, None
+        if place is not None and held is not None and self.state.time is None:
+            self.change(lambda state: handles.dragged(state, held, place))
         self._rest_later()
 
     def _go(self, angle: float, along: float) -> None:
@@ -183,6 +205,7 @@ class Controller:
     def _drew(self, number: int) -> None:
         self.drawn = max(self.drawn, number)
         self.worker.go_on()
+        self._follow()
 
     def _show(self, order: Order, found: Any) -> None:
         if isinstance(found, BaseException):
@@ -192,19 +215,21 @@ class Controller:
         if self.state.time is not None:
             return
         self.force = found.found.force
-        self.quiet = True
-        self.view.draw(order.state, found)
-        self.quiet = False
-        self.beat()
-
-    def beat(self) -> None:
-        """Tell the page that a picture is whole; it says when it is drawn."""
         self.sent, self.sent_at = self.sent + 1, time.monotonic()
-        self.view.beat(self.sent, self.pans)
+        self.quiet = True
+        self.view.draw(found, self.sent, order.moves)
+        self.quiet = False
+
+    def send(self, columns: dict[str, Any], texts: dict[str, str]) -> None:
+        """Send a picture that is none of the push."""
+        self.sent, self.sent_at = self.sent + 1, time.monotonic()
+        self.view.send(columns, texts, self.sent, self.moves)
 
     def _watch(self) -> None:
         """Go on where a page is slow to answer, and say what takes long."""
         self.worker.go_on()
+        self._follow()
+        self.view.mark(self.state)
         waits = self.worker.busy and time.monotonic() - self.asked_at > LONG
         self.view.wait(waits or self.mapper_waits())
 

@@ -20,6 +20,7 @@ from planar_pushing.explore.following import (
 )
 from planar_pushing.explore.page.canvas import TimeCanvas
 from planar_pushing.explore.page.controller import Controller
+from planar_pushing.explore.page.view import heading
 from planar_pushing.explore.page.workers import Worker
 from planar_pushing.explore.pictures.motion import mode_bar, picture
 from planar_pushing.explore.state import State
@@ -185,21 +186,25 @@ class Follower:
         if self.motion is None:
             return
         now = min(self._now, float(self.motion.times[-1]))
-        self.controller.view.scene.show(picture(self.motion, now))
+        columns = self.controller.view.scene.named(picture(self.motion, now))
+        self.controller.send(columns, {"words": heading(self._sentence(now))})
         self.canvas.mark(now)
         self._guarded(lambda: self._say(now))
-        self.controller.beat()
+
+    def _sentence(self, now: float) -> str:
+        """What the contact does now."""
+        assert self.motion is not None
+        row = row_at(self.motion, now)
+        data = self.motion.data
+        mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
+        more = "" if count < 2 else f", one of {NUMBERS[count]} consistent ways"
+        return f"At time {now:.3f} {DOES[mode]}{more}."
 
     def _say(self, now: float) -> None:
-        """What the contact does now, and the ways on."""
-        motion = self.motion
-        assert motion is not None
-        row = row_at(motion, now)
-        mode = DOES[int(motion.data["path_mode"].values[row])]
-        count = int(motion.data["path_solutions"].values[row])
-        self.controller.view.words.text = f"<h2>{_sentence(now, mode, count)}</h2>"
+        """Let the widgets show the instant, and the ways on."""
+        assert self.motion is not None
         self.time.value = now
-        began = choice_at(motion, now)
+        began = choice_at(self.motion, now)
         self.way.update(visible=began is not None, active=None)
         self.words.text = "" if began is None else f"From {number(began)} on, the contact \u2026"
 
@@ -207,7 +212,3 @@ class Follower:
         """End the thread."""
         self.worker.close()
 
-
-def _sentence(now: float, mode: str, count: int) -> str:
-    more = "" if count < 2 else f", one of {NUMBERS[count]} consistent ways"
-    return f"At time {now:.3f} {mode}{more}."

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from typing import Any
 
@@ -31,8 +32,16 @@ SAVES = {
     "log.nc": "Log (netCDF)",
     "scene.py": "Python",
 }
-#: Once a picture is drawn the page says so.
-DRAWN = "requestAnimationFrame(() => { drawn.data = {number: [beat.data.number[0]]} })"
+#: A picture comes in one message: columns and texts by the names of what shows them. The page says when it
+#: is drawn.
+DRAW = """
+const shown = new Map(targets.map((each) => [each.name, each]))
+const picture = JSON.parse(beat.data.picture[0])
+for (const [name, data] of Object.entries(picture.columns)) shown.get(name).data = data
+for (const [name, text] of Object.entries(picture.texts)) shown.get(name).text = text
+const number = beat.data.number[0]
+requestAnimationFrame(() => { drawn.data = {number: [number]} })
+"""
 SAVE = """
 const [name] = file.data.name
 const bytes = Uint8Array.from(atob(file.data.content[0]), (c) => c.charCodeAt(0))
@@ -70,20 +79,25 @@ class View:
         self.saves = {name: Button(name=name, label=word) for name, word in SAVES.items()}
         self.close = Button(name="close", label="Close", button_type="danger")
         self.modes: list[str] = []
+        self.known: dict[str, Any] = {}
         self.said = ""
         self._channels()
 
     def _channels(self) -> None:
         """Sources by which page and server speak: they hold one number or text each."""
-        self.ticks = ColumnDataSource({"number": [0], "pans": [0]}, name="beat")
+        self.ticks = ColumnDataSource({"number": [0], "moves": [0], "picture": [""]}, name="beat")
         self.drawn = ColumnDataSource({"number": [0]}, name="drawn")
         self.keys = ColumnDataSource({"right": [], "up": [], "coarse": []}, name="keys")
         self.file = ColumnDataSource({"name": [], "content": []}, name="file")
         self.address = ColumnDataSource({"query": []}, name="address")
         # No glyph refers to them: the document finds them here.
         self.scene.figure.tags = [self.ticks, self.drawn, self.keys, self.file, self.address]
-        js = {"drawn": self.drawn, "beat": self.ticks}
-        self.ticks.js_on_change("data", CustomJS(args=js, code=DRAWN))
+        texts = [self.words, self.table]
+        targets = [*self.scene.sources.values(), *self.curve.sources.values(), *texts]
+        for each in targets:  # the page fills them itself, and has nothing to report
+            each.syncable = False
+        js = {"drawn": self.drawn, "beat": self.ticks, "targets": targets}
+        self.ticks.js_on_change("data", CustomJS(args=js, code=DRAW))
         self.file.js_on_change("data", CustomJS(args={"file": self.file}, code=SAVE))
         self.address.js_on_change("data", CustomJS(args={"address": self.address}, code=ADDRESS))
 
@@ -97,6 +111,15 @@ class View:
         return shown
 
     # -- what is told ------------------------------------------------------------------------
+
+    def on_ready(self, document: Any, ready: Callable[[], None]) -> None:
+        """The page is there, and has nothing drawn."""
+
+        def fresh(event: Any) -> None:
+            self.known = {}
+            ready()
+
+        document.on_event("document_ready", fresh)
 
     def on_drag(self, grab: Any, drag: Any, drop: Callable[[], None]) -> None:
         """Drags on the picture, by mouse or finger; on the curve they hold the line of force."""
@@ -141,18 +164,32 @@ class View:
         for control in self.controls.values():
             control.widget.update(**control.options(state), **{control.holds: control.read(state)})
 
-    def draw(self, state: State, found: Any) -> None:
+    def draw(self, found: Any, number: int, moves: int) -> None:
         """Show pictures and words."""
-        self.scene.show(found.scene)
-        self.curve.show(found.curve)
-        self.words.text = f'<h2 aria-live="polite">{found.words}</h2>'
-        self.table.text = solutions(found.found)
-        axis = AXES[self.controls["across"].read(state)]
-        self.map.cross.data = {"x": [axis.here(state)], "y": [state.angle]}
+        columns = self.scene.named(found.scene) | self.curve.named(found.curve)
+        texts = {"words": heading(found.words), "solutions": solutions(found.found)}
+        self.send(columns, texts, number, moves)
         self.modes = [each.mode.name for each in found.found.solutions]
         labels = [name.replace("_", " ").capitalize() for name in self.modes] or ["None"]
         self.solution.update(labels=labels, active=max(found.found.shown, 0), disabled=len(labels) < 2)
         self.say("")
+
+    def send(
+        self, columns: dict[str, Any], texts: dict[str, str], number: int, moves: int
+    ) -> None:
+        """Send a picture with its number and that of the moves that it answers; what is known is left out."""
+        fresh = {name: each for name, each in columns.items() if self.known.get(name) != each}
+        said = {name: each for name, each in texts.items() if self.known.get(name) != each}
+        self.known |= fresh | said
+        picture = json.dumps({"columns": fresh, "texts": said})
+        self.ticks.data = {"number": [number], "moves": [moves], "picture": [picture]}
+
+    def mark(self, state: State) -> None:
+        """Move the cross on the map: less often than the rest, as the whole map is painted anew."""
+        axis = AXES[self.controls["across"].read(state)]
+        place = {"x": [axis.here(state)], "y": [state.angle]}
+        if self.map.cross.data != place:
+            self.map.cross.data = place
 
     def draw_map(self, state: State, found: Map) -> None:
         """Show a map and its legend."""
@@ -169,10 +206,6 @@ class View:
         text = lines.replace("&", "&amp;").replace("<", "&lt;")
         self.python.text = f"<pre>{text}</pre>"
 
-    def beat(self, number: int, pans: int) -> None:
-        """Number of the picture that was sent last, and of the moves that it answers."""
-        self.ticks.data = {"number": [number], "pans": [pans]}
-
     def say(self, text: str) -> None:
         """Say what went wrong, or nothing."""
         self.said = text
@@ -188,6 +221,11 @@ class View:
     def save(self, name: str, content: str) -> None:
         """Hand a file, in base64, to the browser."""
         self.file.data = {"name": [name], "content": [content]}
+
+
+def heading(words: str) -> str:
+    """The sentence above the picture, read aloud where it changes."""
+    return f'<h2 aria-live="polite">{words}</h2>'
 
 
 def _place(event: Any) -> Any:
