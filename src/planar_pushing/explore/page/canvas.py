@@ -41,8 +41,8 @@ def plain_figure(name: str, **options: Any) -> Any:
     """A figure without frame, axes and tools."""
     found = figure(
         name=name, toolbar_location=None, tools="", outline_line_color=None, min_border=0,
-        x_range=Range1d(-1, 1), y_range=Range1d(-1, 1), background_fill_color=None,
-        border_fill_color=None, output_backend="canvas", lod_threshold=None, **options,
+        x_range=Range1d(-1, 1), y_range=Range1d(-1, 1), background_fill_color="white",
+        border_fill_color="white", output_backend="canvas", lod_threshold=None, **options,
     )  # fmt: skip
     found.axis.visible = False
     found.grid.visible = False

@@ -83,10 +83,10 @@ def sketch_of(state: State, solution: Solution, pusher: Array) -> Sketch:
 def picture(state: State, given: Found, selected: Handle = Handle.PUSHER) -> dict[str, Any]:
     """Columns of the picture, by the kind of mark."""
     marks, frame = Marks(), frame_of(state.scene)
+    add_body(marks, state, frame)
     cones = [(given.motion, CONE, MOTION), (given.friction, 0.5, FORCE)]
     for interval, radius, color in sorted(cones, key=lambda each: -each[1]):
         cone(marks, interval.right, interval.left, radius * frame.reach, color)
-    add_body(marks, state, frame)
     for index, solution in enumerate(given.solutions):
         if index != given.shown:
             _solution(marks, state, given, solution, PALE)
@@ -195,7 +195,7 @@ def _center(marks: Marks, sketch: Sketch, strength: float) -> None:
         if strength == 1.0:
             ahead = sketch.toward_center
             text = "pivot" if sketch.pivots else "centre"
-            marks.label(sketch.center, text, color, (30 * ahead[0], 20 * ahead[1]))
+            marks.label(sketch.center, text, color, (40 * ahead[0], 20 * ahead[1]))
     elif np.any(sketch.toward_center):
         marks.line([sketch.ring, sketch.far_center], color, 1.1, dash="dashed")
         if strength == 1.0:
@@ -208,5 +208,6 @@ def bounds(state: State) -> Array:
     """Corners of what a picture of a scene has to hold, whatever the push."""
     frame = frame_of(state.scene)
     reach = 1.36 * frame.reach
-    corners = [*frame.body.box(frame.pose), (-1.3 * reach, -reach), (1.3 * reach, reach)]
+    around = 0.3 * frame.body.half * np.array([[-1.0, -1.0], [1.0, 1.0]])
+    corners = [*(frame.body.box(frame.pose) + around), (-1.3 * reach, -reach), (1.3 * reach, reach)]
     return np.array([np.min(corners, axis=0), np.max(corners, axis=0)])
