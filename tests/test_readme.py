@@ -10,7 +10,7 @@ from planar_pushing.commands import main
 from planar_pushing.report import costs
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.storage.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 
 README = Path("README.md").read_text(encoding="utf-8")

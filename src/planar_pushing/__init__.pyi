@@ -42,7 +42,7 @@ from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
 from .study.files.scenes import load_scene, save_scene
-from .study.store import open_dataset
+from .study.storage.store import open_dataset
 from .terms.errors import (
     InvalidFile,
     InvalidValue,

@@ -34,7 +34,7 @@ def completed(run):
     (["--v"], ["--version"]),
     (["solve", "--p"], ["--pusher-angle", "--pusher-magnitude"]),
     (["simulate", "scene.yaml", "--method", ""], ["event-driven", "time-stepping"]),
-    (["simulate", "scene.yaml", "--on-ambiguity", "s"], ["separate", "stay-in-mode"]),
+    (["simulate", "scene.yaml", "--on-ambiguity", "st"], ["stay-in-mode", "stick"]),
     (["query", "motion_cones", "--rod"], ["--rod-angle", "--rod-length"]),
     (["query", "mot"], ["motion_cones"]),
     (["solve", "scene"], []),

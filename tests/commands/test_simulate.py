@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from planar_pushing.study.store import read_dataset
+from planar_pushing.study.storage.store import read_dataset
 
 PULLING = "workflow/scenes/figure_14a.yaml"
 
@@ -111,7 +111,7 @@ WRONG = [
     (["simulate", PULLING, "--method", "euler", "-o", "log.nc"],
      "method: 'euler' given; allowed: 'event-driven' or 'time-stepping'"),
     (["simulate", PULLING, "--on-ambiguity", "both", "-o", "log.nc"],
-     "on_ambiguity: 'both' given; allowed: 'keep-contact', 'separate' or 'stay-in-mode'"),
+     "on_ambiguity: 'both' given; allowed: 'keep-contact', 'separate', 'stay-in-mode', 'stick', "),
     (["simulate", PULLING, "--pusher-angle", "nan", "-o", "log.nc"],
      "pusher_angle: nan given; allowed: a finite number of degrees"),
 ]  # fmt: skip

@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures import render, style
 from planar_pushing.figures.parts import arrows, drawing
-from planar_pushing.study.dependencies import modules
 from planar_pushing.study.figures import ALL, FIGURES, GALLERY
 from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.study.running.dependencies import modules
 from planar_pushing.terms.errors import InvalidValue
 
 

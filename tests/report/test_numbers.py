@@ -33,7 +33,7 @@ from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from report.costs import write_costs

@@ -66,8 +66,12 @@ def test_the_references():
 
 
 @pytest.mark.parametrize(
-    ("seed", "policy"), [(1, "keep-contact"), (2, "separate"), (3, "stay-in-mode")]
-)
+    ("seed", "policy"),
+    [
+        (1, "keep-contact"), (2, "separate"), (3, "stay-in-mode"),
+        (4, [(0, "slip-left"), (0.6, "separate"), (1.1, "stick")]),
+    ],
+)  # fmt: skip
 def test_random_scenes_move_as_one_by_one(seed, policy):
     scenes = random_scenes(12, seed)
     batch = simulate_batch(**scenes, radius=0.7, on_ambiguity=policy)
@@ -151,7 +155,7 @@ def test_large_friction_converges_to_infinite_friction():
         ({"radius": 0}, "radius: 0 given"),
         ({"rtol": 1}, "rtol: 1 given"),
         ({"samples": 1}, "samples: 1 given"),
-        ({"on_ambiguity": "stick"}, "on_ambiguity: 'stick' given"),
+        ({"on_ambiguity": "hold"}, "on_ambiguity: 'hold' given"),
         ({"effects": ()}, "effects: .* given"),
         ({"twist": (1, 0, 0)}, r"twist: .* given; allowed: \(0, 0, 0\)"),
         ({"gap": -1}, "gap: -1 given"),
@@ -173,7 +177,10 @@ LAWS = (
 PIECES = [(0, (0.5, 1)), (0.5, (0, 0)), (0.8, (0.3, -1)), (1.1, (0, 2))]
 
 
-@pytest.mark.parametrize("policy", ["keep-contact", "separate", "stay-in-mode"])
+OVER_TIME = [(0, "slip-left"), (0.3, "stay-in-mode"), (0.9, "slip-right"), (1.2, "stick")]
+
+
+@pytest.mark.parametrize("policy", ["keep-contact", "separate", "stay-in-mode", OVER_TIME], ids=str)
 @pytest.mark.parametrize(
     "effects", [(FRICTION,), (INERTIA,), (FRICTION, INERTIA)], ids=["friction", "inertia", "both"]
 )

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
+from mechanics.builders import make_scene
 from planar_pushing.simulation.fence import (
     acceleration,
     displacement,
@@ -13,6 +14,8 @@ from planar_pushing.simulation.fence import (
     typical_speed,
     velocity,
 )
+from planar_pushing.simulation.problem import Problem
+from planar_pushing.terms.options import Policy
 
 
 def test_constant_pieces_are_spans_of_their_own():
@@ -42,6 +45,27 @@ def test_a_smooth_function_is_a_polynomial_to_rounding():
         assert displacement(fence, during, time) == pytest.approx(
             (0.05 * time**2, (1 - math.cos(5 * time)) / 10), abs=4e-15
         )
+
+
+@pytest.mark.parametrize(
+    "velocity",
+    [(0.0, 1.0), [(0, (0.0, 1.0)), (0.8, (1.0, 0.0))], lambda t: (0.0, 1.0 + t)],
+    ids=str,
+)
+def test_each_piece_holds_its_policy(velocity):
+    policies = [(0, "stick"), (0.5, "separate"), (0.8, "slip-left"), (3.0, "stick")]
+    problem = Problem(
+        scene=make_scene(2, 0.5), pusher=pp.Pusher(velocity=velocity), duration=1.0,
+        on_ambiguity=policies,
+    )  # fmt: skip
+    fence = problem.fence(1.0, 2.0)
+    starts, held = np.array([0, 0.5, 0.8]), [list(Policy).index(name) for _, name in policies]
+    assert set(starts) <= set(fence["start"])
+    for piece in fence:
+        assert piece.policy == held[np.flatnonzero(starts <= piece.start)[-1]]
+    alone = pp.Pusher(velocity=velocity).fence(1.0, 2.0)
+    ways = [displacement(each, span(each, len(each) - 1), 1.0) for each in (fence, alone)]
+    assert ways[0] == pytest.approx(ways[1], abs=1e-14)
 
 
 def test_what_rounding_leaves_of_a_velocity_is_zero():

@@ -88,6 +88,46 @@ def test_pulling_is_kept_or_lost_by_the_policy(policy, modes):
     assert (final(log, "gap") > 0.01) == (policy == "separate")
 
 
+@pytest.mark.parametrize(
+    ("policy", "modes"),
+    [
+        ("stick", {1}), ("slip-left", {3}), ("slip-right", {1}),
+        ([(0, "slip-left"), (0.52, "stick"), (0.55, "separate")], {3, 1, 0}),
+        ([(0, "stick"), (0.52, "stay-in-mode"), (0.55, "slip-left")], {1, 3}),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_pulling_takes_the_mode_that_is_preferred(policy, modes):
+    scene = make_scene(2, 2.0)
+    log = check(run(scene, [(0, heading(10)), (0.5, heading(-10))], 0.6, on_ambiguity=policy))
+    assert set(log.sel(time=slice(0.501, None)).mode.values) == modes
+    assert set(log.sel(time=slice(None, 0.499)).mode.values) == {1}
+
+
+def test_a_choice_by_hand_changes_the_motion_of_figure_14():
+    """Of the pull's three modes a slip to the left is taken for a while, then the contact sticks again."""
+    scene = make_scene(2, 2.0, psi=np.deg2rad(30))
+    fence, kept = [(0, heading(10)), (0.5, heading(-10))], {"samples": 151}
+    by_hand = [(0, "keep-contact"), (0.7, "slip-left"), (1.0, "stick")]
+    stuck, chosen = (
+        check(run(scene, fence, 1.5, on_ambiguity=policy, **kept))
+        for policy in ("keep-contact", by_hand)
+    )
+    assert set(chosen.sel(time=slice(0.701, 0.999)).mode.values) == {pp.ContactMode.SLIP_LEFT}
+    assert set(chosen.sel(time=slice(1.001, None)).mode.values) == {pp.ContactMode.STICK}
+    for name in ("position", "rod_angle"):
+        before = [log[name].sel(time=slice(None, 0.699)).values for log in (stuck, chosen)]
+        assert before[0] == pytest.approx(before[1], abs=1e-9)
+    assert final(stuck, "slip") == 0
+    assert final(chosen, "slip") < -0.02
+    assert abs(final(chosen, "rod_angle") - final(stuck, "rod_angle")) > 0.5
+    assert chosen.attrs["on_ambiguity"] == (
+        '[[0.0, "keep-contact"], [0.7, "slip-left"], [1.0, "stick"]]'
+    )
+    starts = np.flatnonzero(chosen.time == 0.7)
+    assert [int(chosen.solutions[each]) for each in starts] == [3] * len(starts)
+
+
 def test_modes_at_the_start_are_those_of_solve():
     for angle in range(-170, 171, 20):
         for scene in (make_scene(2, 2.0), make_scene(5, np.inf), make_scene(0.5, 0.3)):

@@ -204,7 +204,10 @@ def test_without_a_consistent_mode_the_run_stops_and_says_so():
         ("keep-contact", ContactMode.STICK, 3),
         ("separate", ContactMode.SEPARATE, 1),
         ("stay-in-mode", 1, 3),
+        ("slip-left", ContactMode.SLIP_LEFT, 3),
+        ([(0, "separate"), (0.1, "slip-left")], ContactMode.SLIP_LEFT, 3),
     ],
+    ids=str,
 )
 def test_pulling_follows_the_policy(policy, last, choices):
     pieces = [(0, straight(10)), (0.1, straight(-10))]

@@ -12,7 +12,7 @@ from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 

@@ -7,7 +7,7 @@ from planar_pushing.study.catalog import DATASETS, SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 
@@ -15,9 +15,10 @@ SLIDERS_SMOKE = "workflow/config/sliders_smoke.yaml"
 
 
 def test_every_dataset_has_its_builder():
-    assert {name: f"planar_pushing.study.datasets.{name}" for name in DATASETS | SLIDERS} == {
-        name: build.__module__ for name, build in BUILDERS.items()
-    }
+    folder = "planar_pushing.study.datasets"
+    expected = {name: f"{folder}.{name}" for name in DATASETS}
+    expected |= {name: f"{folder}.sliders.{name}" for name in SLIDERS}
+    assert expected == {name: build.__module__ for name, build in BUILDERS.items()}
 
 
 @pytest.mark.parametrize("name", DATASETS)

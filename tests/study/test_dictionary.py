@@ -18,7 +18,7 @@ from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -26,7 +26,7 @@ SLIDERS_SMOKE = "workflow/config/sliders_smoke.yaml"
 COUNT = f"""
 from planar_pushing.evidence.costs.effects import evaluations
 from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.study_file import load_study
 import sys
 write_dataset(evaluations(load_study("{SMOKE}")), sys.argv[1])

@@ -7,7 +7,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.study.catalog import DIMS, SLIDERS
-from planar_pushing.study.datasets import supports
+from planar_pushing.study.datasets.sliders import supports
 from planar_pushing.study.files.scene_model import SupportFrictionEntry
 from planar_pushing.study.sliders_file import load_sliders
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.studies import (
     chosen_studies,
     chosen_study,
@@ -94,3 +94,9 @@ def test_paths_in_a_study_are_relative_to_its_file(tmp_path, monkeypatch):
     assert found.simulations["figure_15"] == "scenes/figure_15.yaml"
     monkeypatch.chdir(tmp_path / "scenes")
     assert load_study("../config/smoke.yaml").scenes["figure_02"].file == "../scenes/figure_02.yaml"
+
+
+def test_a_study_that_was_not_built_is_answered_by_those_that_were(tmp_path):
+    (tmp_path / "studies" / "mine").mkdir(parents=True)
+    with pytest.raises(pp.InvalidValue, match="'yours' given; allowed: paper, mine; name a study"):
+        pp.open_dataset("limit_curves", tmp_path, study="yours")

@@ -17,6 +17,7 @@ PROJECT = tomllib.loads(Path("pyproject.toml").read_text(encoding="utf-8"))["pro
 INSTALLED = {
     "PIL": "pillow",
     "flint": "python-flint",
+    "myst_nb": "myst-nb",
     "snakemake_executor_plugin_slurm": "snakemake-executor-plugin-slurm",
 }
 
@@ -77,14 +78,17 @@ def test_the_library_runs_without_any_extra(tmp_path, cones):
     assert json.loads(ended.stdout[: ended.stdout.index("\n}\n") + 2])["outcome"] == "UNIQUE"
 
 
+STUDY = "planar_pushing.study"
+
+
 @pytest.mark.parametrize(("extra", "missing", "body"), [
     ("figures", "matplotlib", "import planar_pushing.figures.render"),
     ("figures", "PIL", "import planar_pushing.figures.motion.animation"),
     ("report", "typst", "import planar_pushing.report.typeset"),
     ("golden", "flint", "import planar_pushing.certified.ring"),
     ("golden", "flint", "import planar_pushing.evidence.claims.proofs.verdicts"),
-    ("workflow", "dask", "from planar_pushing.study.chunk_files import open_chunks as o; o(0, {}, {})"),
-    ("workflow", "grimp", "from planar_pushing.study.dependencies import code_of; code_of('terms')"),
+    ("workflow", "dask", f"from {STUDY}.storage.chunk_files import open_chunks as o; o(0, {{}}, {{}})"),
+    ("workflow", "grimp", f"from {STUDY}.running.dependencies import code_of; code_of('terms')"),
 ])  # fmt: skip
 def test_a_missing_extra_is_named_where_it_is_needed(extra, missing, body):
     ended = run([missing], body)

@@ -8,7 +8,7 @@ import pytest
 
 from planar_pushing.study.catalog import DATASETS, SLIDERS
 from planar_pushing.study.figures import FIGURES, GALLERY
-from planar_pushing.study.store import read_attributes
+from planar_pushing.study.storage.store import read_attributes
 from planar_pushing.study.studies import provenance
 from workflow.conftest import Copy, copy_project
 from workflow.test_workflow import jobs, outputs, targets

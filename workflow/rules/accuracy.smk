@@ -29,7 +29,7 @@ rule accuracy_errors:
     benchmark:
         "<results>/benchmarks/accuracy/accuracy_errors.tsv"
     params:
-        code=code_of("evidence.costs.tables", "study.store", "study.describe"),
+        code=code_of("evidence.costs.tables", "study.storage.store", "study.describe"),
         provenance=PROVENANCE,
     message:
         "Computing the errors of every method"
@@ -48,7 +48,7 @@ rule evaluations:
     benchmark:
         "<results>/benchmarks/accuracy/evaluations.tsv"
     params:
-        code=code_of("evidence.costs.effects", "study.store", "study.describe"),
+        code=code_of("evidence.costs.effects", "study.storage.store", "study.describe"),
         provenance=PROVENANCE,
     message:
         "Counting the evaluations of each effect"
@@ -93,7 +93,7 @@ rule accuracy_data:
     # Nothing else may run beside a measurement.
     threads: workflow.cores
     params:
-        code=code_of("evidence.costs.measurements", "study.store", "study.describe"),
+        code=code_of("evidence.costs.measurements", "study.storage.store", "study.describe"),
         provenance=PROVENANCE,
     message:
         "Measuring what accuracy costs"
@@ -112,7 +112,7 @@ rule effects_data:
         "<results>/logs/accuracy/effects.log",
     threads: workflow.cores
     params:
-        code=code_of("evidence.costs.effects", "study.store", "study.describe"),
+        code=code_of("evidence.costs.effects", "study.storage.store", "study.describe"),
         provenance=PROVENANCE,
     message:
         "Measuring what each effect costs"

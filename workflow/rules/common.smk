@@ -4,10 +4,10 @@ import sys
 from snakemake.exceptions import WorkflowError
 
 from planar_pushing.terms.errors import PlanarPushingError
-from planar_pushing.study import effort
+from planar_pushing.study.grids import effort
 from planar_pushing.study.catalog import DATASETS, SLIDERS, dataset_file
-from planar_pushing.study.chunks import chunk_parts, chunk_slice, chunk_steps
-from planar_pushing.study.dependencies import code_of
+from planar_pushing.study.grids.chunks import chunk_parts, chunk_slice, chunk_steps
+from planar_pushing.study.running.dependencies import code_of
 from planar_pushing.study.figures import (
     FIGURES,
     GALLERY as GALLERY_FIGURES,
@@ -17,8 +17,8 @@ from planar_pushing.study.figures import (
     shows,
 )
 from planar_pushing.study.files.models import FigureEntry, StudyFile
-from planar_pushing.study.locks import own_the_folder
-from planar_pushing.study.parts import points, sizes
+from planar_pushing.study.running.locks import own_the_folder
+from planar_pushing.study.storage.parts import points, sizes
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.files.sliders_model import SlidersFile
 from planar_pushing.study.sliders_file import load_any

@@ -22,7 +22,7 @@ rule simulation:
         "<results>/benchmarks/data/simulation_{simulation}.tsv"
     priority: FIRST
     params:
-        code=code_of("study.simulations", "study.store", "study.describe"),
+        code=code_of("study.simulations", "study.storage.store", "study.describe"),
         provenance=PROVENANCE,
     message:
         "Simulating {wildcards.simulation}"

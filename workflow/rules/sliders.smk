@@ -26,7 +26,7 @@ rule sliders_dataset:
     priority: FIRST
     params:
         code=lambda wildcards: code_of(
-            f"study.datasets.{wildcards.dataset}", "study.slices", "study.store"
+            f"study.datasets.sliders.{wildcards.dataset}", "study.slices", "study.storage.store"
         ),
         study=lambda wildcards: study_slice(GALLERY, wildcards.dataset),
         provenance=MARKS[GALLERY_FILE],
@@ -47,7 +47,7 @@ rule sliders_simulation:
         "<sliders>/benchmarks/data/simulation_{simulation}.tsv"
     priority: FIRST
     params:
-        code=code_of("study.simulations", "study.store", "study.describe"),
+        code=code_of("study.simulations", "study.storage.store", "study.describe"),
         provenance=MARKS[GALLERY_FILE],
     message:
         "Simulating {wildcards.simulation}"

@@ -1,6 +1,6 @@
 """Judge the claims of the ledger; fail, naming them, where a verdict is not the expected one."""
 
-from planar_pushing.study.jobs import job_log
+from planar_pushing.study.running.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
     from planar_pushing.evidence.claims.ledger import load_ledger

@@ -1,12 +1,12 @@
 """Build one dataset from its slice of the study, block by block."""
 
-from planar_pushing.study.jobs import job_log
+from planar_pushing.study.running.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
     from planar_pushing.study.builders import build_dataset
     from planar_pushing.study.describe import of_study
-    from planar_pushing.study.parts import cut, sizes
-    from planar_pushing.study.streaming import COMPUTED, stream_dataset
+    from planar_pushing.study.grids.streaming import COMPUTED, stream_dataset
+    from planar_pushing.study.storage.parts import cut, sizes
 
     name, values = snakemake.wildcards.dataset, snakemake.params.study
     log.info("building %s", name)

@@ -1,6 +1,6 @@
 """Draw one figure from the datasets."""
 
-from planar_pushing.study.jobs import job_log
+from planar_pushing.study.running.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
     from types import SimpleNamespace

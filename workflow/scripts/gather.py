@@ -1,13 +1,13 @@
 """Stream the chunks of a dataset into its file."""
 
-from planar_pushing.study.jobs import job_log
+from planar_pushing.study.running.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
     from pathlib import Path
 
-    from planar_pushing.study.chunk_files import open_chunks
     from planar_pushing.study.describe import of_study
-    from planar_pushing.study.streaming import COPIED, stream_dataset
+    from planar_pushing.study.grids.streaming import COPIED, stream_dataset
+    from planar_pushing.study.storage.chunk_files import open_chunks
 
     name, whole = snakemake.wildcards.dataset, snakemake.params.whole
     log.info("gathering %d chunks of %s", len(snakemake.input), name)

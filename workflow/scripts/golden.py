@@ -1,6 +1,6 @@
 """Check the results against their study; fail, with the verdict in the log, where they differ."""
 
-from planar_pushing.study.jobs import job_log
+from planar_pushing.study.running.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
     from pathlib import Path

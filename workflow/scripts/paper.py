@@ -1,6 +1,6 @@
 """Set the report as a PDF."""
 
-from planar_pushing.study.jobs import job_log
+from planar_pushing.study.running.jobs import job_log
 
 with job_log(snakemake.log[0]):
     from planar_pushing.report.typeset import typeset

@@ -1,6 +1,6 @@
 """Write the tables that the report is set from."""
 
-from planar_pushing.study.jobs import job_log
+from planar_pushing.study.running.jobs import job_log
 
 with job_log(snakemake.log[0]):
     from pathlib import Path

@@ -1,6 +1,6 @@
 """Sweep random and adversarial inputs; store the counts."""
 
-from planar_pushing.study.jobs import job_log
+from planar_pushing.study.running.jobs import job_log
 
 with job_log(snakemake.log[0]) as log:
     from planar_pushing.evidence.hard_cases.sweep.counts import FULL, sweep

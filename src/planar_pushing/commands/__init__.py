@@ -1,4 +1,4 @@
-"""The command line, in the words of the Python interface."""
+"""The command line, with the names of the Python interface."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from planar_pushing.commands import (
     simulate,
     solve,
 )
-from planar_pushing.commands.arguments import Parser, check_push
-from planar_pushing.commands.text import text
+from planar_pushing.commands.words.arguments import Parser, check_push
+from planar_pushing.commands.words.text import text
 from planar_pushing.terms.errors import PlanarPushingError
 
 #: Help, version and completion import these modules, so none imports numpy before its command runs.

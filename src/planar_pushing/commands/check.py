@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from planar_pushing.commands.arguments import Commands, command
+from planar_pushing.commands.words.arguments import Commands, command
 
 
 def add(commands: Commands) -> None:

@@ -7,7 +7,7 @@ import signal
 import time
 from typing import Any
 
-from planar_pushing.commands.arguments import Commands, command
+from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.terms.options import EffectSet, Method
 
 

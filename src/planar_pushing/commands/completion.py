@@ -9,7 +9,7 @@ import argparse
 from typing import Any
 
 from planar_pushing.commands import query
-from planar_pushing.commands.arguments import Commands, command
+from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.study.catalog import DATASETS, DIMS, SLIDERS
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import Method, Policy

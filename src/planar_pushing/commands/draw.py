@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.arguments import (
+from planar_pushing.commands.words.arguments import (
     Commands,
     add_output,
     add_push,

@@ -7,7 +7,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from planar_pushing.commands.arguments import Commands, command
+from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.terms.errors import InvalidFile
 
 #: The files to start from, in planar_pushing/study/templates.

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.arguments import Commands, command
+from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.study.catalog import DATASETS, DIMS, EVIDENCE, SLIDERS
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.quantities import unit_of
@@ -60,7 +60,7 @@ def option(axis: str) -> str:
 def part(args: argparse.Namespace) -> dict[str, Any]:
     """Part of the dataset where its axes have the given values, or its axes."""
     from planar_pushing.study.query import axis_names, listed, select
-    from planar_pushing.study.store import open_dataset
+    from planar_pushing.study.storage.store import open_dataset
 
     found = open_dataset(args.dataset, args.results, study=args.study)
     found = select(found, _pairs(args.where))

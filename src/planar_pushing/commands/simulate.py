@@ -6,7 +6,13 @@ import argparse
 import sys
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.arguments import DIRECTION, Commands, add_output, add_scene, command
+from planar_pushing.commands.words.arguments import (
+    DIRECTION,
+    Commands,
+    add_output,
+    add_scene,
+    command,
+)
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import SAMPLES, SPEED, TOLERANCE, Method, Policy, Shape
 

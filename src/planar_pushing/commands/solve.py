@@ -6,8 +6,8 @@ import argparse
 from math import radians
 from typing import Any
 
-from planar_pushing.commands.arguments import Commands, add_push, add_scene, command
-from planar_pushing.commands.text import numbers
+from planar_pushing.commands.words.arguments import Commands, add_push, add_scene, command
+from planar_pushing.commands.words.text import numbers
 
 
 def add(commands: Commands) -> None:

@@ -9,7 +9,7 @@ from urllib.parse import urlencode
 
 from pydantic import ValidationError
 
-from planar_pushing.explore.state import Start, State
+from planar_pushing.explore.state import Start, State, pushed
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.terms.errors import InvalidValue
 
@@ -21,9 +21,8 @@ PARTS: dict[str, Any] = {
     "shown": str,
     "across": str,
     "time": float,
-    "choices": lambda given: tuple((float(time), str(policy)) for time, policy in given),
 }
-DEFAULTS = {"shown": "", "across": "", "time": None, "choices": ()}
+DEFAULTS = {"shown": "", "across": "", "time": None}
 #: Keys of scene files that hold mappings, whose keys are joined to theirs by a dot.
 NESTED = ("slider", "contact", "simulate")
 
@@ -58,6 +57,7 @@ def state_in(arguments: Mapping[str, str]) -> State:
             else:
                 content[name] = _value(given)
         state = State(file=SceneFile.model_validate(content), **parts)
+        state = state if state.file.simulate else pushed(state, state.angle, state.magnitude)
         _ = state.scene
     except (ValidationError, ValueError, TypeError) as error:
         said = str(error).splitlines()

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.explore.python_lines import acceleration, settings
-from planar_pushing.explore.state import Start, State
+from planar_pushing.explore.state import Start, State, first_policy, simulated
 from planar_pushing.figures.motion.timeline import Run, plotted, runs
 from planar_pushing.figures.motion.trajectory import box
 from planar_pushing.mechanics.plane import Array
@@ -61,16 +61,33 @@ def run_at(motion: Motion, time: float) -> Run:
     return next(each for each in reversed(motion.runs) if each.start <= row)
 
 
-def choice_at(motion: Motion, time: float) -> float | None:
-    """Time at which the ambiguity began in which a time lies; None where the motion is the only one."""
-    run = run_at(motion, time)
-    return float(motion.times[run.start]) if run.several else None
+def several_at(motion: Motion, time: float) -> bool:
+    """Whether several ways are consistent at a time."""
+    return run_at(motion, time).several
 
 
-def taken(state: State, time: float, way: str) -> State:
-    """The state in which a way is taken by hand from a time on; choices behind it are void."""
-    before = tuple(each for each in state.choices if each[0] < time)
-    return replace(state, choices=(*before, (time, way)), time=time)
+def taken(state: State, way: str) -> State:
+    """The state in which a way is taken by hand at its time; choices behind it are void."""
+    section = state.file.simulate
+    time = round(state.time or 0.0, 9)
+    before = [each.model_dump() for each in section.policies if each.time < time] if section else []
+    return _with_policies(state, [*before, {"time": time, "policy": way}])
+
+
+def forgotten(state: State) -> State:
+    """The state without any choice by hand."""
+    return _with_policies(state, first_policy(state))
+
+
+def chosen(state: State) -> bool:
+    """Whether a way was taken by hand."""
+    section = state.file.simulate
+    return section is not None and len(section.policies) > 1
+
+
+def _with_policies(state: State, policies: Any) -> State:
+    """The state with other policies, followed at the same time."""
+    return replace(simulated(state, on_ambiguity=policies), time=state.time)
 
 
 def energies(motion: Motion) -> dict[str, Any]:

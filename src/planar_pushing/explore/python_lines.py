@@ -60,10 +60,7 @@ def settings(state: State) -> dict[str, Any]:
     """Keyword arguments of `simulate` for what the page follows."""
     section = state.file.simulate
     found = arguments(section) if section else {}
-    found = {name: each for name, each in found.items() if each is not None}
-    if state.choices:
-        found["on_ambiguity"] = [(0.0, str(found["on_ambiguity"])), *state.choices]
-    return found
+    return {name: each for name, each in found.items() if each is not None}
 
 
 def acceleration(state: State) -> tuple[float, float]:

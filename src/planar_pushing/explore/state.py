@@ -14,7 +14,7 @@ from planar_pushing.explore.supports import scaled
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
-from planar_pushing.terms.options import EFFECT_TYPES, EffectKind, Shape
+from planar_pushing.terms.options import EFFECT_TYPES, EffectKind, Policy, Shape
 
 #: Magnitudes of a push, in units of W / m, and rod angles, that handles and widgets can give.
 MAGNITUDES = 0.01, 100.0
@@ -46,7 +46,6 @@ class State:
     shown: str = ""
     across: str = ""
     time: float | None = None
-    choices: tuple[tuple[float, str], ...] = ()
 
     @property
     def scene(self) -> Scene:
@@ -94,10 +93,13 @@ def wrapped(angle: float) -> float:
 
 
 def changed(state: State, **parts: Any) -> State:
-    """The state with other parts of its file; what was followed over time is over."""
-    content = state.file.model_dump(exclude_none=True) | parts
+    """The state with other parts of its file; what was followed, and chosen on the way, is over."""
+    content = state.file.model_dump(exclude_none=True)
+    if "simulate" in content:
+        content["simulate"] |= {"on_ambiguity": first_policy(state)}
+    content |= parts
     file = SceneFile.model_validate({k: v for k, v in content.items() if v is not None})
-    return replace(state, file=file, time=None, choices=())
+    return replace(state, file=file, time=None)
 
 
 def pushed(state: State, angle: float, magnitude: float) -> State:
@@ -107,8 +109,15 @@ def pushed(state: State, angle: float, magnitude: float) -> State:
     section = given.model_dump(exclude_none=True) if given else {}
     section.pop("pusher", None)
     section |= {"pusher_angle": angle, "pusher_speed": magnitude}
+    section |= {"on_ambiguity": first_policy(state)}
     section.setdefault("duration", duration(state, magnitude))
     return replace(changed(state, simulate=section), angle=angle, magnitude=magnitude)
+
+
+def first_policy(state: State) -> str:
+    """What decides between contact modes before any choice by hand."""
+    section = state.file.simulate
+    return str(section.policies[0].policy if section else Policy.KEEP_CONTACT)
 
 
 def duration(state: State, magnitude: float) -> float:

@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 from planar_pushing.study.figures import FIGURES, GALLERY
-from planar_pushing.study.jobs import run_command
+from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.studies import SLIDERS_FILE, study_folder, study_name
 from planar_pushing.terms.errors import InvalidFile
 

@@ -16,7 +16,7 @@ from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from planar_pushing.report.verdict import verdict_rows
-from planar_pushing.study.datasets.gallery import words
+from planar_pushing.study.datasets.sliders.gallery import words
 from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.study.figures.base import Figure
 from planar_pushing.study.files.replacing import PathLike

@@ -46,7 +46,7 @@ def simulate_batch(
     twist: Sequence[npt.ArrayLike] = (0.0, 0.0, 0.0),
     gap: npt.ArrayLike = 0.0,
     rtol: float = 1e-10,
-    on_ambiguity: str = Policy.KEEP_CONTACT,
+    on_ambiguity: str | Sequence[tuple[float, str]] = Policy.KEEP_CONTACT,
     samples: int | None = None,
     side: tuple[npt.ArrayLike, npt.ArrayLike] = (-math.inf, math.inf),
     shape: str = Shape.FENCE,
@@ -97,7 +97,7 @@ def simulate_batch(
         scene=Scene(slider=slider, contact=law, effects=cast(Any, effects)),
         pusher=velocity if isinstance(velocity, Pusher) else velocities(velocity),
         duration=np.atleast_1d(duration), twist=twist, gap=gap, rtol=rtol,
-        on_ambiguity=cast(Policy, on_ambiguity), shape=required_shape(shape),
+        on_ambiguity=on_ambiguity, shape=required_shape(shape),
     )  # fmt: skip
     parts = np.ones(1) if samples is None else np.linspace(0.0, 1.0, sample_count(samples))
     scenes = scenes_of(problem, mu)

@@ -51,22 +51,20 @@ def _follow(system, row, task, run, rows, found):
 # Two kernels and no layer above them: the compiler optimises each layer with all that it calls.
 @compiled
 def _quasi_static(
-    kinds, shape, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes
+    kinds, shape, scenes, fences, counts, times, rtol, body, run, rows, found, changes
 ):
     """Run a block of scenes whose effects are all friction."""
     for i in range(len(scenes)):
-        row, fence, task = scenes[i], fences[i, : counts[i]], Task(rtol, policy, times[i])
+        row, fence, task = scenes[i], fences[i, : counts[i]], Task(rtol, times[i])
         system = QuasiStatic(made(kinds, row), body, fence, shape_of(shape, row))
         changes[i] = _follow(system, row, task, run, rows, found[i])
 
 
 @compiled
-def _inertial(
-    kinds, shape, scenes, fences, counts, times, rtol, policy, body, run, rows, found, changes
-):
+def _inertial(kinds, shape, scenes, fences, counts, times, rtol, body, run, rows, found, changes):
     """Run a block of scenes with inertia."""
     for i in range(len(scenes)):
-        row, fence, task = scenes[i], fences[i, : counts[i]], Task(rtol, policy, times[i])
+        row, fence, task = scenes[i], fences[i, : counts[i]], Task(rtol, times[i])
         system = Inertial(made(kinds, row), body, fence, shape_of(shape, row))
         changes[i] = _follow(system, row, task, run, rows, found[i])
 
@@ -89,7 +87,7 @@ def run_scenes(
         body, state, rows = records(BODY, 1)[0], records(RUNS[moves], 1)[0], records(ROW, ROWS)
         kernel(
             kinds, shape, scenes.rows[part], *scenes.fences(part), times[part].copy(), problem.rtol,
-            problem.policy, body, state, rows, found[part], changes[part],
+            body, state, rows, found[part], changes[part],
         )  # fmt: skip
 
     with announced(kernel):

@@ -18,12 +18,12 @@ VELOCITY, ACCELERATION, MEAN = 0, 2, 4
 #: Coefficients of a piece at most.
 POINTS = 16
 #: A piece, in radii of the slider: its time, its degree, the pieces of its span from `first` to before
-#: `last`, what rounding leaves of each part of its velocity, the displacement at its start, and its
-#: coefficients.
+#: `last`, the policy that holds in it, what rounding leaves of each part of its velocity, the displacement
+#: at its start, and its coefficients.
 PIECE = np.dtype(
     [
         ("start", "f8"), ("end", "f8"), ("degree", "i8"), ("first", "i8"), ("last", "i8"),
-        ("noise", "f8", (2,)), ("origin", "f8", (2,)), ("series", "f8", (6, POINTS)),
+        ("policy", "i8"), ("noise", "f8", (2,)), ("origin", "f8", (2,)), ("series", "f8", (6, POINTS)),
     ],
     align=True,
 )  # fmt: skip

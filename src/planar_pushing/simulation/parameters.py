@@ -11,8 +11,9 @@ import numpy as np
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.contact.laws import friction_coefficient as coefficient_of
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.simulation.policies import marked, starts_of
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.pusher import Pusher, constant_fences
+from planar_pushing.simulation.pusher import Pusher, constant_fences, cut
 from planar_pushing.simulation.systems.setup import LEFT, RIGHT, columns
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue
@@ -82,7 +83,7 @@ def scenes_of(problem: Problem, mu: Array) -> Scenes:
     given = [*numbers, scene.slider.radius, problem.duration, mu, moves[..., 0]]
     shape = _shape({np.shape(each) for each in given})
     *rows, radius, ends, _, _ = (np.broadcast_to(np.asarray(x, float), shape) for x in given)
-    return Scenes(np.stack(rows, axis=-1), ends, radius, _fences(pusher, ends, radius))
+    return Scenes(np.stack(rows, axis=-1), ends, radius, _fences(problem, ends, radius))
 
 
 def _shape(shapes: set[tuple[int, ...]]) -> tuple[int, ...]:
@@ -98,12 +99,13 @@ def _shape(shapes: set[tuple[int, ...]]) -> tuple[int, ...]:
     return shape
 
 
-def _fences(pusher: Pusher | Array, ends: Array, radius: Array) -> Fences:
+def _fences(problem: Problem, ends: Array, radius: Array) -> Fences:
     """The fences of scenes; those that are functions of time are made for one scene at a time."""
+    pusher, policies = problem.pusher, problem.on_ambiguity
     if isinstance(pusher, Pusher) and not pusher.pieces:
 
         def function(part: slice) -> tuple[Any, Array]:
-            fence = pusher.fence(float(ends[part.start]), float(radius[part.start]))
+            fence = problem.fence(float(ends[part.start]), float(radius[part.start]))
             return fence[None], np.array([len(fence)])
 
         return function
@@ -111,5 +113,11 @@ def _fences(pusher: Pusher | Array, ends: Array, radius: Array) -> Fences:
         starts, moves = pusher.steps
     else:
         starts, moves = np.zeros(1), np.reshape(pusher, (-1, 1, 2))
+    starts, moves = cut(starts, moves, starts_of(policies))
     every = np.broadcast_to(moves, (len(ends), len(starts), 2)) / radius[:, None, None]
-    return lambda part: constant_fences(starts, every[part], ends[part])
+
+    def constant(part: slice) -> tuple[Any, Array]:
+        fences, counts = constant_fences(starts, every[part], ends[part])
+        return marked(fences, policies), counts
+
+    return constant

@@ -17,9 +17,10 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields
-from planar_pushing.terms.errors import InvalidValue, require_number, require_option
+from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, Shape
 
 #: What an initial twist may be.
@@ -31,7 +32,7 @@ class Problem:
     """What is to be simulated, as `simulate` has it.
 
     In a batch numbers are arrays over the scenes, and `pusher` may be an array of velocities, of pushers
-    of a `shape`; a `Pusher` has its own.
+    of a `shape`; a `Pusher` has its own. `on_ambiguity` becomes policies with their start times.
 
     Raises
     ------
@@ -44,7 +45,7 @@ class Problem:
     duration: Number
     twist: Sequence[Number] = (0.0, 0.0, 0.0)
     gap: Number = 0.0
-    on_ambiguity: Policy = Policy.KEEP_CONTACT
+    on_ambiguity: Any = Policy.KEEP_CONTACT
     rtol: float = 1e-10
     shape: Shape = Shape.FENCE
 
@@ -56,17 +57,14 @@ class Problem:
         )  # fmt: skip
         object.__setattr__(self, "rtol", rtol)
         object.__setattr__(self, "twist", _twist(self.twist, self.scene))
-        chosen = require_option(
-            "on_ambiguity", self.on_ambiguity, Policy, "name one of these policies"
-        )
-        object.__setattr__(self, "on_ambiguity", chosen)
+        object.__setattr__(self, "on_ambiguity", required_policies(self.on_ambiguity))
         if isinstance(self.pusher, Pusher):
             object.__setattr__(self, "shape", self.pusher.shape)
 
-    @property
-    def policy(self) -> int:
-        """The policy in the compiled core."""
-        return list(Policy).index(self.on_ambiguity)
+    def fence(self, duration: float, radius: float) -> Any:
+        """The motion of a `Pusher` as an array of pieces, each with its policy; errors as of the pusher."""
+        cuts = starts_of(self.on_ambiguity)
+        return marked(self.pusher.fence(duration, radius, cuts), self.on_ambiguity)
 
 
 def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:

@@ -15,11 +15,11 @@ from planar_pushing.simulation import chebyshev
 from planar_pushing.simulation.chebyshev import Piece, pieces_of
 from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
+from planar_pushing.simulation.timed import timed
 from planar_pushing.terms.domain import SPEEDS, required
 from planar_pushing.terms.errors import (
     InvalidValue,
     as_floats,
-    require_number,
     require_option,
     suggestion,
 )
@@ -96,8 +96,8 @@ class Pusher:
         """Start times, and velocities of shape (pieces, 2), where the velocity is piecewise constant."""
         return np.array([time for time, _ in self.pieces]), np.array([v for _, v in self.pieces])
 
-    def fence(self, duration: float, radius: float) -> Any:
-        """The fence's motion as an array of pieces, from 0 to the duration.
+    def fence(self, duration: float, radius: float, cuts: Sequence[float] = ()) -> Any:
+        """The fence's motion as an array of pieces, from 0 to the duration; a span ends at each cut.
 
         Raises
         ------
@@ -105,13 +105,19 @@ class Pusher:
             Where a function returns something else than a velocity.
         """
         if self.pieces:
-            starts, moves = self.steps
+            starts, moves = cut(*self.steps, cuts)
             fences, counts = constant_fences(starts, moves[None] / radius, np.array([duration]))
             return fences[0, : counts[0]]
         given: Motion = self.velocity  # type: ignore[assignment]
-        inner = [time for time in self.breakpoints if 0 < time < duration]
-        spans = itertools.pairwise([0.0, *inner, duration])
+        inner = {time for time in (*self.breakpoints, *cuts) if 0 < time < duration}
+        spans = itertools.pairwise([0.0, *sorted(inner), duration])
         return _fence([pieces_of(lambda t: vector(given(t)), *ends) for ends in spans], radius)
+
+
+def cut(starts: Array, velocities: Array, cuts: Sequence[float]) -> tuple[Array, Array]:
+    """Start times, and velocities of shape (..., pieces, 2), with pieces that start at the cuts as well."""
+    every = np.union1d(starts, cuts)
+    return every, velocities[..., np.searchsorted(starts, every, side="right") - 1, :]
 
 
 def constant_fences(starts: Array, velocities: Array, ends: Array) -> tuple[Any, Array]:
@@ -163,26 +169,9 @@ def _constant(given: object) -> Vector:
     return found
 
 
-def _time(given: object) -> float:
-    return require_number(
-        "velocity", given, lambda t: 0 <= t < math.inf, "times >= 0",
-        "start the first piece at time 0",
-    )  # fmt: skip
-
-
 def _pieces(given: Any) -> tuple[tuple[float, Vector], ...]:
     """Start times and velocities; one velocity alone holds from 0."""
     items = list(given) if hasattr(given, "__len__") else []
     if not any(isinstance(each, Iterable) for each in items):
         return ((0.0, _constant(given)),)
-    pieces = []
-    for item in items:
-        if not isinstance(item, Sequence) or len(item) != 2:
-            raise InvalidValue("velocity", given, ALLOWED, REMEDY)
-        pieces.append((_time(item[0]), _constant(item[1])))
-    times = [piece[0] for piece in pieces]
-    if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
-        raise InvalidValue(
-            "velocity", given, "start times that begin at 0 and increase", "put the pieces in order"
-        )
-    return tuple(pieces)
+    return timed("velocity", given, _constant, ALLOWED, REMEDY)

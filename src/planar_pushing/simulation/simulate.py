@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -37,7 +37,7 @@ def simulate(
     duration: float,
     method: str = Method.EVENT_DRIVEN,
     rtol: float = 1e-10,
-    on_ambiguity: str = Policy.KEEP_CONTACT,
+    on_ambiguity: str | Sequence[tuple[float, str]] = Policy.KEEP_CONTACT,
     twist: Sequence[float] = (0.0, 0.0, 0.0),
     gap: float = 0.0,
     samples: int = 101,
@@ -60,9 +60,11 @@ def simulate(
         configurations in which the equations of motion have no solution.
     rtol : float
         Relative tolerance of the motion, for the event-driven method.
-    on_ambiguity : {"keep-contact", "separate", "stay-in-mode"}
+    on_ambiguity : {"keep-contact", "separate", "stay-in-mode", "stick", "slip-right", "slip-left"}
         Which mode is taken where several are consistent: the contact that sticks before one that slips
-        before none; none first; or the mode so far, as long as it is consistent.
+        before none; none first; the mode so far, as long as it is consistent; or this mode where it is
+        consistent, and else as by "keep-contact". Or a sequence of (start_time, policy), which begins at 0:
+        each policy holds until the next starts, and at these times the mode is chosen anew.
     twist : (v_x, v_y, omega)
         Initial twist at the ring centre, omega in radians per time, for a scene with inertia.
     gap : float
@@ -97,7 +99,7 @@ def simulate(
         require_number(name, required(name, given), math.isfinite, "one number", "give one")
     problem = Problem(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
-        on_ambiguity=cast(Policy, on_ambiguity), rtol=rtol,
+        on_ambiguity=on_ambiguity, rtol=rtol,
     )  # fmt: skip
     if path is not None:
         require_path("path", path)

@@ -18,10 +18,8 @@ from planar_pushing.study.datasets import (
     limit_curves,
     motion_cones,
     scenes,
-    support_cones,
-    support_modes,
-    supports,
 )
+from planar_pushing.study.datasets.sliders import support_cones, support_modes, supports
 from planar_pushing.study.slices import sliced_study
 
 Built = xr.Dataset | dict[str, xr.Dataset]

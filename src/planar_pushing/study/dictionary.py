@@ -20,8 +20,8 @@ from planar_pushing.study.catalog import (
 )
 from planar_pushing.study.figures import FIGURES as DRAWN
 from planar_pushing.study.figures import GALLERY
-from planar_pushing.study.jobs import run_command
-from planar_pushing.study.store import group_names, open_dataset
+from planar_pushing.study.running.jobs import run_command
+from planar_pushing.study.storage.store import group_names, open_dataset
 from planar_pushing.study.studies import SLIDERS_FILE, study_name
 from planar_pushing.terms.quantities import FINGER, LOG, NOTES, unit_of
 

@@ -42,7 +42,7 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
         "duration": entry.duration,
         "method": entry.method,
         "rtol": entry.rtol,
-        "on_ambiguity": entry.on_ambiguity,
+        "on_ambiguity": [(piece.time, piece.policy) for piece in entry.policies],
         "twist": (twist.v_x, twist.v_y, math.radians(twist.omega)) if twist else (0.0, 0.0, 0.0),
         "gap": entry.initial_gap,
         "samples": int(entry.samples),

@@ -76,10 +76,29 @@ def study_folder(name: str | None, results: PathLike = "results") -> Path:
     if name is None or name == PAPER:
         return Path(results)
     if not isinstance(name, str) or not NAME.fullmatch(name):
-        built = sorted(path.name for path in (Path(results) / "studies").glob("*"))
-        allowed = ", ".join([PAPER, *built])
-        raise InvalidValue("study", name, allowed, "name a study that was built")
+        raise _unknown(name, results)
     return Path(results) / "studies" / name
+
+
+def built_folder(name: str | None, results: PathLike = "results") -> Path:
+    """The same of a study that was built.
+
+    Raises
+    ------
+    InvalidValue
+        Where results hold no such study.
+    """
+    folder = study_folder(name, results)
+    if Path(results).is_dir() and not folder.is_dir():
+        raise _unknown(name, results)
+    return folder
+
+
+def _unknown(name: object, results: PathLike) -> InvalidValue:
+    """What says which studies were built."""
+    built = sorted(path.name for path in (Path(results) / "studies").glob("*"))
+    allowed = ", ".join([PAPER, *built])
+    return InvalidValue("study", name, allowed, "name a study that was built")
 
 
 def provenance(file: PathLike) -> dict[str, str]:

@@ -12,8 +12,8 @@ from planar_pushing.study.files.models import FigureEntry, Grid, StudyFile
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_model, load_scene_file
 from planar_pushing.study.files.yaml_text import shown
-from planar_pushing.study.parts import points, sizes
 from planar_pushing.study.slices import study_slice
+from planar_pushing.study.storage.parts import points, sizes
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import EFFECT_TYPES
 

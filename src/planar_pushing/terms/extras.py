@@ -14,6 +14,7 @@ EXTRAS = {
     "report": ("typst", "PIL"),
     "golden": ("flint",),
     "explore": ("bokeh", "matplotlib", "PIL"),
+    "manual": ("sphinx", "myst_nb", "numpydoc"),
 }
 
 

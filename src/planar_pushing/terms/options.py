@@ -10,11 +10,17 @@ from typing import NamedTuple
 
 
 class Policy(StrEnum):
-    """Which mode is taken where several are consistent."""
+    """Which mode is taken where several are consistent.
+
+    Each policy but `KEEP_CONTACT` prefers a mode, and acts like it where that mode is not consistent.
+    """
 
     KEEP_CONTACT = "keep-contact"
     SEPARATE = "separate"
     STAY_IN_MODE = "stay-in-mode"
+    STICK = "stick"
+    SLIP_RIGHT = "slip-right"
+    SLIP_LEFT = "slip-left"
 
 
 class Method(StrEnum):

@@ -10,10 +10,10 @@ from certified.supports.cases import MAP, SQUARE, SUPPORTS, TRIPOD
 from planar_pushing.certified import cones, setting
 from planar_pushing.certified.balls import PRECISION, Undecided, rational
 from planar_pushing.certified.supports.cone_edges import edge
-from planar_pushing.certified.supports.mirror import is_mirrored
-from planar_pushing.certified.supports.moments import moments
 from planar_pushing.certified.supports.moving import moved
-from planar_pushing.certified.supports.pieces import pieces
+from planar_pushing.certified.supports.pressure.mirror import is_mirrored
+from planar_pushing.certified.supports.pressure.moments import moments
+from planar_pushing.certified.supports.pressure.pieces import pieces
 from planar_pushing.certified.supports.push import at_angle, on_edge
 
 RING, DISC = {"shape": "ring"}, {"shape": "disc", "radius": 1}

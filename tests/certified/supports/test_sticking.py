@@ -6,7 +6,7 @@ from flint import arb, ctx, fmpq
 from certified.supports.cases import SQUARE, SUPPORTS, TRIPOD
 from planar_pushing.certified.balls import PRECISION, in_degrees, rational
 from planar_pushing.certified.supports.moving import moved
-from planar_pushing.certified.supports.pieces import pieces
+from planar_pushing.certified.supports.pressure.pieces import pieces
 from planar_pushing.certified.supports.push import at_angle
 from planar_pushing.certified.supports.sticking import stuck, torque
 

@@ -8,7 +8,7 @@ import pytest
 from planar_pushing.commands import main
 from planar_pushing.evidence.golden import check
 from planar_pushing.evidence.golden.verdict import verdict, verdict_text
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.storage.store import read_dataset, write_dataset
 from planar_pushing.study.studies import provenance
 from planar_pushing.terms.errors import InvalidFile
 

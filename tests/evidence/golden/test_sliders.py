@@ -15,7 +15,7 @@ from planar_pushing.study.catalog import SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.storage.store import read_dataset, write_dataset
 from planar_pushing.study.studies import SLIDERS_FILE, provenance
 
 SMOKE = "workflow/config/sliders_smoke.yaml"

@@ -8,7 +8,7 @@ from planar_pushing.figures.evidence import (
     accuracy_evaluations,
     accuracy_wrench,
 )
-from planar_pushing.study.store import read_dataset
+from planar_pushing.study.storage.store import read_dataset
 
 
 @pytest.mark.parametrize("panel", range(4))

@@ -8,7 +8,7 @@ from planar_pushing.evidence.costs import tables
 from planar_pushing.figures.evidence import (
     accuracy_wrench,
 )
-from planar_pushing.study.store import read_dataset
+from planar_pushing.study.storage.store import read_dataset
 
 
 @pytest.mark.parametrize("index", range(9))

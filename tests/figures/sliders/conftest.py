@@ -10,7 +10,7 @@ from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.store import write_dataset
+from planar_pushing.study.storage.store import write_dataset
 
 
 @pytest.fixture(scope="session")

@@ -42,8 +42,15 @@ simulate:
         ("duration: 1.5", "duration: 1.5\n  pusher_shape: 3",
          "simulate.pusher_shape: 3 given; allowed: 'fence' or 'finger'; change the value"),
         ("duration: 1.5", "duration: 1.5\n  on_ambiguity: any",
-         "simulate.on_ambiguity: 'any' given; allowed: 'keep-contact', 'separate' or 'stay-in-mode'; "
-         "change the value"),
+         "simulate.on_ambiguity: 'any' given; allowed: 'keep-contact', 'separate', 'stay-in-mode', "
+         "'stick', 'slip-right' or 'slip-left'; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  on_ambiguity: []",
+         "simulate.on_ambiguity: [] given; allowed: a list with at least one entry; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  on_ambiguity: [{time: 0, policy: slip}]",
+         "simulate.on_ambiguity[0].policy: 'slip' given; allowed: 'keep-contact', 'separate', "
+         "'stay-in-mode', 'stick', 'slip-right' or 'slip-left'; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  on_ambiguity: [{time: 0, mode: stick}]",
+         "simulate.on_ambiguity[0].mode: 'stick' given; allowed: the keys time, policy; remove the key"),
         ("duration: 1.5", "duration: 1.5\n  rtol: 1",
          "simulate.rtol: 1 given; allowed: a number in [1e-13, 1e-2]; change the value"),
         ("duration: 1.5", "duration: 1.5\n  samples: 10000000000",
@@ -65,6 +72,8 @@ def test_error(tmp_path, written, instead, said):
         ("duration", "pusher_speed: 3\n  duration", "pusher_speed with pusher_angle only"),
         ("{time: 0, ", "{time: 0.1, ", "times of pusher that begin at 0 and increase"),
         ("time: 0.5", "time: 0", "times of pusher that begin at 0 and increase"),
+        ("duration", "on_ambiguity: [{time: 1, policy: stick}]\n  duration",
+         "times of on_ambiguity that begin at 0 and increase"),
         ("duration", "step: 0.1\n  duration", "step with the method time-stepping only"),
         ("duration", "initial_twist: {omega: 3}\n  duration",
          "initial_twist with inertia among the effects only"),

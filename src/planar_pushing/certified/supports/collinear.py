@@ -5,8 +5,8 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from planar_pushing.certified.roots import increasing_root
-from planar_pushing.certified.supports.moments import Vector, moments
-from planar_pushing.certified.supports.pieces import Pieces, Place
+from planar_pushing.certified.supports.pressure.moments import Vector, moments
+from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 from planar_pushing.certified.supports.push import Push, ball
 
 

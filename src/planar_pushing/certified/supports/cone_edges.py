@@ -10,7 +10,7 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import in_degrees, precise, rational
 from planar_pushing.certified.supports.moving import Moved, moved
-from planar_pushing.certified.supports.pieces import Pieces
+from planar_pushing.certified.supports.pressure.pieces import Pieces
 from planar_pushing.certified.supports.push import on_edge
 
 

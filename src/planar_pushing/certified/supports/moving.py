@@ -20,9 +20,9 @@ from flint import arb
 
 from planar_pushing.certified.balls import in_degrees, sign
 from planar_pushing.certified.supports import collinear
-from planar_pushing.certified.supports.moments import Vector, moments
 from planar_pushing.certified.supports.newton import enclosed
 from planar_pushing.certified.supports.pivots import pivot
+from planar_pushing.certified.supports.pressure.moments import Vector, moments
 from planar_pushing.certified.supports.push import Push, ball, decided, is_even
 
 

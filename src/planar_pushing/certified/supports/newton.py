@@ -10,8 +10,8 @@ from __future__ import annotations
 from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Undecided
-from planar_pushing.certified.supports.moments import Vector, moments
-from planar_pushing.certified.supports.pieces import Pieces
+from planar_pushing.certified.supports.pressure.moments import Vector, moments
+from planar_pushing.certified.supports.pressure.pieces import Pieces
 from planar_pushing.certified.supports.problem import Matrix, Motion, Problem, product
 from planar_pushing.certified.supports.start import start
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from flint import arb
 
 from planar_pushing.certified.balls import sign
-from planar_pushing.certified.supports.moments import Vector, moments
+from planar_pushing.certified.supports.pressure.moments import Vector, moments
 from planar_pushing.certified.supports.push import Push, ball
 
 

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from planar_pushing.certified.supports.moments import Moments, Vector, moments
-from planar_pushing.certified.supports.pieces import Pieces
+from planar_pushing.certified.supports.pressure.moments import Moments, Vector, moments
+from planar_pushing.certified.supports.pressure.pieces import Pieces
 
 #: By rows.
 Matrix = tuple[arb, arb, arb, arb]

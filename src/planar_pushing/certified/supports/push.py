@@ -18,9 +18,9 @@ from planar_pushing.certified.balls import (
     rational,
     sign,
 )
-from planar_pushing.certified.supports.mirror import is_mirrored
-from planar_pushing.certified.supports.moments import Vector
-from planar_pushing.certified.supports.pieces import Pieces, Place
+from planar_pushing.certified.supports.pressure.mirror import is_mirrored
+from planar_pushing.certified.supports.pressure.moments import Vector
+from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 
 #: Precisions in bits that are tried in turn.
 PRECISIONS = (320, 640, 1280)

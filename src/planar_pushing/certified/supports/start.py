@@ -9,8 +9,8 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Undecided
-from planar_pushing.certified.supports.moments import moments
-from planar_pushing.certified.supports.pieces import Point
+from planar_pushing.certified.supports.pressure.moments import moments
+from planar_pushing.certified.supports.pressure.pieces import Point
 from planar_pushing.certified.supports.problem import Motion, Problem
 
 #: Square of the radius of gyration that stands for a support in a first guess, in its extents.

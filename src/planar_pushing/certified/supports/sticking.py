@@ -15,7 +15,7 @@ from flint import arb
 from planar_pushing.certified.balls import sign
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.supports import collinear
-from planar_pushing.certified.supports.moments import Vector, moments
+from planar_pushing.certified.supports.pressure.moments import Vector, moments
 from planar_pushing.certified.supports.push import Push, ball, decided, is_even
 
 

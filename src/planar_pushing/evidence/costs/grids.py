@@ -18,7 +18,7 @@ from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.study.blocks import blocks
+from planar_pushing.study.storage.blocks import blocks
 
 ROD_LENGTHS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)
 ROD_ANGLE = np.pi / 4

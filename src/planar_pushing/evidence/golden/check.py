@@ -20,7 +20,7 @@ from planar_pushing.study.files.models import FigureEntry, StudyFile
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.sliders_model import SlidersFile, Study
 from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.store import group_names, read_dataset
+from planar_pushing.study.storage.store import group_names, read_dataset
 from planar_pushing.study.studies import provenance
 from planar_pushing.terms.errors import InvalidFile
 

@@ -23,9 +23,9 @@ from planar_pushing.evidence.golden.build.second import agreement, second_route
 from planar_pushing.evidence.golden.compare import MARKS
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.sliders_model import SlidersFile, Study
-from planar_pushing.study.jobs import run_command
+from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.storage.store import read_dataset, write_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from planar_pushing.terms.errors import InvalidResult
 

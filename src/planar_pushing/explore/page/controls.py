@@ -25,6 +25,7 @@ from planar_pushing.explore.state import (
     Start,
     State,
     effect,
+    first_policy,
     pushed,
     simulated,
     with_effect,
@@ -34,7 +35,7 @@ from planar_pushing.explore.state import (
     with_support,
 )
 from planar_pushing.explore.supports import name_in
-from planar_pushing.study.datasets.gallery import words
+from planar_pushing.study.datasets.sliders.gallery import words
 from planar_pushing.terms.options import EffectKind, Policy, Shape
 
 FRICTION, INERTIA = EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA
@@ -258,9 +259,7 @@ def _push() -> dict[str, Control]:
         "start": Control(
             widget=RadioButtonGroup(name="start", labels=["Moving at once", "From rest"]),
             read=lambda state: list(Start).index(state.start), holds="active",
-            write=lambda state, index: replace(
-                state, start=list(Start)[index], time=None, choices=()
-            ),
+            write=lambda state, index: replace(state, start=list(Start)[index], time=None),
             options=lambda state: {"disabled": not state.scene.stores_energy},
         ),
     }  # fmt: skip
@@ -281,9 +280,9 @@ def _views() -> dict[str, Control]:
         "policy": Control(
             widget=_select(
                 "policy", "Where several ways are consistent",
-                [(each.value, each.value.replace("-", " ")) for each in list(Policy)[:3]],
+                [(each.value, each.value.replace("-", " ")) for each in Policy],
             ),
-            read=lambda state: str(state.file.simulate.on_ambiguity) if state.file.simulate else "",
+            read=first_policy,
             write=lambda state, value: _simulated_again(state, on_ambiguity=value),
         ),
     }  # fmt: skip
@@ -291,7 +290,7 @@ def _views() -> dict[str, Control]:
 
 def _simulated_again(state: State, **options: Any) -> State:
     """The state with other options, followed anew where it was followed."""
-    return replace(simulated(state, **options), time=state.time)
+    return replace(simulated(state, **options), time=None if state.time is None else 0.0)
 
 
 def controls() -> dict[str, Control]:

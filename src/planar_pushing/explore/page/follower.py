@@ -12,10 +12,12 @@ from bokeh.models import Button, Div, RadioButtonGroup, Slider, Toggle
 from planar_pushing.explore.following import (
     WAYS,
     Motion,
-    choice_at,
+    chosen,
     energies,
     followed,
+    forgotten,
     row_at,
+    several_at,
     taken,
 )
 from planar_pushing.explore.page.canvas import TimeCanvas
@@ -24,7 +26,7 @@ from planar_pushing.explore.page.view import heading
 from planar_pushing.explore.page.workers import Worker
 from planar_pushing.explore.pictures.motion import mode_bar, picture
 from planar_pushing.explore.state import State
-from planar_pushing.explore.words import NUMBERS, number
+from planar_pushing.explore.words import NUMBERS
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.terms.errors import PlanarPushingError
 
@@ -57,7 +59,7 @@ class Follower:
         )  # fmt: skip
         self.words = Div(name="choice words")
         self.way = RadioButtonGroup(name="way", labels=list(WAYS.values()), visible=False)
-        self.forget = Button(name="forget", label="Forget the choices", visible=False)
+        self.forget = Button(name="forget", label="Forget the choices made", visible=False)
         self.worker = Worker(controller.document, self._compute, self._keep)
         self._listen()
 
@@ -110,7 +112,7 @@ class Follower:
         self.play.disabled = self.time.disabled = not following
         for figure in (self.canvas.bar, self.canvas.energy):
             figure.visible = following
-        self.forget.visible = bool(state.choices)
+        self.forget.visible = chosen(state)
         if not following:
             self.way.visible, self.words.text = False, ""
 
@@ -154,13 +156,11 @@ class Follower:
         """Take a way by hand where several are consistent."""
         if self.quiet or self.motion is None or index is None:
             return
-        began = choice_at(self.motion, self._now)
-        if began is not None:
-            way = list(WAYS)[index]
-            self.controller.put(taken(self.controller.state, began, way))
+        self.play.active = False
+        self.controller.put(taken(self.controller.state, list(WAYS)[index]))
 
     def _forget(self) -> None:
-        self.controller.put(replace(self.controller.state, choices=()))
+        self.controller.put(forgotten(self.controller.state))
 
     # -- the motion --------------------------------------------------------------------------
 
@@ -204,9 +204,9 @@ class Follower:
         """Let the widgets show the instant, and the ways on."""
         assert self.motion is not None
         self.time.value = now
-        began = choice_at(self.motion, now)
-        self.way.update(visible=began is not None, active=None)
-        self.words.text = "" if began is None else f"From {number(began)} on, the contact \u2026"
+        several = several_at(self.motion, now)
+        self.way.update(visible=several, active=None)
+        self.words.text = f"At time {now:.3f} take the way on which the contact" if several else ""
 
     def close(self) -> None:
         """End the thread."""

@@ -24,7 +24,7 @@ from planar_pushing.figures.sliders.gallery import (
 )
 from planar_pushing.figures.style import DARK, FORCE, GREY
 from planar_pushing.mechanics.contact import InfiniteFriction
-from planar_pushing.study.datasets.gallery import words
+from planar_pushing.study.datasets.sliders.gallery import words
 from planar_pushing.study.files.sliders_model import RodEntry
 
 #: Force angles of a curve, degrees.

@@ -14,7 +14,7 @@ from planar_pushing.figures.settings import Sources
 from planar_pushing.figures.sliders.over_rods import keep_ticks_inside
 from planar_pushing.figures.style import DARK, FORCE, MOTION
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.study.datasets.gallery import words
+from planar_pushing.study.datasets.sliders.gallery import words
 from planar_pushing.study.files.sliders_model import RodEntry
 
 #: What the errors are of: title, and colour.

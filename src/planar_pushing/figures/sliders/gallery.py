@@ -20,7 +20,7 @@ from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.mechanics.supports import Composite, Points, Ring, Segment
-from planar_pushing.study.datasets.gallery import support_axis
+from planar_pushing.study.datasets.sliders.gallery import support_axis
 from planar_pushing.study.files.sliders_model import RodEntry
 from planar_pushing.study.files.support_model import SupportEntry
 

@@ -24,7 +24,7 @@ from planar_pushing.figures.style import DARK, GREY
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.datasets.gallery import words
+from planar_pushing.study.datasets.sliders.gallery import words
 from planar_pushing.study.files.sliders_model import RodEntry
 
 #: Rod lengths and rod angles, in degrees, of the curves.

@@ -107,6 +107,12 @@ def _row(system, run, time, state, solutions, row):
 
 
 @inlined
+def _policy(system, run):
+    """The policy that holds in the span of the run."""
+    return system.fence[run.span].policy
+
+
+@inlined
 def _stop(run, reason):
     run.stopped, run.phase = reason, LOGS
 
@@ -116,7 +122,7 @@ def _enter(system, task, run):
     """Take up the motion of a span of the fence, or end where there is none."""
     run.phase = LOGS
     if run.span < len(system.fence):
-        reason = base.enter(system, run.span, run.vectors[at.STATE], run.kind, task.policy)
+        reason = base.enter(system, run.span, run.vectors[at.STATE], run.kind, _policy(system, run))
         if reason != GOES_ON:
             _stop(run, reason)
         else:
@@ -138,7 +144,7 @@ def _change(system, task, run):
 def _begin_mode(system, task, run, excluded):
     """Choose a mode and begin it, or stop where none is consistent."""
     run.phase = LOGS
-    if choice.choose(system, run, task.policy, excluded):
+    if choice.choose(system, run, _policy(system, run), excluded):
         run.before = run.time
         step.begin(run)
         watch.start_watch(system, at.candidate(system, run, run.chosen), run)
@@ -193,7 +199,8 @@ def _happen(system, task, run):
     if _parts(system, run.cause, state[base.ALONG]):
         system.body.parted = True
     else:
-        run.time, reason = base.after(system, run.cause, mode, run.event, state, task.policy)
+        policy = _policy(system, run)
+        run.time, reason = base.after(system, run.cause, mode, run.event, state, policy)
     if run.cause == base.LIES:
         reason = LAY_DOWN
     run.phase = CHANGES

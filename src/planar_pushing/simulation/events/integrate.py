@@ -33,10 +33,10 @@ class EventDriven:
     def __init__(self, problem: Problem, times: npt.ArrayLike) -> None:
         scene = problem.scene
         self.radius = float(scene.slider.radius)
-        fence = problem.pusher.fence(float(problem.duration), self.radius)
+        fence = problem.fence(float(problem.duration), self.radius)
         row = row_of(scene, problem.twist, problem.gap)
         self.system = system_of(problem, row, fence)
-        self.task = Task(problem.rtol, problem.policy, np.asarray(times, float))
+        self.task = Task(problem.rtol, np.asarray(times, float))
         self.run = records(RUNS[scene.stores_energy], 1)[0]
         put(self.system, row, self.run.vectors[STATE])
         begin(self.system, self.run)

@@ -20,10 +20,9 @@ RADAU = 3
 
 
 class Task(NamedTuple):
-    """What is asked of a run: a relative tolerance, a policy, and samples at these times."""
+    """What is asked of a run: a relative tolerance, and samples at these times."""
 
     rtol: float
-    policy: int
     times: Array
 
 

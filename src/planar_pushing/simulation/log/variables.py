@@ -103,7 +103,7 @@ def variable_attributes(name: str, shape: Shape = Shape.FENCE) -> dict[str, Any]
 
 def attributes(problem: Problem, method: str) -> dict[str, Any]:
     """Attributes of the log that are known before the run."""
-    pusher = problem.pusher
+    pusher, policies = problem.pusher, problem.on_ambiguity
     finger = {"pusher_shape": str(problem.shape)} if problem.shape == Shape.FINGER else {}
     return {
         "title": "motion of the pushed slider",
@@ -116,7 +116,7 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
         "initial_twist": np.array(problem.twist),
         "initial_gap": problem.gap,
         "method": str(method),
-        "on_ambiguity": str(problem.on_ambiguity),
+        "on_ambiguity": policies[0][1].value if len(policies) == 1 else to_json(policies),
         "rtol": problem.rtol,
         "unit_notes": to_json(quantities.LOG_NOTES),
         "versions": versions(),

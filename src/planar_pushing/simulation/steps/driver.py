@@ -48,12 +48,11 @@ CLOCK = np.dtype(
 
 
 class Plan(NamedTuple):
-    """Intervals of a run: ends, steps in each, pieces of the fence in which they begin; and the policy."""
+    """Intervals of a run: ends, steps in each, and pieces of the fence in which they begin."""
 
     ends: Array
     counts: Array
     pieces: Array
-    policy: int
 
 
 @compiled
@@ -109,7 +108,8 @@ def _choose(system, plan, run):
         run.kind, run.stopped = NO_MODE, INCONSISTENT
         run.force[:] = 0.0
         return True
-    best, h = contact.preferred(plan.policy, kind, run.kinds, count), run.until - run.time
+    policy, h = system.fence[plan.pieces[run.mark]].policy, run.until - run.time
+    best = contact.preferred(policy, kind, run.kinds, count)
     run.kind = run.kinds[best]
     run.trials[0] = run.trials[best]
     shape, angle, found = system.shape, run.state[base.ANGLE], run.trials[0]

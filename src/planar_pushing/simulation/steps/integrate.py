@@ -17,7 +17,7 @@ from planar_pushing.simulation.steps.driver import CLOCK, Plan, advance, ended
 from planar_pushing.simulation.steps.trials import INCREMENTS
 from planar_pushing.simulation.systems import base, setup
 from planar_pushing.terms.errors import InvalidValue, require_positive
-from planar_pushing.terms.options import MOST_STEPS, Policy
+from planar_pushing.terms.options import MOST_STEPS
 
 INCREMENTS.update({base.QuasiStatic: friction, base.Inertial: inertia})
 #: Steps of a run whose step is not given.
@@ -57,11 +57,11 @@ class TimeStepping:
         if duration / MOST_STEPS > size:
             raise InvalidValue("step", step, f"at most {MOST_STEPS:g} steps", "take longer steps")
         self.radius = float(problem.scene.slider.radius)
-        fence = problem.pusher.fence(duration, self.radius)
+        fence = problem.fence(duration, self.radius)
         row = setup.row_of(problem.scene, problem.twist, problem.gap)
         self.system = setup.system_of(problem, row, fence)
         wanted = sorted({*map(float, np.asarray(times)), 0.0, duration})
-        self.plan = _plan(fence, wanted, size, list(Policy).index(problem.on_ambiguity))
+        self.plan = _plan(fence, wanted, size)
         self.run = records(CLOCK, 1)[0]
         self.run.kind, self.run.fence[1] = NO_MODE, -row[setup.GAP]
         self.run.twist[:] = row[setup.V_X : setup.GAP]
@@ -81,7 +81,7 @@ class TimeStepping:
         return reason(self.run.stopped)
 
 
-def _plan(fence: Any, wanted: list[float], size: float, policy: int) -> Plan:
+def _plan(fence: Any, wanted: list[float], size: float) -> Plan:
     """Intervals between the times wanted and the jumps of the fence, cut into equal steps."""
     ends, counts, pieces = [], [], []
     for piece in np.unique(fence["first"]):
@@ -91,7 +91,7 @@ def _plan(fence: Any, wanted: list[float], size: float, policy: int) -> Plan:
             counts.append(max(1, math.ceil((mark - start) / size * (1 - 1e-9))))
             pieces.append(piece)
             start = mark
-    return Plan(np.array(ends), np.array(counts, np.int64), np.array(pieces, np.int64), policy)
+    return Plan(np.array(ends), np.array(counts, np.int64), np.array(pieces, np.int64))
 
 
 def _marks(start: float, end: float, wanted: list[float]) -> list[float]:

@@ -25,13 +25,14 @@ from planar_pushing.simulation.systems.shapes import base as shapes
 ALONG, GAP, ANGLE, SLIP, LOST, WORK, RUBBED, OVER, RISE, SPIN = range(10)
 #: Entries of the state without and with inertia.
 STILL, MOVING = OVER, SPIN + 1
-#: Policies in the core, in the order of `Policy`.
-KEEPS, LEAVES, STAYS = range(3)
 #: What the slider does: the contact modes, of which `SEPARATE` is a flight, and rests clear of the fence
 #: and on it.
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
 SLIP_RIGHT, SLIP_LEFT = int(ContactMode.SLIP_RIGHT), int(ContactMode.SLIP_LEFT)
 CLEAR, HELD = 4, 5
+#: The contact modes that the policies prefer, in the order of `Policy`; none, and the mode so far.
+NONE, SO_FAR = -1, -2
+PREFERRED = NONE, SEPARATE, SO_FAR, STICK, SLIP_RIGHT, SLIP_LEFT
 
 #: A margin (dimensionless) this far below zero ends a mode; rounding stays above it.
 SLACK = 1e-11
@@ -209,11 +210,10 @@ def contact_mode(kind):
 @compiled
 def rank(policy, previous, kind):
     """Place of a contact mode in the order in which a policy takes the modes."""
-    if policy == STAYS and kind == previous:
-        return -1
-    if kind == SEPARATE:
-        return 0 if policy == LEAVES else SLIP_LEFT + 1
-    return kind
+    preferred = PREFERRED[policy]
+    if kind == (previous if preferred == SO_FAR else preferred):
+        return SEPARATE
+    return SLIP_LEFT + 1 if kind == SEPARATE else kind
 
 
 @compiled

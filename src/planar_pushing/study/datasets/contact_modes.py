@@ -61,27 +61,38 @@ def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
 
     NaN where there is none; zero at rest, which has no force. Shape S + (modes,).
     """
-    speed = np.linalg.norm(found.twist.values * [1.0, 1.0, radius], axis=-1)
+    filled = found.isel(solution=slice(max(int(found.solutions.max()), 1)))
+    filled = filled.transpose("solution", ...)
+    v_x, v_y, spin = np.moveaxis(filled.twist.values, -1, 0)
+    speed = np.sqrt(v_x**2 + v_y**2 + (radius * spin) ** 2)
     values = {
-        "spin_ratio": found.spin_ratio.values,
-        "force_angle": angles_of(found.force.values),
+        "spin_ratio": filled.spin_ratio.values,
+        "force_angle": angles_of(filled.force.values),
     }
-    modes = [_of_mode(found.mode.values == mode, speed, values) for mode in ContactMode]
+    modes = [_of_mode(filled.mode.values == int(mode), speed, values) for mode in ContactMode]
     rest = np.where(modes[ContactMode.SEPARATE]["consistent"] > 0, 0.0, np.nan)
     modes[ContactMode.SEPARATE] |= dict.fromkeys(VALUES, rest)
     return {name: np.stack([each[name] for each in modes], axis=-1) for name in modes[0]}
 
 
 def _of_mode(here: Found, speed: Array, values: dict[str, Array]) -> dict[str, npt.NDArray[Any]]:
-    slow = np.where(here, speed, np.inf).argmin(axis=-1)[..., None]
-    fast = np.where(here, speed, -np.inf).argmax(axis=-1)[..., None]
-    exists = here.any(axis=-1)
+    """Number of a mode's solutions, and what its slowest and its fastest have."""
+    slow, fast = np.where(here, speed, np.inf), np.where(here, speed, -np.inf)
+    ends = {"": here & (slow == slow.min(axis=0)), "_fast": here & (fast == fast.max(axis=0))}
     picked = {
-        name + end: np.where(exists, np.take_along_axis(value, place, axis=-1)[..., 0], np.nan)
-        for end, place in (("", slow), ("_fast", fast))
+        name + end: _first(chosen, value)
+        for end, chosen in ends.items()
         for name, value in values.items()
     }
-    return {"consistent": here.sum(axis=-1, dtype=np.int8)} | picked
+    return {"consistent": here.sum(axis=0, dtype=np.int8)} | picked
+
+
+def _first(chosen: Found, values: Array) -> Array:
+    """The first chosen value along the first axis; NaN where none is."""
+    found = np.full(values.shape[1:], np.nan)
+    for here, value in zip(chosen[::-1], values[::-1], strict=True):
+        np.copyto(found, value, where=here)
+    return found
 
 
 def build(study: StudyFile, contact: Collection[str] | None = None) -> xr.Dataset:

@@ -77,10 +77,10 @@ def load_model(path: PathLike, model: type[Model]) -> Model:
 
 
 def _key(location: tuple[int | str, ...]) -> str:
-    """Location as written in the file: without the tags that tell laws and effects apart."""
+    """Location as written in the file: without the tags that tell laws, effects and policies apart."""
     key, previous = "", None
     for index, part in enumerate(location):
-        tag = previous in ("contact", "support") or (
+        tag = previous in ("contact", "support", "on_ambiguity") or (
             index > 1 and location[index - 2] in ("effects", "supports")
         )
         if isinstance(part, int):

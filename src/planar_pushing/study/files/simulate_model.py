@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from typing import Annotated, Self
 
-from pydantic import model_validator
+from pydantic import Discriminator, Tag, model_validator
 
 from planar_pushing.study.files.fields import (
     Degrees,
@@ -32,12 +32,27 @@ class PieceEntry(FileModel):
     speed: NonNegative = 1.0
 
 
+class PolicyEntry(FileModel):
+    """What decides between contact modes from a time on."""
+
+    time: NonNegative
+    policy: PolicyName
+
+
 class TwistEntry(FileModel):
     """Velocity of the ring centre, and rotation in degrees per time."""
 
     v_x: FiniteNumber = 0.0
     v_y: FiniteNumber = 0.0
     omega: FiniteNumber = 0.0
+
+
+#: A policy, or policies over time.
+PolicyEntries = Annotated[
+    Annotated[PolicyName, Tag("one")]
+    | Annotated[tuple[PolicyEntry, ...], NotEmpty, Tag("several")],
+    Discriminator(lambda given: "several" if isinstance(given, (list, tuple)) else "one"),
+]
 
 
 class SimulateEntry(FileModel):
@@ -49,7 +64,7 @@ class SimulateEntry(FileModel):
     pusher: Annotated[tuple[PieceEntry, ...], NotEmpty] | None = None
     duration: Positive
     method: MethodName = Method.EVENT_DRIVEN.value
-    on_ambiguity: PolicyName = Policy.KEEP_CONTACT.value
+    on_ambiguity: PolicyEntries = Policy.KEEP_CONTACT.value
     rtol: RelativeTolerance = 1e-10
     initial_twist: TwistEntry | None = None
     initial_gap: NonNegative = 0.0
@@ -64,9 +79,10 @@ class SimulateEntry(FileModel):
             raise refuse(
                 "pusher_speed with pusher_angle only; the pieces of pusher hold a speed each"
             )
-        times = [piece.time for piece in self.pieces]
-        if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
-            raise refuse("times of pusher that begin at 0 and increase")
+        for name, pieces in (("pusher", self.pieces), ("on_ambiguity", self.policies)):
+            times = [piece.time for piece in pieces]
+            if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
+                raise refuse(f"times of {name} that begin at 0 and increase")
         if self.step is not None and self.method != Method.TIME_STEPPING:
             raise refuse("step with the method time-stepping only")
         return self
@@ -78,3 +94,10 @@ class SimulateEntry(FileModel):
             return self.pusher
         speed = 1.0 if self.pusher_speed is None else self.pusher_speed
         return (PieceEntry(time=0.0, angle=self.pusher_angle, speed=speed),)
+
+    @property
+    def policies(self) -> tuple[PolicyEntry, ...]:
+        """What decides between contact modes as pieces, of which a policy alone has one."""
+        if isinstance(self.on_ambiguity, tuple):
+            return self.on_ambiguity
+        return (PolicyEntry(time=0.0, policy=self.on_ambiguity),)

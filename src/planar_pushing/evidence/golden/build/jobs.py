@@ -9,7 +9,8 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.certified.contact import modes
-from planar_pushing.evidence.golden.build import generate, pictures, plotted, sliders
+from planar_pushing.evidence.golden.build import generate, pictures, plotted
+from planar_pushing.evidence.golden.build.sliders import write as sliders
 
 Study = plotted.Study
 #: Builds a golden file on a number of processes.

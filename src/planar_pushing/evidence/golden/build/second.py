@@ -17,7 +17,7 @@ import xarray as xr
 
 from planar_pushing.certified import ring
 from planar_pushing.certified.integrals import printed
-from planar_pushing.certified.supports import integrals, moments
+from planar_pushing.certified.supports.pressure import integrals, moments
 from planar_pushing.evidence.golden.build.enclosures import disjoint, golden_variables
 from planar_pushing.evidence.golden.build.jobs import Study, golden_jobs
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from planar_pushing.certified.doubled.numbers import Floats
-from planar_pushing.certified.supports.pieces import Pieces
+from planar_pushing.certified.supports.pressure.pieces import Pieces
 from planar_pushing.evidence.golden.residual.sliders.means import means
 from planar_pushing.evidence.golden.residual.sliders.nodes import doubles, nodes
 

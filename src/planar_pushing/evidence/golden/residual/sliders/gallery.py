@@ -12,8 +12,8 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import rational
 from planar_pushing.certified.supports.cone_edges import Edge, edge
-from planar_pushing.certified.supports.pieces import Pieces, pieces
 from planar_pushing.certified.supports.pivots import about
+from planar_pushing.certified.supports.pressure.pieces import Pieces, pieces
 from planar_pushing.certified.supports.push import on_edge
 
 #: Sign of an edge of a cone, by its name in the datasets.

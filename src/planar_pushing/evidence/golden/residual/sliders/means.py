@@ -9,7 +9,7 @@ import numpy as np
 from scipy.special import ellipe, ellipkm1
 
 from planar_pushing.certified.doubled.numbers import Floats
-from planar_pushing.certified.supports.pieces import Circle, Line, Pieces
+from planar_pushing.certified.supports.pressure.pieces import Circle, Line, Pieces
 from planar_pushing.evidence.golden.residual.sliders.nodes import doubles, share
 
 Means = tuple[Any, Any, Any]

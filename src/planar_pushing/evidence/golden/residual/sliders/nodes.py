@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.certified.doubled.numbers import Floats
-from planar_pushing.certified.supports.pieces import Circle, Line, Pieces, Place
+from planar_pushing.certified.supports.pressure.pieces import Circle, Line, Pieces, Place
 
 #: Nodes along a line or a radius, and around a circle: seen from eight extents away they err by 1e-18.
 LINE, TURN = 10, 24

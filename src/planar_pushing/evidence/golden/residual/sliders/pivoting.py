@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from flint import arb
 
-from planar_pushing.certified.supports.moments import Vector, moments
+from planar_pushing.certified.supports.pressure.moments import Vector, moments
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON
 from planar_pushing.evidence.golden.residual.sliders.gallery import OPEN, Rod
 from planar_pushing.evidence.golden.residual.sliders.table import Tables, turned

@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb, ctx
 
 from planar_pushing.certified.balls import cosine_sine, rational
-from planar_pushing.certified.supports.moments import Moments, Vector, moments
+from planar_pushing.certified.supports.pressure.moments import Moments, Vector, moments
 from planar_pushing.evidence.golden.residual.contact_modes.push import MODES
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON
 from planar_pushing.evidence.golden.residual.sliders.gallery import Rod

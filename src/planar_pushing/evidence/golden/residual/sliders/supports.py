@@ -10,8 +10,8 @@ import xarray as xr
 from flint import arb
 
 from planar_pushing.certified.balls import precise, rational
-from planar_pushing.certified.supports.moments import moments
-from planar_pushing.certified.supports.pieces import Pieces
+from planar_pushing.certified.supports.pressure.moments import moments
+from planar_pushing.certified.supports.pressure.pieces import Pieces
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON, Finding
 from planar_pushing.evidence.golden.residual.sliders.ellipsoid import ERRORS, errors
 from planar_pushing.evidence.golden.residual.sliders.gallery import gallery, gap

@@ -1,0 +1,1 @@
+"""Integrals over a support's pressure, in ball arithmetic."""

@@ -1,0 +1,114 @@
+"""Mean distance, mean unit vector, torque and second derivatives of a support, enclosed.
+
+With r' = r - c from a centre of rotation c and rho = |r'|: D is the mean of rho, G that of r' / rho, and
+the second derivatives of D by c those of ``(1 - r' r'^T / rho^2) / rho``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from planar_pushing.certified.balls import Undecided
+from planar_pushing.certified.supports.pressure.circles import disc, ring
+from planar_pushing.certified.supports.pressure.lines import edge, segment
+from planar_pushing.certified.supports.pressure.pieces import Circle, Pieces, Point
+
+Vector = tuple[arb, arb]
+#: D, G_x, G_y, and the second derivatives xx, xy, yy of one piece.
+Part = tuple[arb, arb, arb, arb, arb, arb]
+#: Evaluates D and G at an exact centre of rotation; a process has the closed forms until `use`.
+Route = Callable[[Pieces, Vector], tuple[arb, arb, arb]]
+_route: Route | None = None
+
+
+class Moments(NamedTuple):
+    """What friction needs of a support at a centre of rotation.
+
+    Attributes
+    ----------
+    distance : arb
+        D.
+    x, y : arb
+        G. A point at the centre counts as zero here and in the second derivatives.
+    xx, xy, yy : arb
+        Second derivatives of D by the centre; infinite or no number where D has none.
+    """
+
+    distance: arb
+    x: arb
+    y: arb
+    xx: arb
+    xy: arb
+    yy: arb
+
+    def torque(self, c: Vector, about: tuple[arb | fmpq, arb | fmpq]) -> arb:
+        """Torque about a place, of a slider that turns counter-clockwise: ``D + (c - place) . G``."""
+        return self.distance + (c[0] - about[0]) * self.x + (c[1] - about[1]) * self.y
+
+
+def moments(support: Pieces, c: Vector) -> Moments:
+    """Moments at a centre of rotation, exact or a ball.
+
+    Raises
+    ------
+    Undecided
+        Where a ball leaves D or G open: next to a point of the support, or to a rim.
+    """
+    total = [arb(0)] * 6
+    for part in _parts(support, c):
+        total = [whole + each for whole, each in zip(total, part, strict=True)]
+    found = Moments(*total)
+    if _route is not None and c[0].is_exact() and c[1].is_exact():
+        distance, x, y = _route(support, c)
+        found = found._replace(distance=distance, x=x, y=y)
+    if not all(each.is_finite() for each in found[:3]):
+        raise Undecided(f"no moments at {c}")
+    return found
+
+
+def use(route: Route) -> None:
+    """Evaluate D and G at exact centres by this route from now on: call it before anything else."""
+    global _route
+    _route = route
+
+
+def _parts(support: Pieces, c: Vector) -> Iterable[Part]:
+    yield from (_point(each, c) for each in support.points)
+    yield from (segment(each, c) for each in support.segments)
+    yield from (edge(each, c) for each in support.edges)
+    for profile, circles in ((ring, support.rings), (disc, support.discs)):
+        yield from (_turned(each, c, profile(distance(each, c), each.radius)) for each in circles)
+
+
+def _point(point: Point, c: Vector) -> Part:
+    x, y = point.place[0] - c[0], point.place[1] - c[1]
+    if x.is_zero() and y.is_zero():
+        return (arb(0),) * 6
+    rho, share = (x * x + y * y).sqrt(), point.share
+    e_x, e_y, rate = x / rho, y / rho, share / rho
+    second = rate * e_y * e_y, -rate * e_x * e_y, rate * e_x * e_x
+    return share * rho, share * e_x, share * e_y, *second
+
+
+def distance(circle: Circle, c: Vector) -> arb:
+    """Distance of a centre of rotation from that of a circle."""
+    x, y = c[0] - circle.center[0], c[1] - circle.center[1]
+    return (x * x + y * y).sqrt()
+
+
+def _turned(circle: Circle, c: Vector, radial: tuple[arb, arb, arb, arb]) -> Part:
+    """A radial piece from D, its slope and its curvatures along and across the radius."""
+    whole, slope, along, across = (circle.share * each for each in radial)
+    x, y, size = c[0] - circle.center[0], c[1] - circle.center[1], distance(circle, c)
+    if size.is_zero():
+        return whole, arb(0), arb(0), across, arb(0), across
+    e_x, e_y = x / size, y / size
+    second = (
+        along * e_x * e_x + across * e_y * e_y,
+        (along - across) * e_x * e_y,
+        along * e_y * e_y + across * e_x * e_x,
+    )
+    return whole, -slope * e_x, -slope * e_y, *second

@@ -1,0 +1,1 @@
+"""Golden data of the study of sliders."""

@@ -1,0 +1,1 @@
+"""Datasets of the study of sliders: a gallery of supports."""

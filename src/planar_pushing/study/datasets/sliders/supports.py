@@ -1,0 +1,77 @@
+"""Wrench of each support over centres of rotation, and the ellipsoid that planners put in its place."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.effects import SupportFriction
+from planar_pushing.mechanics.entries import to_json
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports import EllipsoidFit, fit_ellipsoid
+from planar_pushing.mechanics.wrench import potential, wrench
+from planar_pushing.study.datasets.base import axis
+from planar_pushing.study.datasets.sliders.gallery import described
+from planar_pushing.study.files.sliders_model import SlidersFile
+
+OVER_CENTERS = ("support", "center_x", "center_y")
+TWIST, WRENCH = ["v_x", "v_y", "omega"], ["f_x", "f_y", "tau"]
+#: Errors of the ellipsoid, which are angles.
+ERRORS = ("worst_force_error", "mean_force_error", "worst_motion_error", "mean_motion_error")
+
+
+def rotations(study: SlidersFile) -> Array:
+    """Twists of unit rotation, counter-clockwise, about every centre of the grid, shape S + (3,)."""
+    x, y = np.meshgrid(study.grid.center_x, study.grid.center_y, indexing="ij")
+    return np.stack([y, -x, np.ones_like(x)], axis=-1)
+
+
+def _over_centers(supports: list[Any], twists: Array) -> dict[str, Any]:
+    effects = [SupportFriction(support=support) for support in supports]
+    wrenches = np.stack([wrench(effect, twists) for effect in effects])
+    return {
+        "mean_distance": (OVER_CENTERS, np.stack([potential(each, twists) for each in effects])),
+        "force_x": (OVER_CENTERS, wrenches[..., 0]),
+        "force_y": (OVER_CENTERS, wrenches[..., 1]),
+        "torque": (OVER_CENTERS, wrenches[..., 2]),
+    }
+
+
+def _ellipsoids(fits: list[EllipsoidFit]) -> dict[str, Any]:
+    angles = {name: np.rad2deg([getattr(fit, name) for fit in fits]) for name in ERRORS}
+    return {
+        "center_of_pressure_x": ("support", [fit.center[0] for fit in fits]),
+        "center_of_pressure_y": ("support", [fit.center[1] for fit in fits]),
+        "extent": ("support", [fit.extent for fit in fits]),
+        "integration_constant": ("support", [fit.integration_constant for fit in fits]),
+        "ellipsoid": (
+            ("support", "twist_component", "wrench_component"),
+            np.stack([fit.matrix for fit in fits]),
+        ),
+        **{name: ("support", values) for name, values in angles.items()},
+    }
+
+
+def build(study: SlidersFile) -> xr.Dataset:
+    """Build the dataset of a study; the weight is 1."""
+    supports = list(study.gallery().values())
+    entries = [entry.model_dump(exclude_none=True) for entry in study.supports.values()]
+    dataset = xr.Dataset(
+        _over_centers(supports, rotations(study)) | _ellipsoids(list(map(fit_ellipsoid, supports))),
+        {
+            "support": list(study.supports),
+            "description": ("support", list(map(to_json, entries))),
+            "center_x": axis(study, "center_x"),
+            "center_y": axis(study, "center_y"),
+            "twist_component": TWIST,
+            "wrench_component": WRENCH,
+        },
+    )
+    return described(
+        dataset,
+        study,
+        title="Supports: wrenches over centres of rotation, and the ellipsoids in their place",
+        source="Sec. 3, Eqs. (1)-(3), for any pressure distribution",
+    )

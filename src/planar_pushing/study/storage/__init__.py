@@ -1,0 +1,1 @@
+"""Datasets in files: how they are stored, opened, cut into parts and joined."""
