@@ -10,7 +10,9 @@ from browser.page import FLAGS, Watch, browser_path, ready, serving
 def chromium():
     path = browser_path()
     if path is None:
-        pytest.exit("make test-browser: needs Chromium, for instance Debian's chromium", returncode=2)
+        pytest.exit(
+            "make test-browser: needs Chromium, for instance Debian's chromium", returncode=2
+        )
     with sync_playwright() as driver:
         browser = driver.chromium.launch(executable_path=path, args=list(FLAGS))
         yield browser

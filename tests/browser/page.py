@@ -28,7 +28,10 @@ class Server:
     def __init__(self, *arguments):
         command = [sys.executable, "-m", "planar_pushing.commands", "explore", "--no-browser"]
         self.process = subprocess.Popen(
-            [*command, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            [*command, *map(str, arguments)],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
         )
         self.url = self.process.stdout.readline().split(" ")[0]
 

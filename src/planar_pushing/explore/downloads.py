@@ -31,9 +31,7 @@ def _yaml(state: State, path: Path) -> None:
 
 
 def _svg(state: State, path: Path) -> None:
-    push = PushEntry(
-        file=str(path), pusher_angle=state.angle, pusher_magnitude=state.magnitude
-    )
+    push = PushEntry(file=str(path), pusher_angle=state.angle, pusher_magnitude=state.magnitude)
     render_scene(state.file, push, path)
 
 

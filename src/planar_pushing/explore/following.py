@@ -52,7 +52,9 @@ def followed(state: State) -> Motion:
 
 def row_at(motion: Motion, time: float) -> int:
     """Row of the log that holds at a time."""
-    return int(np.clip(np.searchsorted(motion.times, time, side="right") - 1, 0, len(motion.times) - 1))
+    return int(
+        np.clip(np.searchsorted(motion.times, time, side="right") - 1, 0, len(motion.times) - 1)
+    )
 
 
 def run_at(motion: Motion, time: float) -> Run:

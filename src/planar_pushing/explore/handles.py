@@ -84,7 +84,9 @@ def _magnitude(state: State, length: float) -> float:
     scene = state.scene
     if not magnitude_matters(scene):
         return state.magnitude
-    return unit_of_magnitude(scene) * math.exp(float(np.interp(length, LENGTHS, np.log(MAGNITUDES))))
+    return unit_of_magnitude(scene) * math.exp(
+        float(np.interp(length, LENGTHS, np.log(MAGNITUDES)))
+    )
 
 
 def places(state: State, force: Array | None) -> dict[Handle, Array]:
@@ -176,7 +178,7 @@ DEGREE, PART = 1.0, 0.02
 def nudged(
     state: State, handle: Handle, force: Array | None, right: int, up: int, coarse: bool
 ) -> State:
-    """The state after an arrow key moved a handle: around with left and right, out and in with up and down."""
+    """The state after an arrow key moved a handle: around by left and right, out and in by up and down."""
     place = places(state, force).get(handle)
     if place is None:
         return state

@@ -89,7 +89,9 @@ def collected(workflow: Path) -> dict[str, Any]:
     for name, (source, title, changes, angle) in DERIVED.items():
         found[name] = {"scene": _altered(found[source]["scene"], title, changes), "angle": angle}
     supports = load_sliders(workflow / "config/sliders.yaml").supports
-    shapes = {name: each.model_dump(mode="json", exclude_none=True) for name, each in supports.items()}
+    shapes = {
+        name: each.model_dump(mode="json", exclude_none=True) for name, each in supports.items()
+    }
     for name, (support, title, friction, angle) in GALLERY.items():
         found[name] = {"scene": _of_gallery(shapes[support], title, friction), "angle": angle}
     for name in EXAMPLES:

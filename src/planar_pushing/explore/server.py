@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import socket
 import webbrowser
 from collections.abc import Callable
 from functools import partial
@@ -36,13 +37,9 @@ class Explorer:
 
     def __init__(self, file: SceneFile | None = None, port: int = 0) -> None:
         self.first = preset(FIRST) if file is None else state_of(file)
+        _require_free(port)
         application = Application(FunctionHandler(self._page))
-        try:
-            self.server: Any = Server({"/": application}, address=HOST, port=port)
-        except OSError:
-            raise InvalidValue(
-                "port", port, "a port that is free", "leave it out: a free one is taken"
-            ) from None
+        self.server: Any = Server({"/": application}, address=HOST, port=port)
         for name in (HOST, "localhost"):
             self.server._tornado._websocket_origins.add(f"{name}:{self.server.port}")
 
@@ -85,14 +82,19 @@ class Explorer:
         document.title = state.file.title or "Planar pushing"
         document.template = _template()
         document.template_variables["style"] = (PAGE / "page.css").read_text(encoding="utf-8")
-        document.on_session_destroyed(lambda context: (controller.close(), follower.close()))
+        for part in (controller, follower):
+            document.on_session_destroyed(lambda context, part=part: part.close())
         controller.start()
         view.say(said)
 
     def _state(self, document: Any) -> tuple[State, str]:
         """The state in the address, and what is wrong with it."""
         request = document.session_context.request
-        given = {key: values[0].decode() for key, values in request.arguments.items()} if request else {}
+        given = (
+            {key: values[0].decode() for key, values in request.arguments.items()}
+            if request
+            else {}
+        )
         given = {key: each for key, each in given.items() if not key.startswith("bokeh-")}
         try:
             return (state_in(given) if given else self.first), ""
@@ -102,6 +104,17 @@ class Explorer:
     def _close(self, view: View) -> None:
         view.words.text = "<h2>The explorer is closed. You can close this page.</h2>"
         self.stop()
+
+
+def _require_free(port: int) -> None:
+    """Refuse a port that cannot be served on."""
+    try:
+        with socket.socket() as trial:
+            trial.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            trial.bind((HOST, port))
+    except (OSError, OverflowError):
+        remedy = "leave it out: a free one is taken"
+        raise InvalidValue("port", port, "a port from 1 to 65535 that is free", remedy) from None
 
 
 def _template() -> Any:

@@ -139,7 +139,9 @@ def with_rod(state: State, length: float, angle: float) -> State:
     """The state with another rod."""
     angle = float(np.clip(angle, *ROD_ANGLES))
     slider = state.file.slider.model_dump(exclude_none=True)
-    return changed(state, slider=slider | {"rod_length": max(float(length), 0.0), "rod_angle": angle})
+    return changed(
+        state, slider=slider | {"rod_length": max(float(length), 0.0), "rod_angle": angle}
+    )
 
 
 def with_size(state: State, size: float) -> State:

@@ -47,7 +47,7 @@ def _alike(one: Any, other: Any) -> bool:
     if isinstance(one, (list, tuple)):
         return len(one) == len(other) and all(map(_alike, one, other))
     if isinstance(one, str):
-        return one == other
+        return bool(one == other)
     return bool(np.isclose(one, other, rtol=ROUNDING, atol=ROUNDING))
 
 

@@ -19,7 +19,11 @@ ROUNDING = 1e-9
 def best(solutions: Sequence[Solution], wanted: str = "") -> int:
     """Which solution is drawn in full: the wanted mode, else sticking, else one that moves."""
     ranks = [
-        (each.mode.name != wanted, each.mode != ContactMode.STICK, each.mode == ContactMode.SEPARATE)
+        (
+            each.mode.name != wanted,
+            each.mode != ContactMode.STICK,
+            each.mode == ContactMode.SEPARATE,
+        )
         for each in solutions
     ]
     return min(range(len(ranks)), key=ranks.__getitem__, default=-1)

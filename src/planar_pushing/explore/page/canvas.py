@@ -82,7 +82,10 @@ class Canvas:
             "x", "y", size="size", fill_color=GREY, fill_alpha="alpha", line_color=GREY,
             line_alpha=0.75, line_width=1.2, source=sources["handles"],
         )  # fmt: skip
-        for width, color in ((4.0, "white"), (0.0, "color")):  # white behind letters keeps them legible
+        for width, color in (
+            (4.0, "white"),
+            (0.0, "color"),
+        ):  # white behind letters keeps them legible
             on.text(
                 "x", "y", text="text", text_color="color", x_offset="dx", y_offset="dy",
                 text_font=value(FONT), text_font_size="17px", text_font_style="bold",
@@ -112,7 +115,7 @@ class MapCanvas:
             height=300, x_range=Range1d(0, 1), y_range=Range1d(-180, 180),
             outline_line_color=GUIDE, border_fill_color=None, lod_threshold=None,
         )  # fmt: skip
-        self.source = ColumnDataSource(dict.fromkeys(("image", "x", "y", "dw", "dh"), []))
+        self.source = ColumnDataSource({key: [] for key in ("image", "x", "y", "dw", "dh")})
         self.cross = ColumnDataSource({"x": [], "y": []}, name="map cross")
         palette = [look(code)[1] for code in range(CODES)]
         mapper = LinearColorMapper(palette=palette, low=-0.5, high=CODES - 0.5)
@@ -133,7 +136,9 @@ class MapCanvas:
         """Draw a map."""
         left, right = found.left, found.right
         self.figure.x_range.update(start=left, end=right)
-        self.ticks.ticks = list(ticks)  # another ticker would have the document look through all models
+        self.ticks.ticks = list(
+            ticks
+        )  # another ticker would have the document look through all models
         self.figure.xaxis.major_label_overrides = dict(ticks)
         self.figure.xaxis.axis_label = AXES[found.axis].title
         self.source.data = {
@@ -153,7 +158,7 @@ class TimeCanvas:
         }  # fmt: skip
         self.bar = figure(name="modes", height=58, y_range=Range1d(0, 1), **options)
         self.energy = figure(name="energy", height=190, **options)
-        self.modes = ColumnDataSource(dict.fromkeys(("left", "right", "fill", "hatch"), []))
+        self.modes = ColumnDataSource({key: [] for key in ("left", "right", "fill", "hatch")})
         self.energies = ColumnDataSource({"time": [], **{name: [] for name in ENERGIES}})
         self.bar.quad(
             "left", "right", 1, 0, fill_color="fill", line_color="white", hatch_pattern="hatch",

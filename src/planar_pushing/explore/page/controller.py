@@ -136,6 +136,7 @@ class Controller:
         for control in self.view.controls.values():
             control.widget.on_change(control.holds, partial(self._widget, control))
         self.view.on_drag(self._grab, self._drag, self._drop)
+        self.view.on_curve(self._aim, self._drop)
         self.view.on_map(self._go)
         self.view.on_keys(self._key)
         self.view.on_drawn(self._drew)
@@ -151,6 +152,13 @@ class Controller:
             self.dragged = handles.nearest(self.state, self.force, place)
             if self.dragged is not None:
                 self._select(self.dragged)
+
+    def _aim(self, place: Any) -> None:
+        """Hold the line of force on the limit curve."""
+        if self.dragged != handles.Handle.LINE:
+            self.dragged = handles.Handle.LINE
+            self._select(self.dragged)
+        self._drag(place)
 
     def _drag(self, place: Any) -> None:
         """Note a move; it is followed as soon as the picture before it is drawn."""
@@ -178,7 +186,9 @@ class Controller:
 
     def _key(self, right: int, up: int, coarse: bool) -> None:
         if self.state.time is None:
-            self.change(lambda state: handles.nudged(state, self.selected, self.force, right, up, coarse))
+            self.change(
+                lambda state: handles.nudged(state, self.selected, self.force, right, up, coarse)
+            )
 
     def _choose_handle(self, index: int) -> None:
         if not self.quiet:
@@ -289,4 +299,3 @@ def _short(error: BaseException) -> str:
         key = ".".join(map(str, first["loc"]))
         return f"{key}: allowed: {first.get('ctx', {}).get('allowed', first['msg'])}"
     return " ".join(str(error).split())
-

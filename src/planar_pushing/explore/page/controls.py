@@ -109,18 +109,21 @@ def kinds(state: State) -> list[int]:
 
 def _with_kinds(state: State, active: list[int]) -> State:
     """The state with these effects; the one that goes last stays."""
-    fresh = {FRICTION: {"type": "ring_friction"}, INERTIA: {"type": "inertia", "gyration_radius": state.size}}
+    fresh: dict[EffectKind, dict[str, Any]] = {
+        FRICTION: {"type": "ring_friction"},
+        INERTIA: {"type": "inertia", "gyration_radius": state.size},
+    }
     found = state
     for index, kind in enumerate((FRICTION, INERTIA)):
         if index in active and effect(found, kind) is None:
-            found = with_effect(found, kind, dict(fresh[kind]))
+            found = with_effect(found, kind, fresh[kind])
     for index, kind in enumerate((FRICTION, INERTIA)):
         if index not in active:
             found = with_effect(found, kind, None)
     return found
 
 
-def _number_of(kind: EffectKind, key: str, default: float) -> Any:
+def _number_of(kind: EffectKind, key: str, default: float) -> tuple[Any, Any]:
     def read(state: State) -> float:
         return float((effect(state, kind) or {}).get(key, default))
 
@@ -131,7 +134,7 @@ def _number_of(kind: EffectKind, key: str, default: float) -> Any:
     return read, write
 
 
-def _center_of_mass(part: int) -> Any:
+def _center_of_mass(part: int) -> tuple[Any, Any]:
     def read(state: State) -> float:
         return float((effect(state, INERTIA) or {}).get("center", (0.0, 0.0))[part])
 
@@ -163,8 +166,13 @@ def _room(value: Callable[[State], float], most: float) -> Callable[[State], dic
     return lambda state: {"end": max(most, float(value(state)))}
 
 
-def _spinner(name: str, title: str, read: Any, write: Any, kind: EffectKind, **limits: Any) -> Control:
-    widget = Spinner(name=name, title=title, step=0.1, width=80, sizing_mode="stretch_width", **limits)
+def _spinner(
+    name: str, title: str, access: tuple[Any, Any], kind: EffectKind, **limits: Any
+) -> Control:
+    read, write = access
+    widget = Spinner(
+        name=name, title=title, step=0.1, width=80, sizing_mode="stretch_width", **limits
+    )
     return Control(widget=widget, read=read, write=write, options=_is_off(kind))
 
 
@@ -235,11 +243,11 @@ def _effects() -> dict[str, Control]:
             widget=CheckboxGroup(name="effects", labels=["Support friction", "Inertia"]),
             read=kinds, write=_with_kinds, holds="active",
         ),
-        "weight": _spinner("weight", "Friction W", *weight, FRICTION, **small),
-        "mass": _spinner("mass", "Mass m", *mass, INERTIA, **small),
-        "gyration": _spinner("gyration", "Radius of gyration", *gyration, INERTIA, **small),
-        "mass_x": _spinner("mass_x", "Centre of mass, x", *_center_of_mass(0), INERTIA),
-        "mass_y": _spinner("mass_y", "Centre of mass, y", *_center_of_mass(1), INERTIA),
+        "weight": _spinner("weight", "Friction W", weight, FRICTION, **small),
+        "mass": _spinner("mass", "Mass m", mass, INERTIA, **small),
+        "gyration": _spinner("gyration", "Radius of gyration", gyration, INERTIA, **small),
+        "mass_x": _spinner("mass_x", "Centre of mass, x", _center_of_mass(0), INERTIA),
+        "mass_y": _spinner("mass_y", "Centre of mass, y", _center_of_mass(1), INERTIA),
     }  # fmt: skip
 
 
@@ -273,7 +281,10 @@ def _views() -> dict[str, Control]:
             options=lambda state: {"options": list(axes_of(state))},
         ),
         "duration": Control(
-            widget=Spinner(name="duration", title="Duration", low=0.01, step=0.5, width=90, sizing_mode="stretch_width"),
+            widget=Spinner(
+                name="duration", title="Duration", low=0.01, step=0.5, width=90,
+                sizing_mode="stretch_width",
+            ),
             read=lambda state: state.file.simulate.duration if state.file.simulate else 1.0,
             write=lambda state, value: _simulated_again(state, duration=float(value)),
         ),

@@ -211,4 +211,3 @@ class Follower:
     def close(self) -> None:
         """End the thread."""
         self.worker.close()
-

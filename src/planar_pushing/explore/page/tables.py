@@ -36,4 +36,6 @@ def legend(found: Map) -> str:
     """Names of the sets of modes that a map shows."""
     codes = sorted(set(found.codes.ravel().tolist()), key=lambda code: (code.bit_count(), code))
     looks = dict.fromkeys(look(code) for code in codes)
-    return " ".join(f'<span class="key">{chip(color)}{escape(name)}</span>' for name, color in looks)
+    return " ".join(
+        f'<span class="key">{chip(color)}{escape(name)}</span>' for name, color in looks
+    )

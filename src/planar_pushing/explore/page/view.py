@@ -133,7 +133,8 @@ class View:
         on = self.curve.figure
         for kind in (PanStart, Pan, Tap):
             on.on_event(kind, lambda event: aim(_place(event)))
-        on.on_event(PanEnd, lambda event: drop())
+        for kind in (PanEnd, Tap):
+            on.on_event(kind, lambda event: drop())
 
     def on_map(self, go: Callable[[float, float], None]) -> None:
         """Clicks on the map."""
@@ -171,13 +172,13 @@ class View:
         self.send(columns, texts, number, moves)
         self.modes = [each.mode.name for each in found.found.solutions]
         labels = [name.replace("_", " ").capitalize() for name in self.modes] or ["None"]
-        self.solution.update(labels=labels, active=max(found.found.shown, 0), disabled=len(labels) < 2)
+        self.solution.update(
+            labels=labels, active=max(found.found.shown, 0), disabled=len(labels) < 2
+        )
         self.say("")
 
-    def send(
-        self, columns: dict[str, Any], texts: dict[str, str], number: int, moves: int
-    ) -> None:
-        """Send a picture with its number and that of the moves that it answers; what is known is left out."""
+    def send(self, columns: dict[str, Any], texts: dict[str, str], number: int, moves: int) -> None:
+        """Send a picture, its number and that of the moves that it answers; what is known is left out."""
         fresh = {name: each for name, each in columns.items() if self.known.get(name) != each}
         said = {name: each for name, each in texts.items() if self.known.get(name) != each}
         self.known |= fresh | said
@@ -213,7 +214,11 @@ class View:
 
     def wait(self, waits: bool) -> None:
         """Say that something takes long, or what was said before."""
-        text = "Compiling this kind of slider, once: up to half a minute \u2026" if waits else self.said
+        text = (
+            "Compiling this kind of slider, once: up to half a minute \u2026"
+            if waits
+            else self.said
+        )
         shown = f'<p role="status">{text}</p>' if text else ""
         if self.status.text != shown:
             self.status.text = shown

@@ -49,7 +49,13 @@ def arrow(
 
 
 def force_arrow(
-    marks: Marks, tail: npt.ArrayLike, vector: npt.ArrayLike, reach: float, text: str = "", *, alpha: float = 1.0
+    marks: Marks,
+    tail: npt.ArrayLike,
+    vector: npt.ArrayLike,
+    reach: float,
+    text: str = "",
+    *,
+    alpha: float = 1.0,
 ) -> None:
     """Arrow of a force."""
     arrow(marks, tail, vector, reach, text, color=FORCE, filled=True, width=3.2, alpha=alpha)

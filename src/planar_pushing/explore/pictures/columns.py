@@ -33,7 +33,13 @@ class Marks:
     )
 
     def area(
-        self, rings: Iterable[Array], fill: str, *, alpha: float = 1.0, line: Any = None, width: float = 0.0
+        self,
+        rings: Iterable[Array],
+        fill: str,
+        *,
+        alpha: float = 1.0,
+        line: Any = None,
+        width: float = 0.0,
     ) -> None:
         """Area inside the first ring and outside of the others."""
         xs, ys = zip(*(_split(each) for each in rings), strict=True)
@@ -41,12 +47,18 @@ class Marks:
         self.rows["areas"].append(row)
 
     def line(
-        self, points: npt.ArrayLike, color: str, width: float = 1.5, *, dash: str = "solid", alpha: float = 1.0
+        self,
+        points: Any,
+        color: str,
+        width: float = 1.5,
+        *,
+        dash: str = "solid",
+        alpha: float = 1.0,
     ) -> None:
         """Line through points."""
         self.rows["lines"].append((*_split(points), color, width, dash, alpha))
 
-    def head(self, points: npt.ArrayLike, color: str, *, filled: bool, alpha: float = 1.0) -> None:
+    def head(self, points: Any, color: str, *, filled: bool, alpha: float = 1.0) -> None:
         """Head of an arrow: filled for a force, open for a motion, as in the figures."""
         if filled:
             self.rows["heads"].append((*_split(points), color, color, alpha))
@@ -84,7 +96,7 @@ def as_columns(name: str, rows: list[tuple[Any, ...]]) -> dict[str, list[Any]]:
     return dict(zip(COLUMNS[name], turned, strict=True))
 
 
-def _split(points: npt.ArrayLike) -> tuple[list[float], list[float]]:
+def _split(points: Any) -> tuple[list[float], list[float]]:
     rounded = np.round(np.asarray(points, dtype=float), DIGITS)
     return rounded[:, 0].tolist(), rounded[:, 1].tolist()
 

@@ -38,7 +38,9 @@ def level(scene: Scene, solution: Solution | None) -> float:
     _, ratio = scene.inertia
     radius, (x, y) = scene.slider.radius, scene.mass_center
     turn = float(scene.slider.rod_angle)
-    arm = radius * np.array([np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y])
+    arm = radius * np.array(
+        [np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y]
+    )
     v_x, v_y, spin = solution.twist
     speed = np.hypot(v_x - spin * arm[1], v_y + spin * arm[0])
     return float(np.sqrt(speed**2 + ratio * (radius * spin) ** 2))
@@ -48,10 +50,10 @@ def level(scene: Scene, solution: Solution | None) -> float:
 def curve_at(file: SceneFile, size: float) -> LimitCurve:
     """The limit curve of motions of a size, in the unit of the solutions' forces."""
     scene = build(file)
-    effects = tuple(
-        replace(each, mass=size * each.mass) if each.degree == 2 else each for each in scene.effects
+    heavier = [replace(each, mass=size * each.mass) for each in scene.masses]
+    found: LimitCurve = limit_curve(
+        replace(scene, effects=(*scene.friction, *heavier)), ANGLES[len(scene.kinds)]
     )
-    found: LimitCurve = limit_curve(replace(scene, effects=effects), ANGLES[len(scene.kinds)])
     return found
 
 

@@ -17,8 +17,8 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 
-#: Directions and values of the first map, and the most of the second one. An even number of directions keeps
-#: off the push along the fence, which is a case of its own.
+#: Directions and values of the first map, and the most of the second one. An even number of directions
+#: keeps off the push along the fence, which is a case of its own.
 COARSE, FINE = (36, 15), (240, 161)
 #: Seconds that the second map may take.
 TIME = 0.3
@@ -74,14 +74,15 @@ def _over_magnitude(state: State, size: Array) -> tuple[Scene, Any]:
 
 def _over_rod(name: str, scale: float) -> Callable[[State, Array], tuple[Scene, Any]]:
     def values(state: State, along: Array) -> tuple[Scene, Any]:
-        slider = replace(state.scene.slider, **{name: scale * along})
+        rod: dict[str, Any] = {name: scale * along}
+        slider = replace(state.scene.slider, **rod)
         return replace(state.scene, slider=slider), state.magnitude
 
     return values
 
 
 def _longest(state: State) -> float:
-    return max(5.0 * state.size, 1.25 * state.file.slider.rod_length)
+    return float(max(5.0 * state.size, 1.25 * state.file.slider.rod_length))
 
 
 AXES: dict[str, Axis] = {
@@ -101,8 +102,9 @@ AXES: dict[str, Axis] = {
         values=_over_friction,
         here=_friction_angle,
         gone=_to_friction,
-        ticks=lambda state: {float(np.rad2deg(np.arctan(mu))): f"{mu:g}" for mu in FRICTIONS}
-        | {90.0: "\u221e"},
+        ticks=lambda state: (
+            {float(np.rad2deg(np.arctan(mu))): f"{mu:g}" for mu in FRICTIONS} | {90.0: "\u221e"}
+        ),
     ),
     "rod angle": Axis(
         title="rod angle (degrees)",

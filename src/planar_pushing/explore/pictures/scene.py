@@ -73,10 +73,10 @@ def sketch_of(state: State, solution: Solution, pusher: Array) -> Sketch:
     frame = frame_of(state.scene)
     mode = ("solution", np.array([solution.mode]))
     return Sketch(
-        data=xr.Dataset({"rod_angle": state.file.slider.rod_angle, "mode": mode}), body=frame.body, ring=np.asarray(frame.pose.origin, dtype=float),
-        pusher=pusher, force=solution.force, force_end=solution.force_end,
-        motion=solution.contact_motion, center=solution.center,
-        spin_ratio=solution.spin_ratio, pivots=solution.pivot >= 0,
+        data=xr.Dataset({"rod_angle": state.file.slider.rod_angle, "mode": mode}),
+        body=frame.body, ring=np.asarray(frame.pose.origin, dtype=float), pusher=pusher,
+        force=solution.force, force_end=solution.force_end, motion=solution.contact_motion,
+        center=solution.center, spin_ratio=solution.spin_ratio, pivots=solution.pivot >= 0,
     )  # fmt: skip
 
 
@@ -166,9 +166,7 @@ def _force(marks: Marks, sketch: Sketch, strength: float) -> None:
         name = ""
 
 
-def _motion(
-    marks: Marks, state: State, given: Found, sketch: Sketch, strength: float
-) -> None:
+def _motion(marks: Marks, state: State, given: Found, sketch: Sketch, strength: float) -> None:
     """Motion of the slider's contact, and what it slips over the pusher, to the scale of the push."""
     scale = sketch.reach * arrow_length(state) / state.magnitude
     motion, pusher = scale * sketch.motion, scale * given.pusher

@@ -47,6 +47,11 @@ def pieces(support: Any, ink: Ink) -> tuple[Piece, ...]:
     return tuple(sorted(found, key=lambda each: each.order))
 
 
+def _hex(color: Any) -> str:
+    """One of matplotlib's colours as the page has it."""
+    return str(to_hex(color))
+
+
 def _artists(ax: Axes) -> list[Any]:
     return [*ax.collections, *ax.patches, *ax.lines]
 
@@ -60,16 +65,16 @@ def _read(artist: Any, fine: float) -> list[Piece]:
         faces = artist.get_facecolor()
         rings = [np.asarray(path.vertices) for path in artist.get_paths()]
         return [
-            Piece((ring,), to_hex(face), to_hex(face), 0.0, order, 0.0)
+            Piece((ring,), _hex(face), _hex(face), 0.0, order, 0.0)
             for ring, face in zip(rings, faces, strict=True)
         ]
     return [_patch(artist, order, fine)]
 
 
 def _line(line: Line2D, order: float) -> Piece:
-    points, color = np.asarray(line.get_xydata(), dtype=float), to_hex(line.get_color())
+    points, color = np.asarray(line.get_xydata(), dtype=float), _hex(line.get_color())
     if line.get_marker() in ("o",):
-        fill, edge = to_hex(line.get_markerfacecolor()), to_hex(line.get_markeredgecolor())
+        fill, edge = _hex(line.get_markerfacecolor()), _hex(line.get_markeredgecolor())
         return Piece((points,), fill, edge, 1.0, order, PIXELS * float(line.get_markersize()))
     return Piece((points,), "", color, PIXELS * float(line.get_linewidth()), order, 0.0)
 
@@ -79,13 +84,15 @@ def _patch(patch: Patch, order: float, fine: float) -> Piece:
     rings = _rings(path, fine)
     width = PIXELS * float(patch.get_linewidth())
     if patch.get_fill():
-        return Piece(rings, to_hex(patch.get_facecolor()), to_hex(patch.get_facecolor()), 0.0, order, 0.0)
-    return Piece(rings, "", to_hex(patch.get_edgecolor()), width, order, 0.0)
+        return Piece(
+            rings, _hex(patch.get_facecolor()), _hex(patch.get_facecolor()), 0.0, order, 0.0
+        )
+    return Piece(rings, "", _hex(patch.get_edgecolor()), width, order, 0.0)
 
 
 def _rings(path: Path, fine: float) -> tuple[Array, ...]:
     large = Affine2D().scale(fine).transform_path(path)
-    return tuple(each / fine for each in large.to_polygons(closed_only=False))
+    return tuple(np.asarray(each) / fine for each in large.to_polygons(closed_only=False))
 
 
 def add_support(marks: Marks, body: Body, pose: Pose, ink: Ink) -> None:
