@@ -13,8 +13,10 @@ from planar_pushing.explore.state import Start, State, first_policy, simulated
 from planar_pushing.figures.motion.timeline import Run, plotted, runs
 from planar_pushing.figures.motion.trajectory import box
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.solve import solve
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
+from planar_pushing.terms.options import Shape
 
 #: Ways on that can be taken by hand, by the policies that prefer them.
 WAYS = {
@@ -63,9 +65,22 @@ def run_at(motion: Motion, time: float) -> Run:
     return next(each for each in reversed(motion.runs) if each.start <= row)
 
 
-def several_at(motion: Motion, time: float) -> bool:
-    """Whether several ways are consistent at a time."""
-    return run_at(motion, time).several
+def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
+    """Ways on that are consistent at a time, where there are several.
+
+    A slider with inertia is not at rest then, and a finger's side has turned: all ways are named, and one that
+    is not consistent acts like the policy that keeps the contact.
+    """
+    if not run_at(motion, time).several:
+        return ()
+    scene = state.scene
+    if scene.stores_energy or state.shape != Shape.FENCE or state.file.simulate is None:
+        return tuple(WAYS)
+    angle = np.deg2rad(motion.log["rod_angle"].values[row_at(motion, time)])
+    push = next(each for each in reversed(state.file.simulate.pieces) if each.time <= time)
+    there = replace(scene, slider=replace(scene.slider, rod_angle=float(angle)))
+    modes = {str(each.mode.name) for each in solve(there, np.deg2rad(push.angle))}
+    return tuple(way for way in WAYS if way.replace("-", "_").upper() in modes)
 
 
 def taken(state: State, way: str) -> State:

@@ -115,7 +115,9 @@ class MapCanvas:
             height=300, x_range=Range1d(0, 1), y_range=Range1d(-180, 180),
             outline_line_color=GUIDE, border_fill_color=None, lod_threshold=None,
         )  # fmt: skip
-        self.source = ColumnDataSource({key: [] for key in ("image", "x", "y", "dw", "dh")})
+        self.source = ColumnDataSource(
+            {key: [] for key in ("image", "x", "y", "dw", "dh")}, name="map image"
+        )
         self.cross = ColumnDataSource({"x": [], "y": []}, name="map cross")
         palette = [look(code)[1] for code in range(CODES)]
         mapper = LinearColorMapper(palette=palette, low=-0.5, high=CODES - 0.5)
@@ -158,7 +160,9 @@ class TimeCanvas:
         }  # fmt: skip
         self.bar = figure(name="modes", height=58, y_range=Range1d(0, 1), **options)
         self.energy = figure(name="energy", height=190, **options)
-        self.modes = ColumnDataSource({key: [] for key in ("left", "right", "fill", "hatch")})
+        self.modes = ColumnDataSource(
+            {key: [] for key in ("left", "right", "fill", "hatch")}, name="mode columns"
+        )
         self.energies = ColumnDataSource({"time": [], **{name: [] for name in ENERGIES}})
         self.bar.quad(
             "left", "right", 1, 0, fill_color="fill", line_color="white", hatch_pattern="hatch",

@@ -17,8 +17,8 @@ from planar_pushing.explore.following import (
     followed,
     forgotten,
     row_at,
-    several_at,
     taken,
+    ways_at,
 )
 from planar_pushing.explore.page.canvas import TimeCanvas
 from planar_pushing.explore.page.controller import Controller
@@ -49,6 +49,7 @@ class Follower:
         self.controller = controller
         self.motion: Motion | None = None
         self.key: State | None = None
+        self.ways: tuple[str, ...] = ()
         self.quiet = False
         self.canvas = TimeCanvas()
         self.follow = Toggle(name="follow", label="Follow over time", button_type="primary")
@@ -113,6 +114,9 @@ class Follower:
         for figure in (self.canvas.bar, self.canvas.energy):
             figure.visible = following
         self.forget.visible = chosen(state)
+        self.controller.view.handle.disabled = following
+        if following:
+            self.controller.view.solution.disabled = True
         if not following:
             self.way.visible, self.words.text = False, ""
 
@@ -157,7 +161,7 @@ class Follower:
         if self.quiet or self.motion is None or index is None:
             return
         self.play.active = False
-        self.controller.put(taken(self.controller.state, list(WAYS)[index]))
+        self.controller.put(taken(self.controller.state, self.ways[index]))
 
     def _forget(self) -> None:
         self.controller.put(forgotten(self.controller.state))
@@ -204,9 +208,10 @@ class Follower:
         """Let the widgets show the instant, and the ways on."""
         assert self.motion is not None
         self.time.value = now
-        several = several_at(self.motion, now)
-        self.way.update(visible=several, active=None)
-        self.words.text = f"At time {now:.3f} take the way on which the contact" if several else ""
+        self.ways = ways_at(self.controller.state, self.motion, now)
+        labels = [WAYS[way] for way in self.ways]
+        self.way.update(visible=bool(labels), labels=labels, active=None)
+        self.words.text = f"From time {now:.3f} on take the way on which it" if labels else ""
 
     def close(self) -> None:
         """End the thread."""
