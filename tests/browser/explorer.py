@@ -70,8 +70,8 @@ def test_the_rod_is_dragged(page):
 
 
 def test_the_support_is_dragged(page):
-    center = np.array(handle(page, "rod"))
-    drag(page, handle(page, "size"), center + [1.0, -1.0])
+    x, y = handle(page, "rod")
+    drag(page, handle(page, "size"), (x + 1.0, y - 1.0))
     agrees(page)
     assert state(page).size == pytest.approx(np.sqrt(2.0), rel=0.02)
 

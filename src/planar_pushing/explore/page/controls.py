@@ -49,7 +49,8 @@ LAWS: dict[str, dict[str, Any]] = {
 #: The coefficient that the law takes up where there was none.
 COEFFICIENT = 1.0
 OWN = "own support"
-POWER = CustomJSTickFormatter(code="return Number(Math.pow(10, tick).toPrecision(2)).toString()")
+#: How the widget of a logarithm shows its number.
+POWER = "return Number(Math.pow(10, tick).toPrecision(2)).toString()"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -260,7 +261,7 @@ def _push() -> dict[str, Control]:
             write=lambda state, value: pushed(state, value, state.magnitude),
         ),
         "magnitude": Control(
-            widget=_slider("magnitude", "Size, m a / W", ends, 0.01, format=POWER),
+            widget=_slider("magnitude", "Size, m a / W", ends, 0.01, format=CustomJSTickFormatter(code=POWER)),
             read=_size_of_push, write=_with_size_of_push,
             options=lambda state: {"disabled": not magnitude_matters(state.scene)},
         ),
