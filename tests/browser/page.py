@@ -96,7 +96,8 @@ def ready(page):
     page.wait_for_function("window.Bokeh && Bokeh.documents.length && Bokeh.documents[0].is_idle")
     page.wait_for_function(
         "Bokeh.documents[0].get_model_by_name('map cross').data.x.length > 0 "
-        "&& Bokeh.documents[0].get_model_by_name('address').data.query.length > 0"
+        "&& location.search.includes('slider.rod_length')"
+        "&& Bokeh.documents[0].get_model_by_name('scene handles').data.x.length > 0"
     )
 
 
@@ -133,8 +134,14 @@ def drag(page, start, end, steps=8):
 
 
 def settled(page):
-    """Wait until a change has come to rest."""
-    page.wait_for_timeout(600)
+    """Wait until a change has come to rest: until address and words stay as they are."""
+    seen = []
+    for _ in range(100):
+        page.wait_for_timeout(150)
+        seen.append((page.url, words(page)))
+        if len(seen) > 5 and len(set(seen[-5:])) == 1:
+            return
+    raise TimeoutError("the page does not come to rest")
 
 
 def environment():

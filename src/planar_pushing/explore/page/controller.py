@@ -120,6 +120,7 @@ class Controller:
             self.view.say(_short(error))
             self._show_widgets()
             return
+        self.view.say("")
         if state != self.state:
             self.put(state)
 

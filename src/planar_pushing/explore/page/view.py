@@ -80,16 +80,18 @@ class View:
         self.close = Button(name="close", label="Close", button_type="danger")
         self.modes: list[str] = []
         self.known: dict[str, Any] = {}
-        self.said = ""
+        self.said, self.rests = "", 0
         self._channels()
 
     def _channels(self) -> None:
         """Sources by which page and server speak: they hold one number or text each."""
         self.ticks = ColumnDataSource({"number": [0], "moves": [0], "picture": [""]}, name="beat")
         self.drawn = ColumnDataSource({"number": [0]}, name="drawn")
-        self.keys = ColumnDataSource({"right": [], "up": [], "coarse": []}, name="keys")
+        self.keys = ColumnDataSource(
+            {"right": [], "up": [], "coarse": [], "number": []}, name="keys"
+        )
         self.file = ColumnDataSource({"name": [], "content": []}, name="file")
-        self.address = ColumnDataSource({"query": []}, name="address")
+        self.address = ColumnDataSource({"query": [], "number": []}, name="address")
         # No glyph refers to them: the document finds them here.
         self.scene.figure.tags = [self.ticks, self.drawn, self.keys, self.file, self.address]
         texts = [self.words, self.table]
@@ -175,7 +177,6 @@ class View:
         self.solution.update(
             labels=labels, active=max(found.found.shown, 0), disabled=len(labels) < 2
         )
-        self.say("")
 
     def send(self, columns: dict[str, Any], texts: dict[str, str], number: int, moves: int) -> None:
         """Send a picture, its number and that of the moves that it answers; what is known is left out."""
@@ -203,7 +204,8 @@ class View:
 
     def rest(self, query: str, lines: str) -> None:
         """The address and the lines of Python."""
-        self.address.data = {"query": [query]}
+        self.rests += 1  # so that a page that was loaded again hears it too
+        self.address.data = {"query": [query], "number": [self.rests]}
         text = lines.replace("&", "&amp;").replace("<", "&lt;")
         self.python.text = f"<pre>{text}</pre>"
 
