@@ -5,13 +5,13 @@ import time
 
 import numpy as np
 
-from browser.page import handle, on_screen
+from browser.page import drag, handle, on_screen, settled
 
 DRAGS = 20_000
-#: Moves of a drag.
-MOVES = 2
-#: Drags before memory is measured for the first time, and between two measurements.
-WARM, BLOCK = 2_000, 2_000
+#: Moves of a drag, as events of the mouse.
+MOVES = (("mouseMoved", 1), ("mouseMoved", 1))
+#: Drags before memory is measured for the first time, and between two drags of the rod.
+WARM, BLOCK = 2_000, 500
 #: Most that page and server may grow from the first measurement to the last, bytes.
 PAGE, SERVER = 4e6, 40e6
 #: Most milliseconds between a move and its picture, for 99 of 100.
@@ -52,33 +52,32 @@ def mouse(session, kind, place, buttons):
     })  # fmt: skip
 
 
-def drags(page, session, count, random_of):
-    """Short drags from the pusher's handle or the rod's to places around the contact."""
+def block(page, session, count, random_of):
+    """A drag of the rod, and short drags of the push to random directions."""
+    angle, length = random_of.uniform(0.3, 2.8), random_of.uniform(1.5, 4.0)
+    drag(page, handle(page, "rod"), (length * np.cos(angle), length * np.sin(angle)))
+    settled(page)
+    origin, across, up = (np.array(on_screen(page, at)) for at in ((0, 0), (1, 0), (0, 1)))
+    x, y = handle(page, "pusher")
+    turn, reach = np.arctan2(y, x), np.hypot(x, y)
     for _ in range(count):
-        name = random_of.choice(("pusher", "pusher", "line of force", "rod"))
-        try:
-            start = on_screen(page, handle(page, name))
-        except ValueError:  # no force is transmitted
-            start = on_screen(page, handle(page, "pusher"))
-        mouse(session, "mousePressed", start, 1)
-        for _ in range(MOVES):
-            angle, reach = random_of.uniform(-3.1, 3.1), random_of.uniform(0.4, 2.5)
-            if name == "rod":
-                angle, reach = random_of.uniform(0.3, 2.8), random_of.uniform(1.0, 4.0)
-            place = on_screen(page, (reach * np.cos(angle), reach * np.sin(angle)))
-            mouse(session, "mouseMoved", place, 1)
-        mouse(session, "mouseReleased", place, 0)
+        for kind, buttons in (("mousePressed", 1), *MOVES, ("mouseReleased", 0)):
+            turn = random_of.uniform(-np.pi, np.pi) if kind == "mouseMoved" else turn
+            there = reach * np.array([np.cos(turn), np.sin(turn)])
+            place = origin + there[0] * (across - origin) + there[1] * (up - origin)
+            mouse(session, kind, place.tolist(), buttons)
 
 
 def test_memory_and_latency(page, server, context):
     session = context.new_cdp_session(page)
     page.evaluate(NOTE)
     random_of = random.Random(16)
-    drags(page, session, WARM, random_of)
+    for _ in range(WARM // BLOCK):
+        block(page, session, BLOCK, random_of)
     sizes = [(heap(session), server.memory)]
     start = time.perf_counter()
     for _ in range((DRAGS - WARM) // BLOCK):
-        drags(page, session, BLOCK, random_of)
+        block(page, session, BLOCK, random_of)
         sizes.append((heap(session), server.memory))
     seconds = time.perf_counter() - start
     waits = np.array(page.evaluate("noted.waits"))

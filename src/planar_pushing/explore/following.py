@@ -68,8 +68,8 @@ def run_at(motion: Motion, time: float) -> Run:
 def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
     """Ways on that are consistent at a time, where there are several.
 
-    A slider with inertia is not at rest then, and a finger's side has turned: all ways are named, and one that
-    is not consistent acts like the policy that keeps the contact.
+    A slider with inertia is not at rest then, and a finger's side has turned: all ways are named, and one
+    that is not consistent acts like the policy that keeps the contact.
     """
     if not run_at(motion, time).several:
         return ()

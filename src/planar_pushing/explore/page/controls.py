@@ -261,7 +261,9 @@ def _push() -> dict[str, Control]:
             write=lambda state, value: pushed(state, value, state.magnitude),
         ),
         "magnitude": Control(
-            widget=_slider("magnitude", "Size, m a / W", ends, 0.01, format=CustomJSTickFormatter(code=POWER)),
+            widget=_slider(
+                "magnitude", "Size, m a / W", ends, 0.01, format=CustomJSTickFormatter(code=POWER)
+            ),
             read=_size_of_push, write=_with_size_of_push,
             options=lambda state: {"disabled": not magnitude_matters(state.scene)},
         ),

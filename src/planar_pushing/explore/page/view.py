@@ -165,7 +165,10 @@ class View:
     def read(self, state: State) -> None:
         """Let the widgets show a state."""
         for control in self.controls.values():
-            control.widget.update(**control.options(state), **{control.holds: control.read(state)})
+            wanted = control.options(state) | {control.holds: control.read(state)}
+            fresh = {k: each for k, each in wanted.items() if getattr(control.widget, k) != each}
+            if fresh:
+                control.widget.update(**fresh)
 
     def draw(self, found: Any, number: int, moves: int) -> None:
         """Show pictures and words."""
