@@ -22,13 +22,11 @@ NOTE = """() => {
   const [figure, beat] = [find("scene"), find("beat")]
   window.noted = {moves: [], waits: [], count: beat.data.moves[0], last: 0}
   window.addEventListener("pointermove", (event) => { noted.last = event.timeStamp }, true)
-  const pass = figure.trigger_event.bind(figure)
-  figure.trigger_event = (event) => {
-    if (event.event_name === "pan") noted.moves.push([++noted.count, noted.last])
-    pass(event)
-  }
-  const index = Bokeh.index
-  const view = index.find_one_by_id ? index.find_one_by_id(figure.id) : index[figure.id]
+  const pointer = find("scene pointer")
+  pointer.properties.data.change.connect(() => {
+    if (pointer.data.kind[0] === "drag") noted.moves.push([++noted.count, noted.last])
+  })
+  const view = Bokeh.index.find_one_by_id(figure.id)
   const paint = view.paint.bind(view)
   view.paint = (...given) => {
     paint(...given)

@@ -105,9 +105,7 @@ def on_screen(page, place, figure="scene"):
     """Where a place of a picture is on the screen."""
     return page.evaluate(
         """([name, x, y]) => {
-          const view = Bokeh.index.find_one_by_id
-            ? Bokeh.index.find_one_by_id(Bokeh.documents[0].get_model_by_name(name).id)
-            : Bokeh.index[Bokeh.documents[0].get_model_by_name(name).id]
+          const view = Bokeh.index.find_one_by_id(Bokeh.documents[0].get_model_by_name(name).id)
           const box = view.el.getBoundingClientRect()
           const inner = view.frame.bbox
           return [box.x + inner.left + view.frame.x_scale.compute(x) - inner.left,

@@ -27,6 +27,8 @@ LOG = logging.getLogger("planar_pushing")
 REST = 200
 #: Seconds after which a page that did not say that it drew is sent the next picture all the same.
 PATIENCE = 0.25
+#: Looks at the page, ten a second, from one move of the map's cross to the next: the map is slow to paint.
+CROSS = 3
 #: Seconds after which the page says that something takes long.
 LONG = 0.4
 
@@ -70,6 +72,7 @@ class Controller:
         self.sent_at = self.asked_at = 0.0
         self.quiet = False
         self.resting: Any = None
+        self.watched = 0
         self.listeners: list[Callable[[State], None]] = []
         self.worker = Worker(document, pictures, self._show, lambda: self.drawn_all)
         self.mapper = Worker(document, self._map, self._keep_map)
@@ -240,7 +243,9 @@ class Controller:
         """Go on where a page is slow to answer, and say what takes long."""
         self.worker.go_on()
         self._follow()
-        self.view.mark(self.state)
+        self.watched += 1
+        if self.watched % CROSS == 0:
+            self.view.mark(self.state)
         waits = self.worker.busy and time.monotonic() - self.asked_at > LONG
         self.view.wait(waits or self.mapper_waits())
 
@@ -261,6 +266,7 @@ class Controller:
     def _rest(self) -> None:
         """The map, the address, the lines of Python and the frame of a state that has come to rest."""
         self.resting = None
+        self.view.mark(self.state)
         self.view.rest(query(self.state), lines(self.state))
         if self.state.time is None:
             self.mapped_at = time.monotonic()

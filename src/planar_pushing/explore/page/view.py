@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from bokeh.events import Pan, PanEnd, PanStart, Tap
+from bokeh.events import Tap
 from bokeh.models import (
     Button,
     ColumnDataSource,
@@ -56,6 +56,10 @@ history.replaceState(null, "", "?" + address.data.query[0])
 """
 
 
+#: What is done with a place of a picture.
+Drag = Callable[[Any], None]
+
+
 class View:
     """Figures, widgets and texts of the page."""
 
@@ -92,8 +96,10 @@ class View:
         )
         self.file = ColumnDataSource({"name": [], "content": []}, name="file")
         self.address = ColumnDataSource({"query": [], "number": []}, name="address")
+        self.pointer, self.curve_pointer = _pointer("scene"), _pointer("curve")
         # No glyph refers to them: the document finds them here.
-        self.scene.figure.tags = [self.ticks, self.drawn, self.keys, self.file, self.address]
+        heard = [self.drawn, self.keys, self.pointer, self.curve_pointer]
+        self.scene.figure.tags = [self.ticks, self.file, self.address, *heard]
         texts = [self.words, self.table]
         targets = [*self.scene.sources.values(), *self.curve.sources.values(), *texts]
         for each in targets:  # the page fills them itself, and has nothing to report
@@ -123,20 +129,13 @@ class View:
 
         document.on_event("document_ready", fresh)
 
-    def on_drag(self, grab: Any, drag: Any, drop: Callable[[], None]) -> None:
-        """Drags on the picture, by mouse or finger; on the curve they hold the line of force."""
-        on = self.scene.figure
-        on.on_event(PanStart, lambda event: grab(_place(event)))
-        on.on_event(Pan, lambda event: drag(_place(event)))
-        on.on_event(PanEnd, lambda event: drop())
+    def on_drag(self, grab: Drag, drag: Drag, drop: Callable[[], None]) -> None:
+        """Drags on the picture, by mouse, pen or finger."""
+        _on_pointer(self.pointer, grab, drag, drop)
 
-    def on_curve(self, aim: Any, drop: Callable[[], None]) -> None:
-        """Drags and clicks on the limit curve, which aim the force."""
-        on = self.curve.figure
-        for kind in (PanStart, Pan, Tap):
-            on.on_event(kind, lambda event: aim(_place(event)))
-        for kind in (PanEnd, Tap):
-            on.on_event(kind, lambda event: drop())
+    def on_curve(self, aim: Drag, drop: Callable[[], None]) -> None:
+        """Drags on the limit curve, which aim the force."""
+        _on_pointer(self.curve_pointer, aim, aim, drop)
 
     def on_map(self, go: Callable[[float, float], None]) -> None:
         """Clicks on the map."""
@@ -238,9 +237,23 @@ def heading(words: str) -> str:
     return f'<h2 aria-live="polite">{words}</h2>'
 
 
-def _place(event: Any) -> Any:
-    """Place of an event in the picture."""
-    return np.array([event.x, event.y], dtype=float)
+def _on_pointer(source: Any, grab: Drag, drag: Drag, drop: Callable[[], None]) -> None:
+    """Hear what a pointer does on a figure."""
+
+    def moved(name: str, old: Any, new: Any) -> None:
+        (kind,) = new["kind"]
+        place = np.array([new["x"][0], new["y"][0]], dtype=float)
+        if kind == "drop":
+            drop()
+        else:
+            (grab if kind == "grab" else drag)(place)
+
+    source.on_change("data", moved)
+
+
+def _pointer(name: str) -> Any:
+    """Source by which the page tells what a pointer does on a figure, and where."""
+    return ColumnDataSource({"kind": [], "x": [], "y": [], "number": []}, name=f"{name} pointer")
 
 
 def _capital(word: str) -> str:
