@@ -1,6 +1,5 @@
 """The explorer in a process of its own, and Chromium on its page."""
 
-import os
 import shutil
 import signal
 import subprocess
@@ -140,8 +139,3 @@ def settled(page):
         if len(seen) > 5 and len(set(seen[-5:])) == 1:
             return
     raise TimeoutError("the page does not come to rest")
-
-
-def environment():
-    """Variables of a process of its own."""
-    return dict(os.environ)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import logging
 import socket
 import webbrowser
 from collections.abc import Callable
@@ -50,6 +51,8 @@ class Explorer:
 
     def run(self, open_browser: bool) -> None:
         """Serve until Ctrl-C, or until the page's own button is pressed."""
+        # That a page is gone while something is on its way to it is nothing to say.
+        logging.getLogger("bokeh.server.views.ws").setLevel(logging.ERROR)
         self.server.start()
         if open_browser:
             self.server.io_loop.add_callback(webbrowser.open, self.url)

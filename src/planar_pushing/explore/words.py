@@ -99,7 +99,9 @@ def _place(center: Any) -> str:
 
 
 def number(value: float, digits: int = 3) -> str:
-    """A number with a true minus, short; what rounds to zero has no sign."""
+    """A number with a true minus, short; rounding is zero, which has no sign."""
+    if abs(value) < ROUNDING:
+        return "0"
     text = f"{value:.{digits}f}" if 0.01 <= abs(value) < 1e4 or digits < 3 else f"{value:.3g}"
     plain = text.rstrip("0").rstrip(".") if "." in text and "e" not in text else text
     return "0" if plain in ("-0", "0", "") else plain.replace("-", "\N{MINUS SIGN}")

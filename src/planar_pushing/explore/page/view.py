@@ -66,7 +66,7 @@ class View:
     def __init__(self) -> None:
         self.scene = Canvas("scene", sizing_mode="scale_width", aspect_ratio=ASPECT)
         self.curve = Canvas("curve", sizing_mode="scale_width", aspect_ratio=1.0)
-        self.curve.fit(np.array([(-1.34, -1.34), (1.34, 1.34)]), 1.0)
+        self.curve.fit(np.array([(-1.5, -1.5), (1.5, 1.5)]), 1.0)
         self.map = MapCanvas()
         self.controls = controls()
         self.words = Div(name="words", sizing_mode="stretch_width")

@@ -24,7 +24,7 @@ from planar_pushing.study.files.scene_model import SceneFile
 #: Force angles of the curve, radians: fewer with friction and inertia, where each takes longer.
 ANGLES = {1: np.linspace(0.0, 2 * np.pi, 241), 2: np.linspace(0.0, 2 * np.pi, 97)}
 #: Half the width of the picture, in units of the farthest point of the curve.
-ROOM = 1.42
+ROOM = 1.5
 
 
 def level(scene: Scene, solution: Solution | None) -> float:
