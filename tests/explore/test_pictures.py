@@ -131,7 +131,8 @@ def test_no_motion_is_said_too():
 
 
 @pytest.mark.parametrize(("given", "said"), [
-    (0.0, "0"), (-1e-12, "0"), (-1e-6, "\u22121e\u221206"), (1.5, "1.5"), (-0.25, "\u22120.25"), (123456.0, "1.23e+05"),
+    (0.0, "0"), (-1e-12, "0"), (-1e-6, "\u22121e\u221206"), (1.5, "1.5"), (-0.25, "\u22120.25"),
+    (123456.0, "1.23e+05"),
 ])  # fmt: skip
 def test_numbers_are_short(given, said):
     assert number(given) == said

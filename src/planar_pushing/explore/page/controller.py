@@ -5,58 +5,28 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from pydantic import ValidationError
 
 from planar_pushing.explore import handles
-from planar_pushing.explore.address import query
+from planar_pushing.explore.page.drawing import Order, pictures
+from planar_pushing.explore.page.resting import Rest
 from planar_pushing.explore.page.view import View
 from planar_pushing.explore.page.workers import Worker
-from planar_pushing.explore.pictures import curve, modes, scene
-from planar_pushing.explore.python_lines import lines
+from planar_pushing.explore.pictures import modes, scene
 from planar_pushing.explore.state import State
-from planar_pushing.explore.words import outcome
 from planar_pushing.terms.errors import PlanarPushingError
 
 LOG = logging.getLogger("planar_pushing")
-#: Milliseconds without a change after which the map, the address and the frame follow.
-REST = 200
 #: Seconds after which a page that did not say that it drew is sent the next picture all the same.
 PATIENCE = 0.25
 #: Looks at the page, ten a second, from one move of the map's cross to the next: the map is slow to paint.
 CROSS = 3
 #: Seconds after which the page says that something takes long.
 LONG = 0.4
-
-
-class Order(NamedTuple):
-    """A picture that is wanted: of a state, with a handle selected, after a number of moves."""
-
-    state: State
-    selected: handles.Handle
-    moves: int
-
-
-class Pictures(NamedTuple):
-    """What a state looks like."""
-
-    found: scene.Found
-    scene: dict[str, Any]
-    curve: dict[str, Any]
-    words: str
-
-
-def pictures(order: Order) -> Pictures:
-    """Solve, and make the columns of both pictures."""
-    state = order.state
-    found = scene.found(state)
-    columns = scene.picture(state, found, order.selected)
-    words = outcome(tuple(found.solutions), found.pusher, found.shown)
-    return Pictures(found, columns, curve.picture(state, found), words)
 
 
 class Controller:
@@ -71,11 +41,10 @@ class Controller:
         self.moves = self.sent = self.drawn = 0
         self.sent_at = self.asked_at = 0.0
         self.quiet = False
-        self.resting: Any = None
         self.watched = 0
         self.listeners: list[Callable[[State], None]] = []
         self.worker = Worker(document, pictures, self._show, lambda: self.drawn_all)
-        self.mapper = Worker(document, self._map, self._keep_map)
+        self.rest = Rest(document, view, lambda: self.state, self._came_to_rest)
         self._listen()
 
     def start(self) -> None:
@@ -90,7 +59,7 @@ class Controller:
         for listener in self.listeners:
             listener(self.state)
         self.redraw()
-        self._rest_later()
+        self.rest.later()
 
     # -- states ------------------------------------------------------------------------------
 
@@ -101,7 +70,7 @@ class Controller:
         for listener in self.listeners:
             listener(state)
         self.redraw()
-        self._rest_later()
+        self.rest.later()
 
     def redraw(self) -> None:
         """Order the pictures of the state."""
@@ -112,7 +81,7 @@ class Controller:
     def move(self, state: State) -> None:
         """Take a state that differs in its time alone, which needs no pictures of the push."""
         self.state = state
-        self._rest_later()
+        self.rest.later()
 
     def change(self, make: Callable[[State], State]) -> None:
         """Put the state that a change makes; one that is not allowed is said."""
@@ -183,7 +152,7 @@ class Controller:
         place, held, self.place, self.dragged = self.place, self.dragged, None, None
         if place is not None and held is not None and self.state.time is None:
             self.change(lambda state: handles.dragged(state, held, place))
-        self._rest_later()
+        self.rest.later()
 
     def _go(self, angle: float, along: float) -> None:
         self.change(lambda state: modes.gone(state, angle, along))
@@ -247,56 +216,22 @@ class Controller:
         if self.watched % CROSS == 0:
             self.view.mark(self.state)
         waits = self.worker.busy and time.monotonic() - self.asked_at > LONG
-        self.view.wait(waits or self.mapper_waits())
+        self.view.wait(waits or self.rest.waits)
 
-    def mapper_waits(self) -> bool:
-        """Whether the map takes unusually long, as it does while its code is compiled."""
-        return self.mapper.busy and time.monotonic() - self.mapped_at > 1.5
-
-    # -- rest --------------------------------------------------------------------------------
-
-    mapped_at = 0.0
-
-    def _rest_later(self) -> None:
-        if self.resting is not None:
-            with suppress(ValueError):  # it has run
-                self.document.remove_timeout_callback(self.resting)
-        self.resting = self.document.add_timeout_callback(self._rest, REST)
-
-    def _rest(self) -> None:
-        """The map, the address, the lines of Python and the frame of a state that has come to rest."""
-        self.resting = None
-        self.view.mark(self.state)
-        self.view.rest(query(self.state), lines(self.state))
-        if self.state.time is None:
-            self.mapped_at = time.monotonic()
-            self.mapper.ask(self.state)
-            if self.dragged is None:
-                self.fit()
+    def _came_to_rest(self) -> None:
+        """Fit the frame, unless it would move under the pointer."""
+        if self.dragged is None:
+            self.fit()
 
     def fit(self) -> None:
         """Fit the frame to the slider."""
         if self.state.time is None:
             self.view.scene.fit(scene.bounds(self.state))
 
-    def _map(self, state: State) -> None:
-        """In the mapper's thread: a coarse map first."""
-        for each in modes.maps(state):
-            self.document.add_next_tick_callback(partial(self._show_map, state, each))
-            if self.mapper.wanted:
-                return
-
-    def _show_map(self, state: State, found: modes.Map) -> None:
-        self.view.draw_map(state, found)
-
-    def _keep_map(self, state: State, found: Any) -> None:
-        if isinstance(found, BaseException):
-            LOG.debug("no map", exc_info=found)
-
     def close(self) -> None:
         """End the threads of a page that is gone."""
         self.worker.close()
-        self.mapper.close()
+        self.rest.close()
 
 
 def _short(error: BaseException) -> str:

@@ -16,7 +16,26 @@ from bokeh.models import (
     Spinner,
 )
 
-from planar_pushing.explore.handles import magnitude_matters, unit_of_magnitude
+from planar_pushing.explore.handles import magnitude_matters
+from planar_pushing.explore.page.changes import (
+    FRICTION,
+    INERTIA,
+    LAWS,
+    OWN,
+    center_of_mass,
+    coefficient,
+    kinds,
+    law_name,
+    number_of,
+    simulated_again,
+    size_of_push,
+    support_name,
+    with_coefficient,
+    with_kinds,
+    with_named_law,
+    with_named_support,
+    with_size_of_push,
+)
 from planar_pushing.explore.pictures.modes import axes_of, axis_of
 from planar_pushing.explore.presets import gallery
 from planar_pushing.explore.state import (
@@ -28,27 +47,12 @@ from planar_pushing.explore.state import (
     first_policy,
     pushed,
     simulated,
-    with_effect,
-    with_law,
     with_rod,
     with_size,
-    with_support,
 )
-from planar_pushing.explore.supports import name_in
 from planar_pushing.study.datasets.sliders.gallery import words
 from planar_pushing.terms.options import EffectKind, Policy, Shape
 
-FRICTION, INERTIA = EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA
-#: Laws by their names on the page, as scene files have them.
-LAWS: dict[str, dict[str, Any]] = {
-    "Coulomb friction": {"law": "coulomb"},
-    "infinite friction": {"law": "infinite_friction", "at_zero_normal": "free"},
-    "infinite friction, definition 2": {"law": "infinite_friction", "at_zero_normal": "none"},
-    "perfectly rough": {"law": "perfectly_rough"},
-}
-#: The coefficient that the law takes up where there was none.
-COEFFICIENT = 1.0
-OWN = "own support"
 #: How the widget of a logarithm shows its number.
 POWER = "return Number(Math.pow(10, tick).toPrecision(2)).toString()"
 
@@ -67,99 +71,8 @@ class Control:
     options: Callable[[State], dict[str, Any]] = lambda state: {}
 
 
-def law_name(state: State) -> str:
-    """Name of the law on the page."""
-    given = state.file.contact.model_dump()
-    return next(
-        name for name, law in LAWS.items() if all(given.get(k) == v for k, v in law.items())
-    )
-
-
-def coefficient(state: State) -> float:
-    """The coefficient of friction; that which Coulomb's law would take up where there is none."""
-    return float(getattr(state.scene.contact, "friction_coefficient", COEFFICIENT))
-
-
-def _with_law(state: State, name: str) -> State:
-    law = dict(LAWS[name])
-    if law["law"] == "coulomb":
-        law["friction_coefficient"] = coefficient(state)
-    return with_law(state, law)
-
-
-def _with_coefficient(state: State, given: float) -> State:
-    return with_law(state, {"law": "coulomb", "friction_coefficient": float(given)})
-
-
-def support_name(state: State) -> str:
-    """Name of the support in the gallery."""
-    entry = (effect(state, FRICTION) or {}).get("support")
-    return name_in(gallery(), entry, state.size) or OWN
-
-
-def _with_support(state: State, name: str) -> State:
-    if name == OWN:
-        return state
-    return with_support(state, None if name == "ring" else gallery()[name])
-
-
-def kinds(state: State) -> list[int]:
-    """Which of the effects resist the motion."""
-    return [i for i, kind in enumerate((FRICTION, INERTIA)) if effect(state, kind) is not None]
-
-
-def _with_kinds(state: State, active: list[int]) -> State:
-    """The state with these effects; the one that goes last stays."""
-    fresh: dict[EffectKind, dict[str, Any]] = {
-        FRICTION: {"type": "ring_friction"},
-        INERTIA: {"type": "inertia", "gyration_radius": state.size},
-    }
-    found = state
-    for index, kind in enumerate((FRICTION, INERTIA)):
-        if index in active and effect(found, kind) is None:
-            found = with_effect(found, kind, fresh[kind])
-    for index, kind in enumerate((FRICTION, INERTIA)):
-        if index not in active:
-            found = with_effect(found, kind, None)
-    return found
-
-
-def _number_of(kind: EffectKind, key: str, default: float) -> tuple[Any, Any]:
-    def read(state: State) -> float:
-        return float((effect(state, kind) or {}).get(key, default))
-
-    def write(state: State, value: Any) -> State:
-        entry = effect(state, kind)
-        return with_effect(state, kind, entry | {key: float(value)}) if entry and value else state
-
-    return read, write
-
-
-def _center_of_mass(part: int) -> tuple[Any, Any]:
-    def read(state: State) -> float:
-        return float((effect(state, INERTIA) or {}).get("center", (0.0, 0.0))[part])
-
-    def write(state: State, value: Any) -> State:
-        entry = effect(state, INERTIA)
-        if entry is None or value is None:
-            return state
-        center = list(entry.get("center", (0.0, 0.0)))
-        center[part] = float(value)
-        return with_effect(state, INERTIA, entry | {"center": center})
-
-    return read, write
-
-
 def _is_off(kind: EffectKind) -> Callable[[State], dict[str, Any]]:
     return lambda state: {"disabled": effect(state, kind) is None}
-
-
-def _size_of_push(state: State) -> float:
-    return float(np.log10(state.magnitude / unit_of_magnitude(state.scene)))
-
-
-def _with_size_of_push(state: State, value: float) -> State:
-    return pushed(state, state.angle, unit_of_magnitude(state.scene) * 10.0**value)
 
 
 def _room(value: Callable[[State], float], most: float) -> Callable[[State], dict[str, Any]]:
@@ -191,11 +104,11 @@ def _contact() -> dict[str, Control]:
     return {
         "law": Control(
             widget=_select("law", "Contact law", list(LAWS)),
-            read=law_name, write=_with_law,
+            read=law_name, write=with_named_law,
         ),
         "friction": Control(
             widget=_slider("friction", "Coefficient of friction \u03bc", (0.0, 5.0), 0.01),
-            read=coefficient, write=_with_coefficient,
+            read=coefficient, write=with_coefficient,
             options=lambda state: {
                 "end": max(5.0, coefficient(state)),
                 "disabled": law_name(state) != "Coulomb friction",
@@ -214,7 +127,7 @@ def _slider_controls() -> dict[str, Control]:
     return {
         "support": Control(
             widget=_select("support", "Support", [*names.items(), (OWN, OWN)]),
-            read=support_name, write=_with_support,
+            read=support_name, write=with_named_support,
             options=lambda state: {"disabled": effect(state, FRICTION) is None},
         ),
         "rod_length": Control(
@@ -236,19 +149,19 @@ def _slider_controls() -> dict[str, Control]:
 
 
 def _effects() -> dict[str, Control]:
-    weight, mass = _number_of(FRICTION, "weight", 1.0), _number_of(INERTIA, "mass", 1.0)
-    gyration = _number_of(INERTIA, "gyration_radius", 1.0)
+    weight, mass = number_of(FRICTION, "weight", 1.0), number_of(INERTIA, "mass", 1.0)
+    gyration = number_of(INERTIA, "gyration_radius", 1.0)
     small = {"low": 0.001}
     return {
         "effects": Control(
             widget=CheckboxGroup(name="effects", labels=["Support friction", "Inertia"]),
-            read=kinds, write=_with_kinds, holds="active",
+            read=kinds, write=with_kinds, holds="active",
         ),
         "weight": _spinner("weight", "Friction W", weight, FRICTION, **small),
         "mass": _spinner("mass", "Mass m", mass, INERTIA, **small),
         "gyration": _spinner("gyration", "Radius of gyration", gyration, INERTIA, **small),
-        "mass_x": _spinner("mass_x", "Centre of mass, x", _center_of_mass(0), INERTIA),
-        "mass_y": _spinner("mass_y", "Centre of mass, y", _center_of_mass(1), INERTIA),
+        "mass_x": _spinner("mass_x", "Centre of mass, x", center_of_mass(0), INERTIA),
+        "mass_y": _spinner("mass_y", "Centre of mass, y", center_of_mass(1), INERTIA),
     }  # fmt: skip
 
 
@@ -264,7 +177,7 @@ def _push() -> dict[str, Control]:
             widget=_slider(
                 "magnitude", "Size, m a / W", ends, 0.01, format=CustomJSTickFormatter(code=POWER)
             ),
-            read=_size_of_push, write=_with_size_of_push,
+            read=size_of_push, write=with_size_of_push,
             options=lambda state: {"disabled": not magnitude_matters(state.scene)},
         ),
         "start": Control(
@@ -289,7 +202,7 @@ def _views() -> dict[str, Control]:
                 sizing_mode="stretch_width",
             ),
             read=lambda state: state.file.simulate.duration if state.file.simulate else 1.0,
-            write=lambda state, value: _simulated_again(state, duration=float(value)),
+            write=lambda state, value: simulated_again(state, duration=float(value)),
         ),
         "policy": Control(
             widget=_select(
@@ -297,14 +210,9 @@ def _views() -> dict[str, Control]:
                 [(each.value, each.value.replace("-", " ")) for each in Policy],
             ),
             read=first_policy,
-            write=lambda state, value: _simulated_again(state, on_ambiguity=value),
+            write=lambda state, value: simulated_again(state, on_ambiguity=value),
         ),
     }  # fmt: skip
-
-
-def _simulated_again(state: State, **options: Any) -> State:
-    """The state with other options, followed anew where it was followed."""
-    return replace(simulated(state, **options), time=None if state.time is None else 0.0)
 
 
 def controls() -> dict[str, Control]:

@@ -19,6 +19,7 @@ from bokeh.models import (
 
 from planar_pushing.explore.handles import Handle
 from planar_pushing.explore.page.canvas import ASPECT, Canvas, MapCanvas
+from planar_pushing.explore.page.channels import ADDRESS, DRAW, SAVE, Drag, on_pointer, pointer
 from planar_pushing.explore.page.controls import controls
 from planar_pushing.explore.page.tables import legend, solutions
 from planar_pushing.explore.pictures.modes import AXES, Map
@@ -32,32 +33,6 @@ SAVES = {
     "log.nc": "Log (netCDF)",
     "scene.py": "Python",
 }
-#: A picture comes in one message: columns and texts by the names of what shows them. The page says when it
-#: is drawn.
-DRAW = """
-const shown = new Map(targets.map((each) => [each.name, each]))
-const picture = JSON.parse(beat.data.picture[0])
-for (const [name, data] of Object.entries(picture.columns)) shown.get(name).data = data
-for (const [name, text] of Object.entries(picture.texts)) shown.get(name).text = text
-const number = beat.data.number[0]
-requestAnimationFrame(() => { drawn.data = {number: [number]} })
-"""
-SAVE = """
-const [name] = file.data.name
-const bytes = Uint8Array.from(atob(file.data.content[0]), (c) => c.charCodeAt(0))
-const link = document.createElement("a")
-link.href = URL.createObjectURL(new Blob([bytes]))
-link.download = name
-link.click()
-setTimeout(() => URL.revokeObjectURL(link.href), 1000)
-"""
-ADDRESS = """
-history.replaceState(null, "", "?" + address.data.query[0])
-"""
-
-
-#: What is done with a place of a picture.
-Drag = Callable[[Any], None]
 
 
 class View:
@@ -96,7 +71,7 @@ class View:
         )
         self.file = ColumnDataSource({"name": [], "content": []}, name="file")
         self.address = ColumnDataSource({"query": [], "number": []}, name="address")
-        self.pointer, self.curve_pointer = _pointer("scene"), _pointer("curve")
+        self.pointer, self.curve_pointer = pointer("scene"), pointer("curve")
         # No glyph refers to them: the document finds them here.
         heard = [self.drawn, self.keys, self.pointer, self.curve_pointer]
         self.scene.figure.tags = [self.ticks, self.file, self.address, *heard]
@@ -131,11 +106,11 @@ class View:
 
     def on_drag(self, grab: Drag, drag: Drag, drop: Callable[[], None]) -> None:
         """Drags on the picture, by mouse, pen or finger."""
-        _on_pointer(self.pointer, grab, drag, drop)
+        on_pointer(self.pointer, grab, drag, drop)
 
     def on_curve(self, aim: Drag, drop: Callable[[], None]) -> None:
         """Drags on the limit curve, which aim the force."""
-        _on_pointer(self.curve_pointer, aim, aim, drop)
+        on_pointer(self.curve_pointer, aim, aim, drop)
 
     def on_map(self, go: Callable[[float, float], None]) -> None:
         """Clicks on the map."""
@@ -235,25 +210,6 @@ class View:
 def heading(words: str) -> str:
     """The sentence above the picture, read aloud where it changes."""
     return f'<h2 aria-live="polite">{words}</h2>'
-
-
-def _on_pointer(source: Any, grab: Drag, drag: Drag, drop: Callable[[], None]) -> None:
-    """Hear what a pointer does on a figure."""
-
-    def moved(name: str, old: Any, new: Any) -> None:
-        (kind,) = new["kind"]
-        place = np.array([new["x"][0], new["y"][0]], dtype=float)
-        if kind == "drop":
-            drop()
-        else:
-            (grab if kind == "grab" else drag)(place)
-
-    source.on_change("data", moved)
-
-
-def _pointer(name: str) -> Any:
-    """Source by which the page tells what a pointer does on a figure, and where."""
-    return ColumnDataSource({"kind": [], "x": [], "y": [], "number": []}, name=f"{name} pointer")
 
 
 def _capital(word: str) -> str:

@@ -42,7 +42,8 @@ class Worker:
 
     def _done(self, argument: Any, future: Future[Any]) -> None:
         """In the worker's thread: hand the result to the page's loop."""
-        self.document.add_next_tick_callback(partial(self._finish, argument, future))
+        if not future.cancelled():
+            self.document.add_next_tick_callback(partial(self._finish, argument, future))
 
     def _finish(self, argument: Any, future: Future[Any]) -> None:
         self.busy = False
