@@ -136,6 +136,6 @@ def settled(page):
     for _ in range(100):
         page.wait_for_timeout(150)
         seen.append((page.url, words(page)))
-        if len(seen) > 5 and len(set(seen[-5:])) == 1:
+        if len(seen) > 7 and len(set(seen[-7:])) == 1:
             return
     raise TimeoutError("the page does not come to rest")
