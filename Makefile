@@ -23,7 +23,8 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-slurm test-failures test-browser lint bench golden images dictionary schemas lock report clean help
+.PHONY: all test test-slurm test-failures test-browser lint bench golden images dictionary schemas lock report manual \
+	clean help
 .DELETE_ON_ERROR:
 
 all: $(COMPILED)
@@ -42,8 +43,8 @@ test-browser: $(COMPILED) ## try the explorer in headless Chromium (Debian's chr
 	$(BIN)/pytest -s tests/browser/explorer.py tests/browser/many_drags.py
 
 lint: $(READY)
-	$(BIN)/ruff check src tests workflow/scripts
-	$(BIN)/ruff format --check src tests workflow/scripts
+	$(BIN)/ruff check src tests workflow/scripts paper/manual
+	$(BIN)/ruff format --check src tests workflow/scripts paper/manual
 	$(BIN)/snakefmt --check --diff Snakefile workflow
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
@@ -63,6 +64,9 @@ dictionary: $(READY) ## write results/README.md from the attributes of the datas
 
 schemas: $(READY) ## write workflow/schemas from the models of scene and study files
 	$(BIN)/python -m planar_pushing.study.files.schemas
+
+manual: $(COMPILED) ## write the manual to results/manual/index.html, from results that it builds where they are missing
+	$(BIN)/snakemake manual
 
 report: all ## write results/report.html, Snakemake's report of the last run
 	$(BIN)/snakemake --report results/report.html

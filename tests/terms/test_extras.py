@@ -85,6 +85,7 @@ STUDY = "planar_pushing.study"
     ("figures", "matplotlib", "import planar_pushing.figures.render"),
     ("figures", "PIL", "import planar_pushing.figures.motion.animation"),
     ("report", "typst", "import planar_pushing.report.typeset"),
+    ("manual", "furo", "from planar_pushing.report.manual import build_manual as b; b('a', 'b')"),
     ("golden", "flint", "import planar_pushing.certified.ring"),
     ("golden", "flint", "import planar_pushing.evidence.claims.proofs.verdicts"),
     ("workflow", "dask", f"from {STUDY}.storage.chunk_files import open_chunks as o; o(0, {{}}, {{}})"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import os
 import shutil
@@ -74,11 +75,6 @@ class Copy:
             if name.parts[0] not in ("logs", "benchmarks", "README.md")
         }
 
-    def clean(self) -> None:
-        """Remove all results and what Snakemake remembers of them."""
-        for folder in ("results", ".snakemake"):
-            shutil.rmtree(self.root / folder, ignore_errors=True)
-
 
 def copy_project(root: Path) -> Copy:
     for part in PARTS:
@@ -98,9 +94,19 @@ def copy_project(root: Path) -> Copy:
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Copy:
     """A copy in which everything is built; a test that changes it must put it back."""
-    copy = copy_project(tmp_path_factory.mktemp("built"))
-    copy.snakemake()
-    return copy
+    shared = os.environ.get("PYTEST_XDIST_WORKER") is not None
+    base = tmp_path_factory.getbasetemp()
+    original = (base.parent if shared else base) / "original"
+    with (original.parent / "original.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # one process builds it, and each works on its own copy
+        if not original.exists():
+            started = original.with_name("started")
+            started.mkdir()
+            copy_project(started).snakemake()
+            started.rename(original)
+    root = tmp_path_factory.mktemp("built") / "copy"
+    shutil.copytree(original, root, symlinks=True)
+    return Copy(root)
 
 
 @pytest.fixture

@@ -50,8 +50,8 @@ def test_every_dataset_names_the_study_and_its_digest(sliders):
     ("module", "stale"),
     [
         ("figures/sliders/figure_17.py", {"sliders_figure": 1}),
-        ("study/datasets/support_modes.py", {"sliders_dataset": 1}),
-        ("study/datasets/supports.py", {"sliders_dataset": 1, "sliders_figure": 4}),
+        ("study/datasets/sliders/support_modes.py", {"sliders_dataset": 1}),
+        ("study/datasets/sliders/supports.py", {"sliders_dataset": 1, "sliders_figure": 4}),
         ("study/simulations.py", {"sliders_simulation": 1, "sliders_figure": 1}),
     ],
 )

@@ -7,7 +7,7 @@ REPORTED = STUDY.golden and WHOLE and GALLERY is not None
 SOURCES = sorted(
     str(part)
     for part in Path("paper").rglob("*")
-    if part.suffix in (".typ", ".md", ".bib", ".json")
+    if part.suffix in (".typ", ".md", ".bib", ".json") and "manual" not in part.parts
 )
 
 

@@ -14,7 +14,7 @@ EXTRAS = {
     "report": ("typst", "PIL"),
     "golden": ("flint",),
     "explore": ("bokeh", "matplotlib", "PIL"),
-    "manual": ("sphinx", "myst_nb", "numpydoc"),
+    "manual": ("sphinx", "furo", "myst_nb", "numpydoc", "ipykernel"),
 }
 
 

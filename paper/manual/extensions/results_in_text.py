@@ -1,0 +1,98 @@
+"""The role `number` and the directive `results-table`: numbers and tables that the pipeline wrote."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from pathlib import Path
+
+from docutils import nodes
+from docutils.parsers.rst import directives
+from sphinx.application import Sphinx
+from sphinx.config import Config
+from sphinx.util.docutils import SphinxDirective, SphinxRole
+
+#: Files of numbers by key: those of the report, and those that `snakemake accuracy` measures.
+NUMBERS = ("numbers.json", "accuracy_numbers.json")
+#: How the names of tables begin that `snakemake accuracy` alone writes.
+MEASURED = "times_"
+#: What stands behind a number of each unit; other units stand in the prose.
+MARKS = {"degree": "°", "percent": " %"}
+#: A number with an exponent, and the digits of exponents.
+POWER = re.compile(r"\b([\d.]+)e([+-]\d+)\b")
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def tables(app_config: Config, source_folder: Path) -> Path:
+    """Folder of the tables that the pipeline wrote."""
+    return (source_folder / app_config.results_folder / "tables").resolve()
+
+
+def written(text: str) -> str:
+    """A number as prose has it: a true minus sign, a power of ten, thousands apart."""
+    if text.isdigit() and len(text) > 4:
+        return f"{int(text):,}".replace(",", "\u202f")
+    return POWER.sub(_power, text).replace("-", "\u2212")
+
+
+def _power(found: re.Match[str]) -> str:
+    ten = "10" + str(int(found[2])).translate(RAISED)
+    return ten if found[1] == "1" else f"{found[1]} \u00d7 {ten}"
+
+
+class Number(SphinxRole):
+    """A number by its key in the pipeline's tables of numbers."""
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        folder = tables(self.config, self.env.srcdir)
+        files = [folder / name for name in NUMBERS if (folder / name).exists()]
+        for path in files:
+            self.env.note_dependency(path)
+            found = json.loads(path.read_text(encoding="utf-8")).get(self.text)
+            if found:
+                return [nodes.Text(written(found["text"]) + MARKS.get(found["unit"], ""))], []
+        said = f"{self.text}: no such number in {', '.join(map(str, files)) or folder}"
+        return [], [self.inliner.reporter.error(said, line=self.lineno)]
+
+
+class ResultsTable(SphinxDirective):
+    """A table of the pipeline; the directive's content in the place of times that were not measured."""
+
+    required_arguments = 1
+    final_argument_whitespace = False
+    has_content = True
+    option_spec = {"caption": directives.unchanged_required}  # noqa: RUF012 - docutils' own way
+
+    def run(self) -> list[nodes.Node]:
+        path = tables(self.config, self.env.srcdir) / self.arguments[0]
+        if path.exists():
+            self.env.note_dependency(path)
+            rows = list(csv.reader(path.read_text(encoding="utf-8").splitlines()))
+            return [_table(rows, self.options.get("caption", ""))]
+        if not path.name.startswith(MEASURED):
+            raise self.error(f"{path}: no such table; build it with make")
+        return self.parse_content_to_nodes()
+
+
+def _table(rows: list[list[str]], caption: str) -> nodes.table:
+    head, *body = rows
+    group = nodes.tgroup("", cols=len(head))
+    group += [nodes.colspec(colwidth=1) for _ in head]
+    group += nodes.thead("", _row([cell.replace("_", " ") for cell in head]))
+    group += nodes.tbody("", *map(_row, body))
+    title = [nodes.title(caption, caption)] if caption else []
+    return nodes.table("", *title, group, classes=["results"])
+
+
+def _row(cells: list[str]) -> nodes.row:
+    entries = (nodes.entry("", nodes.paragraph("", written(cell))) for cell in cells)
+    return nodes.row("", *entries)
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Make the role and the directive known."""
+    app.add_config_value("results_folder", "results", "env", types=frozenset({str}))
+    app.add_role("number", Number())
+    app.add_directive("results-table", ResultsTable)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

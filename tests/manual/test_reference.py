@@ -1,0 +1,33 @@
+"""The reference has an entry with an example for every public name, every command and every dataset."""
+
+import re
+
+import pytest
+
+import planar_pushing as pp
+from manual.pages import FOLDER
+from planar_pushing.commands import parser
+from planar_pushing.commands.completion import _options
+
+ENTRY = re.compile(r"^\.\. auto\w+:: planar_pushing\.(\w+)\n(.*?)(?=^\.\. auto|^```)", re.M | re.S)
+TEXT = "\n".join(page.read_text(encoding="utf-8") for page in FOLDER.glob("reference/*.md"))
+ENTRIES = ENTRY.findall(TEXT)
+COMMANDS = next(each.choices for each in parser()._actions if isinstance(each.choices, dict))
+
+
+def test_no_entry_is_written_twice():
+    assert sorted(name for name, _ in ENTRIES) == sorted(pp.__all__)
+
+
+@pytest.mark.parametrize("name", pp.__all__)
+def test_every_public_name_has_an_example(name):
+    assert ">>> " in dict(ENTRIES)[name]
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_is_described_with_its_options(name, html):
+    text = (html / "reference/commands.html").read_text(encoding="utf-8")
+    section = text[text.index(f'id="command-{name}"') :].partition("</section>")[0]
+    words = set(re.findall(r"--[\w-]+", section))
+    assert set(_options(COMMANDS[name])) - {"--help", "--json"} <= words
+    assert f"$ planar-pushing {name}" in re.sub(r"<[^>]*>", "", section)

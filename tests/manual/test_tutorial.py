@@ -1,0 +1,85 @@
+"""The cells of the tutorial run in their order, and find what its text says."""
+
+import re
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+import pytest
+
+TEXT = Path("paper/manual/tutorial.md").read_text(encoding="utf-8")
+CELL = re.compile(
+    r"^```\{code-cell\} ipython3\n((?::[^\n]*\n)*)(.*?)^```$", re.MULTILINE | re.DOTALL
+)
+
+
+@pytest.fixture(scope="module")
+def names():
+    """What the cells leave behind."""
+    found = {}
+    with matplotlib.rc_context(), pytest.MonkeyPatch.context() as patch:
+        patch.chdir(Path.cwd())  # the first cell goes to a folder of its own
+        matplotlib.use("agg")
+        for _, code in CELL.findall(TEXT):
+            exec(compile(code, "tutorial.md", "exec"), found)
+        found["plt"].close("all")
+    return found
+
+
+def test_a_push_along_the_normal_sticks(names):
+    (solution,) = names["pp"].solve(names["ring"], np.pi / 2)
+    assert solution.mode.name == "STICK"
+    assert solution.twist[2] < 0
+
+
+def test_pulling_has_three_solutions(names):
+    assert [mode.name for mode in names["pulled"].modes] == ["SEPARATE", "STICK", "SLIP_LEFT"]
+    assert names["pp"].motion_cone(names["ring"]).degrees[0] == pytest.approx(-20.038457551638)
+
+
+def test_the_threshold_of_friction_is_near_1_27(names):
+    least = names["friction_of_rings"][names["cones"].right.isel(rod=2) < 0].min()
+    assert least.item() == pytest.approx(1.3)  # the first of the grid beyond it
+    assert names["cones"].right.size == 644
+
+
+def test_infinite_friction_slips_and_perfect_roughness_adheres(names):
+    pp, push = names["pp"], np.deg2rad(165)
+    assert pp.motion_cone(names["rough"]).degrees[1] == pytest.approx(138.83997216476)
+    assert [mode.name for mode in pp.solve(names["rough"], push).modes] == ["SLIP_RIGHT"]
+    assert [each.adhesive for each in pp.solve(names["glued"], push)] == [True]
+
+
+def test_the_map_has_one_solution_above_the_fence_and_up_to_three_below(names):
+    counts, direction = names["counts"], names["direction"]
+    assert set(np.unique(counts[direction > 1e-9])) == {1}
+    assert set(np.unique(counts[direction < -1e-9])) == {1, 3}
+
+
+def test_over_time_the_policy_decides(names):
+    assert names["towed"].gap[-1] == 0
+    assert names["left"].gap[-1] > 0.1
+    assert names["towed"].solutions.sel(time=slice(0.51, None)).min() == 3
+
+
+def test_a_hard_retreat_cannot_pull(names):
+    pp = names["pp"]
+    counts = [len(pp.solve(names["heavy"], np.deg2rad(-5), size)) for size in (0.1, 1.0, 10.0)]
+    assert counts == [3, 1, 1]
+
+
+def test_the_box_and_the_stool(names):
+    pp = names["pp"]
+    assert np.round(pp.motion_cone(names["box"]).degrees, 6).tolist() == [23.12516, 156.87484]
+    assert names["solution"].pivot == 2
+    assert names["loaded"].center_of_pressure == pytest.approx((0.24, 0.02))
+
+
+def test_the_finger_leaves_the_side_at_its_end(names):
+    end = names["end"]
+    found = end.time.item(), end.rod_angle.item(), end.contact_position.item()
+    assert np.round(found, 4).tolist() == [2.7612, 145.7377, 1.0]
+
+
+def test_the_scene_is_kept(names):
+    assert names["pp"].load_scene(names["kept"]) == names["box"]
