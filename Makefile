@@ -23,7 +23,8 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-slurm test-failures lint bench golden images dictionary schemas lock report manual clean help
+.PHONY: all test test-slurm test-failures test-browser lint bench golden images dictionary schemas lock report manual \
+	clean help
 .DELETE_ON_ERROR:
 
 all: $(COMPILED)
@@ -37,6 +38,9 @@ test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm
 
 test-failures: $(COMPILED) ## kill runs and fill disks (root, for the disks); some minutes
 	$(BIN)/pytest tests/workflow/failures.py
+
+test-browser: $(COMPILED) ## try the explorer in headless Chromium (Debian's chromium), 20,000 drags included
+	$(BIN)/pytest -s tests/browser/explorer.py tests/browser/many_drags.py
 
 lint: $(READY)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual

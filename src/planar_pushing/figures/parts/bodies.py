@@ -18,6 +18,7 @@ from planar_pushing.figures.parts import drawing, labels
 from planar_pushing.figures.parts.supports import Ink, Pose, draw_support, extents
 from planar_pushing.figures.style import ABOVE, DARK, NOTE_SIZE
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
@@ -49,7 +50,7 @@ class Body:
     @property
     def bounds(self) -> Array:
         """Corners of the box around the support, sides along the axes of the body."""
-        return extents(self.support, Pose((0.0, 0.0), 0.0))
+        return _bounds(self.support)
 
     @property
     def middle(self) -> Array:
@@ -65,6 +66,11 @@ class Body:
         points = [*extents(self.support, pose), *(pose.at(place) for _, place in self.centers)]
         rim = 0.0 if self.is_ring else RIM * self.half
         return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
+
+
+@lru_cache(maxsize=16)
+def _bounds(support: Any) -> Array:
+    return extents(support, Pose((0.0, 0.0), 0.0))
 
 
 def body_of(data: xr.Dataset) -> Body:
@@ -84,7 +90,11 @@ def _read(text: str) -> Body:
 
 def body_in(entry: dict[str, Any]) -> Body:
     """The slider of a scene file's content."""
-    scene = SceneFile.model_validate({name: entry[name] for name in OWN}).build()
+    return body_of_scene(SceneFile.model_validate({name: entry[name] for name in OWN}).build())
+
+
+def body_of_scene(scene: Scene) -> Body:
+    """The slider of a scene."""
     support = support_of(scene)
     if scene.isotropic:
         return Body(support=support)

@@ -65,7 +65,7 @@ class Sketch:
     @property
     def pose(self) -> Pose:
         """Where the slider is."""
-        return Pose(self.ring, float(np.deg2rad(self.data["rod_angle"])))
+        return Pose(self.ring, float(np.deg2rad(float(self.data["rod_angle"]))))
 
     @property
     def radius(self) -> float:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.numerics.bracket import bracketed
+from planar_pushing.mechanics.numerics.bracket import bracketed, dip
 from planar_pushing.mechanics.numerics.root import EQUATIONS, excess
 from planar_pushing.mechanics.reduced.corners import corner_under
 from planar_pushing.mechanics.reduced.pressed.motions import (
@@ -22,6 +22,11 @@ from planar_pushing.mechanics.reduced.pressed.motions import (
 )
 
 
+#: Magnitudes at which the angle of the contact's motion is looked at, on both sides of the one at which friction
+#: and inertia are of one size, and the distance of their logarithms.
+NODES, APART = 32, 0.5
+
+
 class Speed(NamedTuple):
     """Logarithm of the origin's speed."""
 
@@ -32,6 +37,13 @@ class Energy(NamedTuple):
     """Kinetic energy over that of a unit translation, less 1."""
 
     amount: Amount
+
+
+class Turn(NamedTuple):
+    """Angle of the contact's motion, to either side."""
+
+    amount: Amount
+    side: float
 
 
 @compiled
@@ -49,7 +61,19 @@ def _energy(of, z):
     return x * x + y * y + mass.gyration * moved.spin * moved.spin - 1.0, 0.0
 
 
-EQUATIONS.update({Speed: _speed, Energy: _energy})
+@compiled
+def _angle(own, force, moved):
+    """Angle of the contact's motion, on the branch within 90 degrees of the force."""
+    x, y = contact_of(own, moved)
+    return force.angle + atan2(force.x * y - force.y * x, force.x * x + force.y * y)
+
+
+@compiled
+def _turn(of, z):
+    return of.side * _angle(of.amount.own, of.amount.edge, motion_of(of.amount, z)), 0.0
+
+
+EQUATIONS.update({Speed: _speed, Energy: _energy, Turn: _turn})
 
 
 @generic
@@ -67,13 +91,6 @@ def _of_unit_part(effects, own, force):
 def _of_unit_speed(effects, own, force):
     amount = Amount(effects, own, force)
     return motion_of(amount, _sought(Speed(amount)))
-
-
-@compiled
-def _angle(own, force, moved):
-    """Angle of the contact's motion, on the branch within 90 degrees of the force."""
-    x, y = contact_of(own, moved)
-    return force.angle + atan2(force.x * y - force.y * x, force.x * x + force.y * y)
 
 
 @compiled
@@ -98,14 +115,29 @@ def motion_angle(effects, own, force):
 
 @compiled
 def motion_angles(effects, own, force):
-    """As `base.motion_angles`: between those of each effect alone, and the ends of a corner."""
+    """As `base.motion_angles`: of one effect, and of two those of each alone and of all between them."""
     if len(effects) > 1:
         low, high = _angles_alone(effects[:1], own, force)
         other = _angle(own, force, pushed(effects[-1:], own, force, 1.0))
         # Of the motions of a corner, the slowest are the nearest to that of inertia.
         near = min(max(low, other), high)
-        return min(near, other), max(near, other)
+        amount = Amount(effects, own, force)
+        low = _least(Turn(amount, 1.0), min(near, other))
+        return low, -_least(Turn(amount, -1.0), -max(near, other))
     return _angles_alone(effects, own, force)
+
+
+@compiled
+def _least(turn, limit):
+    """The least angle over all magnitudes, of which the slowest and the fastest have this limit."""
+    best, at_best = 0.0, inf
+    for i in range(-NODES, NODES + 1):
+        value = excess(turn, i * APART)[0]
+        if value < at_best:
+            best, at_best = i * APART, value
+    if at_best >= limit:
+        return limit
+    return min(dip(turn, best - APART, best, best + APART, at_best)[1], limit)
 
 
 @compiled

@@ -1,0 +1,42 @@
+"""The command `explore`."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from planar_pushing.commands.words.arguments import Commands, command
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = "Open a page in the browser on which a scene is dragged, and everything follows."
+    sub = command(commands, "explore", explored, about, "scene.yaml")
+    sub.add_argument(
+        "scene", type=Path, nargs="?", metavar="SCENE.yaml",
+        help="scene file to start from (default: pulling, Fig. 3)",
+    )  # fmt: skip
+    sub.add_argument(
+        "--port", type=int, default=0, metavar="NUMBER",
+        help="port of 127.0.0.1 to serve the page on (default: one that is free)",
+    )  # fmt: skip
+    sub.add_argument(
+        "--no-browser", action="store_true", help="print the address, and open no browser"
+    )
+
+
+def explored(args: argparse.Namespace) -> dict[str, Any]:
+    """Serve the page until it is closed."""
+    from planar_pushing.study.files.scenes import load_scene_file
+
+    file = None
+    if args.scene is not None:
+        file = load_scene_file(args.scene)
+        file.build()
+    from planar_pushing.explore.server import Explorer
+
+    explorer = Explorer(file, args.port)
+    print(f"{explorer.url} shows the explorer; its button Close, or Ctrl-C, ends it", flush=True)
+    explorer.run(not args.no_browser)
+    return {"closed": explorer.url}

@@ -1,0 +1,191 @@
+"""What can be dragged on the picture: where each handle is, and what a drag of it means."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from enum import StrEnum
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from planar_pushing.explore.state import MAGNITUDES, State, pushed, with_rod, with_size
+from planar_pushing.figures.parts.bodies import Body, body_of_scene
+from planar_pushing.figures.parts.supports import Pose
+from planar_pushing.mechanics.cones import friction_cone, motion_angle
+from planar_pushing.mechanics.contact import PerfectlyRough
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solve import solve
+
+#: Drawn length of the pusher's arrow for the least and the largest magnitude, in units of its reach.
+LENGTHS = 0.3, 1.25
+#: Radius of the dot, in units of the reach, at which a force is taken from the limit curve.
+LINE = 1.15
+#: Shares of inertia between which the motion of a force angle lies, with friction and inertia.
+SHARES = 1e-9, 1.0 - 1e-9
+#: Pushes among which the one of a force angle is sought.
+TRIALS = 17
+
+
+class Handle(StrEnum):
+    """The handles of the picture."""
+
+    PUSHER = "pusher"
+    ROD = "rod"
+    SIZE = "size"
+    LINE = "line of force"
+
+
+class Frame(NamedTuple):
+    """Sizes that the drawing takes from the slider: its pose, span, and the length of arrows."""
+
+    body: Body
+    pose: Pose
+    span: float
+    reach: float
+
+
+@lru_cache(maxsize=8)
+def frame_of(scene: Scene) -> Frame:
+    """The sizes of a scene's drawing, as the figures have them."""
+    body = body_of_scene(scene)
+    slider = scene.slider
+    pose = Pose(slider.rod_length * direction(slider.rod_angle), float(slider.rod_angle))
+    span = float(np.hypot(*pose.at(body.middle))) + 2 * body.half
+    return Frame(body, pose, span, 0.38 * span)
+
+
+def magnitude_matters(scene: Scene) -> bool:
+    """Whether the solutions depend on the size of the push."""
+    return len(scene.kinds) > 1
+
+
+def unit_of_magnitude(scene: Scene) -> float:
+    """W / m, the unit in which the size of a push matters; 1 with one effect."""
+    return float(scene.weight / scene.inertia[0]) if magnitude_matters(scene) else 1.0
+
+
+def arrow_length(state: State) -> float:
+    """Drawn length of the pusher's arrow, in units of the reach."""
+    scene = state.scene
+    if not magnitude_matters(scene):
+        return 1.0
+    place = np.interp(
+        math.log(state.magnitude / unit_of_magnitude(scene)), np.log(MAGNITUDES), LENGTHS
+    )
+    return float(place)
+
+
+def _magnitude(state: State, length: float) -> float:
+    """Size of the push whose arrow has this length."""
+    scene = state.scene
+    if not magnitude_matters(scene):
+        return state.magnitude
+    return unit_of_magnitude(scene) * math.exp(
+        float(np.interp(length, LENGTHS, np.log(MAGNITUDES)))
+    )
+
+
+def places(state: State, force: Array | None) -> dict[Handle, Array]:
+    """Where the handles are; the line of force has one where the pusher transmits a force."""
+    frame, angle = frame_of(state.scene), math.radians(state.angle)
+    middle = frame.pose.at(frame.body.middle)
+    found = {
+        Handle.PUSHER: frame.reach * arrow_length(state) * direction(angle),
+        Handle.ROD: np.asarray(frame.pose.origin, dtype=float),
+        Handle.SIZE: middle + frame.body.half * direction(frame.pose.angle - math.pi / 4),
+    }
+    if force is not None and np.any(force):
+        found[Handle.LINE] = LINE * frame.reach * force / np.hypot(*force)
+    return found
+
+
+def nearest(state: State, force: Array | None, place: Array) -> Handle | None:
+    """The handle under a place of the picture, None where there is none."""
+    apart = {name: float(np.hypot(*(at - place))) for name, at in places(state, force).items()}
+    name = min(apart, key=apart.__getitem__)
+    return name if apart[name] < 0.16 * frame_of(state.scene).span else None
+
+
+def _drag_pusher(state: State, place: Array) -> State:
+    if not np.any(place):
+        return state
+    length = float(np.hypot(*place)) / frame_of(state.scene).reach
+    return pushed(state, math.degrees(math.atan2(place[1], place[0])), _magnitude(state, length))
+
+
+def _drag_rod(state: State, place: Array) -> State:
+    angle = math.degrees(math.atan2(max(place[1], 0.0), place[0]))
+    return with_rod(state, float(np.hypot(*place)), angle)
+
+
+def _drag_size(state: State, place: Array) -> State:
+    frame = frame_of(state.scene)
+    away = float(np.hypot(*(place - frame.pose.at(frame.body.middle))))
+    return with_size(state, state.size * away / frame.body.half)
+
+
+def _drag_line(state: State, place: Array) -> State:
+    """Push so that the contact sticks under a force along the line, or along the nearest that it has."""
+    if not np.any(place):
+        return state
+    scene = state.scene
+    cone = friction_cone(scene)
+    middle = (cone.right + cone.left) / 2
+    offset = math.remainder(math.atan2(place[1], place[0]) - middle, 2 * math.pi)
+    force = middle + float(np.clip(offset, -cone.span / 2, cone.span / 2))
+    angle = _push_of_force(scene, force, state.magnitude)
+    return pushed(replace(state, shown="STICK"), math.degrees(angle), state.magnitude)
+
+
+def _push_of_force(scene: Scene, force: float, magnitude: float) -> float:
+    """Direction of the push that sticks under a force angle.
+
+    With friction and inertia it lies between those of the two alone, at a share that the magnitude settles.
+    """
+    if not magnitude_matters(scene):
+        return float(motion_angle(scene, force))
+    ends = np.unwrap([float(motion_angle(scene, force, share)) for share in SHARES])
+    tries = np.linspace(ends[0], ends[1], TRIALS)
+    rough = replace(scene, contact=PerfectlyRough())
+    found = solve(rough, tries, magnitude)
+    sticks = found.force[np.arange(TRIALS), np.argmax(found.mode == 1, axis=-1)]
+    off = np.remainder(np.arctan2(sticks[:, 1], sticks[:, 0]) - force + np.pi, 2 * np.pi) - np.pi
+    order = np.argsort(off)
+    return float(np.interp(0.0, off[order], tries[order]))
+
+
+DRAGS: dict[Handle, Callable[[State, Array], State]] = {
+    Handle.PUSHER: _drag_pusher,
+    Handle.ROD: _drag_rod,
+    Handle.SIZE: _drag_size,
+    Handle.LINE: _drag_line,
+}
+
+
+def dragged(state: State, handle: Handle, place: Array) -> State:
+    """The state after a handle was dragged to a place of the picture."""
+    return DRAGS[handle](state, np.asarray(place, dtype=float))
+
+
+#: Steps of a key: degrees, and parts of a length; ten times as much with the shift key.
+DEGREE, PART = 1.0, 0.02
+
+
+def nudged(
+    state: State, handle: Handle, force: Array | None, right: int, up: int, coarse: bool
+) -> State:
+    """The state after an arrow key moved a handle: around by left and right, out and in by up and down."""
+    place = places(state, force).get(handle)
+    if place is None:
+        return state
+    step = 10.0 if coarse else 1.0
+    centre = frame_of(state.scene).pose.at(frame_of(state.scene).body.middle)
+    about = centre if handle == Handle.SIZE else np.zeros(2)
+    arm = place - about
+    angle = math.atan2(arm[1], arm[0]) - math.radians(DEGREE * step * right)
+    length = float(np.hypot(*arm)) * (1.0 + PART * step * up)
+    return dragged(state, handle, about + length * direction(angle))

@@ -1,0 +1,1 @@
+"""What the page draws, as columns of numbers and colours: no browser is needed to make them."""

@@ -1,0 +1,203 @@
+"""What the explorer shows: one immutable value, and the changes that the page makes to it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.explore.supports import scaled
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.datasets.rubbing import support_of
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.terms.options import EFFECT_TYPES, EffectKind, Policy, Shape
+
+#: Magnitudes of a push, in units of W / m, and rod angles, that handles and widgets can give.
+MAGNITUDES = 0.01, 100.0
+ROD_ANGLES = 1.0, 179.0
+#: Sizes that a support can be dragged to, in units of the rod or of the support before.
+SMALLEST = 0.02
+#: How far a push is followed where a scene does not say, in units of the slider's length.
+FOLLOWED = 0.8
+
+
+class Start(StrEnum):
+    """How the fence starts, where a scene has inertia: moving already, or from rest."""
+
+    VELOCITY = "velocity"
+    ACCELERATION = "acceleration"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class State:
+    """A scene file under a push, and what the page shows of it; angles in degrees.
+
+    The file's section `simulate` is always there, and its first motion is the push.
+    """
+
+    file: SceneFile
+    angle: float = 90.0
+    magnitude: float = 1.0
+    start: Start = Start.VELOCITY
+    shown: str = ""
+    across: str = ""
+    time: float | None = None
+
+    @property
+    def scene(self) -> Scene:
+        return build(self.file)
+
+    @property
+    def shape(self) -> Shape:
+        """What pushes: a fence or a finger."""
+        return Shape(self.file.simulate.pusher_shape) if self.file.simulate else Shape.FENCE
+
+    @property
+    def size(self) -> float:
+        """Largest distance of the support from its centre of pressure; of a ring its radius."""
+        scene = self.scene
+        if scene.isotropic or not scene.friction:
+            return float(scene.slider.radius)
+        return float(support_of(scene).extent)
+
+    @property
+    def scripted(self) -> bool:
+        """Whether the file moves the pusher in pieces, of which the arrow shows the first."""
+        return bool(self.file.simulate and self.file.simulate.pusher)
+
+
+@lru_cache(maxsize=64)
+def build(file: SceneFile) -> Scene:
+    """The scene of a file; it is asked for several times while one picture is made."""
+    return file.build()
+
+
+def state_of(file: SceneFile, angle: float | None = None, magnitude: float = 1.0) -> State:
+    """The first state of a scene file: under the push given, or that of its section `simulate`."""
+    if file.simulate is not None and angle is None:
+        first = file.simulate.pieces[0]
+        speed = first.speed or 1.0
+        return State(file=file, angle=wrapped(first.angle), magnitude=speed)
+    inert = build(file).stores_energy
+    state = State(file=file, start=Start.ACCELERATION if inert else Start.VELOCITY)
+    return pushed(state, 90.0 if angle is None else angle, magnitude)
+
+
+def wrapped(angle: float) -> float:
+    """The same direction in (-180, 180] degrees."""
+    return 180.0 - (180.0 - angle) % 360.0
+
+
+def changed(state: State, **parts: Any) -> State:
+    """The state with other parts of its file; what was followed, and chosen on the way, is over."""
+    content = state.file.model_dump(exclude_none=True)
+    if "simulate" in content:
+        content["simulate"] |= {"on_ambiguity": first_policy(state)}
+    content |= parts
+    file = SceneFile.model_validate({k: v for k, v in content.items() if v is not None})
+    return replace(state, file=file, time=None)
+
+
+def pushed(state: State, angle: float, magnitude: float) -> State:
+    """The state under another push, in one direction from now on."""
+    angle, magnitude = wrapped(angle), float(magnitude)
+    given = state.file.simulate
+    section = given.model_dump(exclude_none=True) if given else {}
+    section.pop("pusher", None)
+    section |= {"pusher_angle": angle, "pusher_speed": magnitude}
+    section |= {"on_ambiguity": first_policy(state)}
+    section.setdefault("duration", duration(state, magnitude))
+    return replace(changed(state, simulate=section), angle=angle, magnitude=magnitude)
+
+
+def first_policy(state: State) -> str:
+    """What decides between contact modes before any choice by hand."""
+    section = state.file.simulate
+    return str(section.policies[0].policy if section else Policy.KEEP_CONTACT)
+
+
+def duration(state: State, magnitude: float) -> float:
+    """Time in which the pusher moves as far as the slider is long, to two digits."""
+    slider = state.scene.slider
+    way = FOLLOWED * (slider.rod_length + 2.0 * state.size)
+    found = way / magnitude if state.start == Start.VELOCITY else math.sqrt(2.0 * way / magnitude)
+    return float(f"{found:.2g}")
+
+
+def simulated(state: State, **options: Any) -> State:
+    """The state with other options of the simulation."""
+    given = state.file.simulate
+    section = given.model_dump(exclude_none=True) if given else {}
+    return changed(state, simulate=section | options)
+
+
+def with_rod(state: State, length: float, angle: float) -> State:
+    """The state with another rod."""
+    angle = float(np.clip(angle, *ROD_ANGLES))
+    slider = state.file.slider.model_dump(exclude_none=True)
+    return changed(
+        state, slider=slider | {"rod_length": max(float(length), 0.0), "rod_angle": angle}
+    )
+
+
+def with_size(state: State, size: float) -> State:
+    """The state with a support of another size."""
+    factor = max(size, SMALLEST * (state.size + state.file.slider.rod_length)) / state.size
+    slider = state.file.slider.model_dump(exclude_none=True)
+    if state.scene.isotropic or not state.scene.friction or "radius" in slider:
+        slider["radius"] = factor * float(state.scene.slider.radius)
+    effects = [_with_scaled_support(each, factor) for each in entries(state)]
+    return changed(state, slider=slider, effects=effects)
+
+
+def _with_scaled_support(effect: dict[str, Any], factor: float) -> dict[str, Any]:
+    if "support" not in effect:
+        return effect
+    return effect | {"support": scaled(effect["support"], factor)}
+
+
+def with_law(state: State, law: dict[str, Any]) -> State:
+    """The state with another contact law, as scene files have it."""
+    return changed(state, contact=law)
+
+
+def entries(state: State) -> list[dict[str, Any]]:
+    """The effects as scene files have them."""
+    return [each.model_dump(exclude_none=True) for each in state.file.effects]
+
+
+def effect(state: State, kind: EffectKind) -> dict[str, Any] | None:
+    """The first effect of a kind; None where nothing of this kind resists the motion."""
+    found = [each for each in entries(state) if EFFECT_TYPES[each["type"]] == kind]
+    return found[0] if found else None
+
+
+def with_effect(state: State, kind: EffectKind, entry: dict[str, Any] | None) -> State:
+    """The state with another effect of a kind, or without one; one effect at least stays."""
+    others = [each for each in entries(state) if EFFECT_TYPES[each["type"]] != kind]
+    effects = [entry, *others] if kind == EffectKind.SUPPORT_FRICTION else [*others, entry]
+    effects = [each for each in effects if each is not None]
+    if not effects:
+        return state
+    found = changed(state, effects=effects)
+    start = Start.ACCELERATION if found.scene.stores_energy else Start.VELOCITY
+    same = found.scene.stores_energy == state.scene.stores_energy
+    return found if same else replace(found, start=start)
+
+
+def with_support(state: State, support: dict[str, Any] | None) -> State:
+    """The state on another support of the same size; None is the ring of the slider's radius."""
+    given = effect(state, EffectKind.SUPPORT_FRICTION) or {"weight": 1.0}
+    slider = state.file.slider.model_dump(exclude_none=True)
+    if support is None:
+        friction = {"type": "ring_friction", "weight": given["weight"]}
+        slider["radius"] = state.size
+    else:
+        own = scaled(support, state.size)
+        friction = {"type": "support_friction", "weight": given["weight"], "support": own}
+        slider.pop("radius", None)
+    return with_effect(changed(state, slider=slider), EffectKind.SUPPORT_FRICTION, friction)

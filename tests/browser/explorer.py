@@ -1,0 +1,274 @@
+"""The explorer in a real browser: what is dragged, clicked and pressed, and what the page then says."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from urllib.parse import parse_qsl, urlsplit
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import planar_pushing as pp
+from browser.page import drag, handle, on_screen, ready, serving, settled, words
+from browser.shots import alike
+from planar_pushing.explore.address import state_in
+from planar_pushing.explore.pictures import scene
+from planar_pushing.explore.presets import preset, presets
+from planar_pushing.explore.words import outcome
+from planar_pushing.figures.motion.timeline import plotted
+from planar_pushing.study.files.scenes import load_scene_file
+
+IMAGES = Path(__file__).with_name("images")
+
+
+def state(page):
+    """The state in the page's address."""
+    return state_in(dict(parse_qsl(urlsplit(page.url).query)))
+
+
+def expected(state):
+    """What the page should say of a state."""
+    found = scene.found(state)
+    return outcome(tuple(found.solutions), found.pusher, found.shown)
+
+
+def start_from(page, name):
+    page.locator("select[name=preset]").select_option(label=presets()[name])
+    page.wait_for_function(
+        "title => new URLSearchParams(location.search).get('title') === title", arg=presets()[name]
+    )
+    settled(page)
+
+
+def agrees(page):
+    """The page says what the mechanics say of the state in its address."""
+    settled(page)
+    assert words(page) == expected(state(page))
+
+
+def test_the_first_page_pulls(page):
+    assert state(page) == preset("figure_03")
+    assert words(page) == (
+        "The contact sticks while being pulled; two more ways: the contact breaks, or slips to the left "
+        "while being pulled."
+    )
+    assert "0.848 at 36\N{DEGREE SIGN}" in page.locator("tr.shown").inner_text()
+
+
+def test_the_push_is_dragged(page):
+    drag(page, handle(page, "pusher"), (-0.5, 1.2))
+    agrees(page)
+    assert state(page).angle == pytest.approx(np.rad2deg(np.arctan2(1.2, -0.5)), abs=1.0)
+    cross = page.evaluate("Bokeh.documents[0].get_model_by_name('map cross').data.y")
+    assert cross[0] == pytest.approx(state(page).angle)
+
+
+def test_the_rod_is_dragged(page):
+    drag(page, handle(page, "rod"), (-1.0, 1.5))
+    agrees(page)
+    slider = state(page).file.slider
+    assert slider.rod_length == pytest.approx(np.hypot(1.0, 1.5), rel=0.02)
+    assert slider.rod_angle == pytest.approx(np.rad2deg(np.arctan2(1.5, -1.0)), abs=1.0)
+
+
+def test_the_support_is_dragged(page):
+    x, y = handle(page, "rod")
+    drag(page, handle(page, "size"), (x + 1.0, y - 1.0))
+    agrees(page)
+    assert state(page).size == pytest.approx(np.sqrt(2.0), rel=0.02)
+
+
+def test_the_line_of_force_is_dragged(page):
+    drag(page, handle(page, "line of force"), (0.0, 2.0))
+    agrees(page)
+    assert "at 90\N{DEGREE SIGN}" in page.locator("tr.shown").inner_text().replace("89.9", "90")
+
+
+def test_the_force_is_aimed_on_the_limit_curve(page):
+    page.mouse.click(*on_screen(page, (0.0, 1.0), "curve"))
+    agrees(page)
+    assert state(page).angle == pytest.approx(
+        np.rad2deg(pp.motion_angle(state(page).scene, np.pi / 2)), abs=1.0
+    )
+
+
+def test_a_click_on_the_map_goes_there(page):
+    page.mouse.click(*on_screen(page, (45.0, 60.0), "map"))
+    agrees(page)
+    assert state(page).angle == pytest.approx(60.0, abs=2.0)
+    assert state(page).scene.contact.friction_coefficient == pytest.approx(1.0, rel=0.05)
+
+
+def test_the_map_follows_within_half_a_second_of_rest(page):
+    image = "Bokeh.documents[0].get_model_by_name('map image').data.image[0].join()"
+    before = page.evaluate(image)
+    drag(page, handle(page, "rod"), (-1.0, 1.5), steps=3)
+    page.wait_for_function(f"before => {image} != before", arg=before, timeout=2000)
+    page.wait_for_timeout(1000)
+    assert page.evaluate(image) != before
+
+
+def test_keys_move_the_handle_that_is_chosen(page):
+    before = state(page)
+    page.locator("#picture").focus()
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("ArrowLeft")
+    agrees(page)
+    assert state(page).angle == pytest.approx(before.angle + 2.0, abs=0.01)
+    page.get_by_role("button", name="Rod").click()
+    page.locator("#picture").focus()
+    page.keyboard.press("Shift+ArrowUp")
+    agrees(page)
+    assert state(page).file.slider.rod_length == pytest.approx(3.6)
+
+
+def test_the_tab_key_reaches_picture_and_widgets(page):
+    reached = set()
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        reached.add(page.evaluate("document.activeElement.id || document.activeElement.tagName"))
+    assert "picture" in reached
+    assert len(reached) > 10 or "DIV" in reached
+
+
+def test_touch_drags(chromium, server):
+    context = chromium.new_context(
+        viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True
+    )
+    page = context.new_page()
+    page.goto(server.url)
+    ready(page)
+    session = context.new_cdp_session(page)
+    start, end = on_screen(page, handle(page, "pusher")), on_screen(page, (-0.5, 1.2))
+    for step in np.linspace(0, 1, 8):
+        x, y = np.array(start) + step * (np.array(end) - start)
+        kind = "touchStart" if step == 0 else "touchMove"
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y}]})
+    session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    agrees(page)
+    assert state(page).angle == pytest.approx(np.rad2deg(np.arctan2(1.2, -0.5)), abs=2.0)
+    wide = page.evaluate("document.documentElement.scrollWidth")
+    assert wide <= 390
+    context.close()
+
+
+@pytest.mark.parametrize("name", [name for name in presets() if name != "box"])
+def test_every_preset_opens(page, name):
+    start_from(page, name)
+    assert state(page) == preset(name)
+    agrees(page)
+
+
+def test_widgets_change_the_scene(page):
+    page.locator("select[name=law]").select_option("infinite friction")
+    agrees(page)
+    page.locator("select[name=support]").select_option(label="tripod")
+    agrees(page)
+    page.get_by_label("Inertia").check()
+    page.wait_for_timeout(1500)
+    agrees(page)
+    found = state(page)
+    assert isinstance(found.scene.contact, pp.InfiniteFriction)
+    assert len(found.scene.kinds) == 2
+    page.get_by_role("button", name="Finger").click()
+    agrees(page)
+    assert state(page).shape == "finger"
+
+
+def test_another_solution_is_drawn_in_full(page):
+    page.get_by_role("button", name="Slip left").click()
+    agrees(page)
+    assert state(page).shown == "SLIP_LEFT"
+    assert words(page).startswith(
+        "The contact slips to the left while being pulled; two more ways: "
+    )
+
+
+def test_a_copied_address_opens_the_same_scene(page, context):
+    start_from(page, "figure_13")
+    drag(page, handle(page, "pusher"), (-1.0, 0.6))
+    settled(page)
+    said, here = words(page), state(page)
+    other = context.new_page()
+    other.goto(page.url)
+    ready(other)
+    assert words(other) == said
+    assert state(other) == here
+
+
+def test_a_wrong_address_is_said(context, server):
+    page = context.new_page()
+    page.goto(f"{server.url}?slider.rod_length=long")
+    ready(page)
+    assert "address: " in page.get_by_role("status").inner_text()
+
+
+def test_a_push_is_followed_and_a_way_taken_by_hand(page):
+    page.get_by_role("button", name="Follow over time").click()
+    page.wait_for_function("Bokeh.documents[0].get_model_by_name('modes').visible")
+    page.wait_for_timeout(1500)
+    page.get_by_role("button", name="Pause").click()
+    bar = page.evaluate("Bokeh.documents[0].get_model_by_name('mode columns').data.left.length")
+    assert bar == 2
+    page.mouse.click(*on_screen(page, (0.3, 0.5), "modes"))
+    settled(page)
+    assert re.match(
+        r"At time 0\.\d+ the contact sticks, one of three consistent ways\.", words(page)
+    )
+    page.get_by_role("button", name="slips to the left").click()
+    page.wait_for_timeout(1500)
+    bar = page.evaluate("Bokeh.documents[0].get_model_by_name('mode columns').data.left.length")
+    assert bar == 3
+    assert [each.policy for each in state(page).file.simulate.policies][1:] == ["slip-left"]
+    page.get_by_role("button", name="Back to the push").click()
+    settled(page)
+    assert words(page) == expected(replace(state(page), time=None))
+
+
+def saved(page, button, folder):
+    with page.expect_download() as found:
+        page.get_by_role("button", name=button).click()
+    path = folder / found.value.suggested_filename
+    found.value.save_as(path)
+    return path
+
+
+def test_files_are_saved(page, tmp_path):
+    start_from(page, "figure_14a")
+    here = state(page)
+    assert load_scene_file(saved(page, "Scene (YAML)", tmp_path)) == here.file
+    assert saved(page, "Picture (SVG)", tmp_path).read_text(encoding="utf-8").count("<path") > 5
+    with xr.open_dataset(saved(page, "Log (netCDF)", tmp_path), engine="h5netcdf") as log:
+        assert "path_position" in plotted(log.load())
+    found = {}
+    exec(saved(page, "Python", tmp_path).read_text(encoding="utf-8"), found)
+    assert found["scene"] == here.scene
+
+
+@pytest.mark.parametrize(("name", "size"), [
+    ("figure_03", (1400, 900)), ("figure_13", (1400, 900)), ("plate", (1400, 900)),
+    ("figure_03", (390, 844)),
+])  # fmt: skip
+def test_the_picture_looks_as_it_did(page, name, size):
+    page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+    start_from(page, name)
+    page.wait_for_timeout(400)
+    shot = page.locator("#picture").screenshot()
+    assert alike(IMAGES / f"{name}_{size[0]}.png", shot)
+
+
+@pytest.mark.parametrize("way", ["button", "Ctrl-C"])
+def test_the_server_ends(context, way):
+    with serving("workflow/scenes/figure_08.yaml") as server:
+        page = context.new_page()
+        page.goto(server.url)
+        ready(page)
+        assert words(page) == "The contact sticks."
+        if way == "button":
+            page.get_by_role("button", name="Close").click()
+            code, out, err = server.ended()
+        else:
+            code, out, err = server.interrupt()
+        assert (code, err) == (0, "")
+        assert "closed" in out

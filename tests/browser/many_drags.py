@@ -1,0 +1,93 @@
+"""20,000 random drags: neither page nor server grows, and each move is drawn soon."""
+
+import random
+import time
+
+import numpy as np
+
+from browser.page import drag, handle, on_screen, settled
+
+DRAGS = 20_000
+#: Moves of a drag, as events of the mouse.
+MOVES = (("mouseMoved", 1), ("mouseMoved", 1))
+#: Drags before memory is measured for the first time, and between two drags of the rod.
+WARM, BLOCK = 2_000, 500
+#: Most that page and server may grow from the first measurement to the last, bytes.
+PAGE, SERVER = 4e6, 40e6
+#: Most milliseconds between a move and its picture, for 99 of 100.
+LATENCY = 100.0
+#: Every move of the pointer is noted as it comes in, and every picture once it is on the screen.
+NOTE = """() => {
+  const find = (name) => Bokeh.documents[0].get_model_by_name(name)
+  const [figure, beat] = [find("scene"), find("beat")]
+  window.noted = {moves: [], waits: [], count: beat.data.moves[0], last: 0}
+  window.addEventListener("pointermove", (event) => { noted.last = event.timeStamp }, true)
+  const pointer = find("scene pointer")
+  pointer.properties.data.change.connect(() => {
+    if (pointer.data.kind[0] === "drag") noted.moves.push([++noted.count, noted.last])
+  })
+  const view = Bokeh.index.find_one_by_id(figure.id)
+  const paint = view.paint.bind(view)
+  view.paint = (...given) => {
+    paint(...given)
+    const [now, moves] = [performance.now(), beat.data.moves[0]]
+    while (noted.moves.length && noted.moves[0][0] <= moves) noted.waits.push(now - noted.moves.shift()[1])
+  }
+}"""
+
+
+def heap(session):
+    """JavaScript in use after the garbage is collected, bytes."""
+    session.send("HeapProfiler.collectGarbage")
+    return session.send("Runtime.getHeapUsage")["usedSize"]
+
+
+def mouse(session, kind, place, buttons):
+    """One event of the mouse, straight to the page."""
+    session.send("Input.dispatchMouseEvent", {
+        "type": kind, "x": place[0], "y": place[1], "button": "left" if kind != "mouseMoved" else "none",
+        "buttons": buttons, "clickCount": 1,
+    })  # fmt: skip
+
+
+def block(page, session, count, random_of):
+    """A drag of the rod, and short drags of the push to random directions."""
+    angle, length = random_of.uniform(0.3, 2.8), random_of.uniform(1.5, 4.0)
+    drag(page, handle(page, "rod"), (length * np.cos(angle), length * np.sin(angle)))
+    settled(page)
+    page.evaluate("noted.moves = []")  # those that changed nothing have no picture
+    origin, across, up = (np.array(on_screen(page, at)) for at in ((0, 0), (1, 0), (0, 1)))
+    x, y = handle(page, "pusher")
+    turn, reach = np.arctan2(y, x), np.hypot(x, y)
+    for _ in range(count):
+        for kind, buttons in (("mousePressed", 1), *MOVES, ("mouseReleased", 0)):
+            turn = random_of.uniform(-np.pi, np.pi) if kind == "mouseMoved" else turn
+            there = reach * np.array([np.cos(turn), np.sin(turn)])
+            place = origin + there[0] * (across - origin) + there[1] * (up - origin)
+            mouse(session, kind, place.tolist(), buttons)
+
+
+def test_memory_and_latency(page, server, context):
+    session = context.new_cdp_session(page)
+    page.evaluate(NOTE)
+    random_of = random.Random(16)
+    for _ in range(WARM // BLOCK):
+        block(page, session, BLOCK, random_of)
+    sizes = [(heap(session), server.memory)]
+    start = time.perf_counter()
+    for _ in range((DRAGS - WARM) // BLOCK):
+        block(page, session, BLOCK, random_of)
+        sizes.append((heap(session), server.memory))
+    seconds = time.perf_counter() - start
+    waits = np.array(page.evaluate("noted.waits"))
+    p50, p99 = np.percentile(waits, [50, 99])
+    pages, servers = np.array(sizes).T / 1e6
+    print(
+        f"\n{DRAGS} drags, {len(waits)} moves drawn, {1e3 * seconds / (DRAGS - WARM):.1f} ms a drag\n"
+        f"from a move to its picture: median {p50:.0f} ms, p99 {p99:.0f} ms\n"
+        f"page {pages[0]:.1f} to {pages[-1]:.1f} MB, server {servers[0]:.0f} to {servers[-1]:.0f} MB"
+    )
+    assert len(waits) > DRAGS
+    assert p99 < LATENCY
+    assert pages[-1] - pages[0] < PAGE / 1e6
+    assert servers[-1] - servers[0] < SERVER / 1e6

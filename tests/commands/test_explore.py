@@ -1,0 +1,26 @@
+"""The command `explore`: what is wrong is said before a server starts."""
+
+import socket
+
+import pytest
+
+
+def test_a_wrong_scene_is_one_line(refused, tmp_path):
+    path = tmp_path / "scene.yaml"
+    path.write_text(
+        "slider: {rod_length: 2, rod_angle: 45}\ncontact: {law: glue}\n", encoding="utf-8"
+    )
+    refused(["explore", str(tmp_path / "none.yaml")], f"{tmp_path}/none.yaml: ")
+
+
+def test_a_port_in_use_is_refused(refused):
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        refused(["explore", "--no-browser", "--port", str(port)], f"port: {port} given")
+
+
+@pytest.mark.parametrize("port", ["-1", "70000"])
+def test_a_port_is_a_port(refused, port):
+    refused(["explore", "--no-browser", "--port", port], f"port: {port} given")
