@@ -19,7 +19,7 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
     sub.add_argument(
         "--port", type=int, default=0, metavar="NUMBER",
-        help="port of 127.0.0.1 to serve the page on (default: one that is free)",
+        help="port of 127.0.0.1 to serve the page on, a whole number to 65535 (default: one that is free)",
     )  # fmt: skip
     sub.add_argument(
         "--no-browser", action="store_true", help="print the address, and open no browser"

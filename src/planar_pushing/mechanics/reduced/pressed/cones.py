@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan2, copysign, hypot, inf
+from math import copysign, hypot, inf
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.numerics.bracket import bracketed, dip
+from planar_pushing.mechanics.numerics.bracket import bracketed
 from planar_pushing.mechanics.numerics.root import EQUATIONS, excess
 from planar_pushing.mechanics.reduced.corners import corner_under
+from planar_pushing.mechanics.reduced.pressed.magnitudes import angle_of, between
 from planar_pushing.mechanics.reduced.pressed.motions import (
     RANGE,
     Amount,
     at_end,
-    contact_of,
     line_of,
     motion_of,
     pushed,
 )
-
-
-#: Magnitudes at which the angle of the contact's motion is looked at, on both sides of the one at which friction
-#: and inertia are of one size, and the distance of their logarithms.
-NODES, APART = 32, 0.5
 
 
 class Speed(NamedTuple):
@@ -37,13 +32,6 @@ class Energy(NamedTuple):
     """Kinetic energy over that of a unit translation, less 1."""
 
     amount: Amount
-
-
-class Turn(NamedTuple):
-    """Angle of the contact's motion, to either side."""
-
-    amount: Amount
-    side: float
 
 
 @compiled
@@ -61,19 +49,7 @@ def _energy(of, z):
     return x * x + y * y + mass.gyration * moved.spin * moved.spin - 1.0, 0.0
 
 
-@compiled
-def _angle(own, force, moved):
-    """Angle of the contact's motion, on the branch within 90 degrees of the force."""
-    x, y = contact_of(own, moved)
-    return force.angle + atan2(force.x * y - force.y * x, force.x * x + force.y * y)
-
-
-@compiled
-def _turn(of, z):
-    return of.side * _angle(of.amount.own, of.amount.edge, motion_of(of.amount, z)), 0.0
-
-
-EQUATIONS.update({Speed: _speed, Energy: _energy, Turn: _turn})
+EQUATIONS.update({Speed: _speed, Energy: _energy})
 
 
 @generic
@@ -110,7 +86,7 @@ def spin_ratio(effects, own, force):
 @compiled
 def motion_angle(effects, own, force):
     """As `base.motion_angle`."""
-    return _angle(own, force, _typical(effects, own, force))
+    return angle_of(own, force, _typical(effects, own, force))
 
 
 @compiled
@@ -118,26 +94,12 @@ def motion_angles(effects, own, force):
     """As `base.motion_angles`: of one effect, and of two those of each alone and of all between them."""
     if len(effects) > 1:
         low, high = _angles_alone(effects[:1], own, force)
-        other = _angle(own, force, pushed(effects[-1:], own, force, 1.0))
+        other = angle_of(own, force, pushed(effects[-1:], own, force, 1.0))
         # Of the motions of a corner, the slowest are the nearest to that of inertia.
         near = min(max(low, other), high)
-        amount = Amount(effects, own, force)
-        low = _least(Turn(amount, 1.0), min(near, other))
-        return low, -_least(Turn(amount, -1.0), -max(near, other))
+        right, left = between(Amount(effects, own, force))
+        return min(near, other, force.angle - right), max(near, other, force.angle + left)
     return _angles_alone(effects, own, force)
-
-
-@compiled
-def _least(turn, limit):
-    """The least angle over all magnitudes, of which the slowest and the fastest have this limit."""
-    best, at_best = 0.0, inf
-    for i in range(-NODES, NODES + 1):
-        value = excess(turn, i * APART)[0]
-        if value < at_best:
-            best, at_best = i * APART, value
-    if at_best >= limit:
-        return limit
-    return min(dip(turn, best - APART, best, best + APART, at_best)[1], limit)
 
 
 @compiled
@@ -145,10 +107,10 @@ def _angles_alone(effects, own, force):
     """Least and greatest angle under a force, of one effect."""
     corner = corner_under(effects, line_of(effects, own, force, 1.0))
     if corner.exists:
-        one = _angle(own, force, at_end(own, corner.first, 0.0, 0.0))
-        other = _angle(own, force, at_end(own, corner.last, 0.0, 0.0))
+        one = angle_of(own, force, at_end(own, corner.first, 0.0, 0.0))
+        other = angle_of(own, force, at_end(own, corner.last, 0.0, 0.0))
     else:
-        one = _angle(own, force, pushed(effects, own, force, 1.0))
+        one = angle_of(own, force, pushed(effects, own, force, 1.0))
         other = one
     return min(one, other), max(one, other)
 
@@ -183,7 +145,7 @@ def _sought(equation):
 def limit_motion(effects, own, force):
     """As `base.limit_motion`."""
     moved = _on_curve(effects, own, force)
-    return hypot(moved.f_x, moved.f_y), _ratio(moved), _angle(own, force, moved)
+    return hypot(moved.f_x, moved.f_y), _ratio(moved), angle_of(own, force, moved)
 
 
 @compiled
