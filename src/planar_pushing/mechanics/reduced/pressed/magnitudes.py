@@ -1,7 +1,7 @@
 """How far the contact moves aside from a force, over all magnitudes of the motion.
 
-With friction and inertia the direction depends on the magnitude. Between slow and fast it may lie beyond the
-directions of each effect alone.
+With friction and inertia the direction depends on the magnitude. Between slow and fast it may lie beyond
+those of each effect alone.
 """
 
 from __future__ import annotations
