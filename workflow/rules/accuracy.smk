@@ -93,7 +93,9 @@ rule accuracy_data:
     # Nothing else may run beside a measurement.
     threads: workflow.cores
     params:
-        code=code_of("evidence.costs.measurements", "study.storage.store", "study.describe"),
+        code=code_of(
+            "evidence.costs.measurements", "study.storage.store", "study.describe"
+        ),
         provenance=PROVENANCE,
     message:
         "Measuring what accuracy costs"

@@ -23,7 +23,9 @@ rule dataset:
     params:
         # Not of study.builders, which imports the builders of the other datasets too.
         code=lambda wildcards: code_of(
-            f"study.datasets.{wildcards.dataset}", "study.slices", "study.grids.streaming"
+            f"study.datasets.{wildcards.dataset}",
+            "study.slices",
+            "study.grids.streaming",
         ),
         study=job_slice,
         provenance=PROVENANCE,
@@ -74,7 +76,9 @@ rule gather:
         mem_mb=job_memory,
         runtime=job_minutes,
     params:
-        code=code_of("study.storage.chunk_files", "study.grids.streaming", "study.describe"),
+        code=code_of(
+            "study.storage.chunk_files", "study.grids.streaming", "study.describe"
+        ),
         whole=gathering,
         provenance=PROVENANCE,
     message:
@@ -95,7 +99,9 @@ rule index:
         dataset=one_of([name for name in CHUNKED if name not in GATHERED]),
     priority: FIRST
     params:
-        code=code_of("study.storage.chunk_files", "study.grids.streaming", "study.describe"),
+        code=code_of(
+            "study.storage.chunk_files", "study.grids.streaming", "study.describe"
+        ),
         whole=gathering,
         provenance=PROVENANCE,
     message:

@@ -20,7 +20,9 @@ rule hard_cases_data:
     benchmark:
         "<results>/benchmarks/data/hard_cases.tsv"
     params:
-        code=code_of("evidence.hard_cases.dataset", "study.storage.store", "study.describe"),
+        code=code_of(
+            "evidence.hard_cases.dataset", "study.storage.store", "study.describe"
+        ),
         provenance=PROVENANCE,
     message:
         "Measuring the hard cases"

@@ -26,7 +26,9 @@ rule sliders_dataset:
     priority: FIRST
     params:
         code=lambda wildcards: code_of(
-            f"study.datasets.sliders.{wildcards.dataset}", "study.slices", "study.storage.store"
+            f"study.datasets.sliders.{wildcards.dataset}",
+            "study.slices",
+            "study.storage.store",
         ),
         study=lambda wildcards: study_slice(GALLERY, wildcards.dataset),
         provenance=MARKS[GALLERY_FILE],
