@@ -23,7 +23,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-slurm test-failures test-browser lint bench golden images dictionary schemas lock report manual \
+.PHONY: all test test-slurm test-failures test-browser test-drags lint bench golden images dictionary schemas lock report manual \
 	clean help
 .DELETE_ON_ERROR:
 
@@ -39,8 +39,11 @@ test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm
 test-failures: $(COMPILED) ## kill runs and fill disks (root, for the disks); some minutes
 	$(BIN)/pytest tests/workflow/failures.py
 
-test-browser: $(COMPILED) ## try the explorer in headless Chromium (Debian's chromium), 20,000 drags included
-	$(BIN)/pytest -s tests/browser/explorer.py tests/browser/many_drags.py
+test-browser: $(COMPILED) ## try the explorer in headless Chromium (Debian's chromium); some minutes
+	$(BIN)/pytest tests/browser/explorer.py
+
+test-drags: $(COMPILED) ## drag 20,000 times in the explorer: memory and latency; half an hour, on an idle machine
+	$(BIN)/pytest -s tests/browser/many_drags.py
 
 lint: $(READY)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual

@@ -50,7 +50,7 @@ def test_a_smooth_function_is_a_polynomial_to_rounding():
 @pytest.mark.parametrize(
     "velocity",
     [(0.0, 1.0), [(0, (0.0, 1.0)), (0.8, (1.0, 0.0))], lambda t: (0.0, 1.0 + t)],
-    ids=str,
+    ids=["constant", "pieces", "function"],
 )
 def test_each_piece_holds_its_policy(velocity):
     policies = [(0, "stick"), (0.5, "separate"), (0.8, "slip-left"), (3.0, "stick")]
