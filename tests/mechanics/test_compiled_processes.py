@@ -128,7 +128,7 @@ FORMULAS = (
     "effects", "reduced", "supports/test_ring.py", "numerics", "test_plane.py", "test_wrench.py",
     "test_cones.py", "test_limit_curve.py", "test_centers.py", "test_modes.py",
     "test_modes_limits.py", "test_modes_hard.py", "test_solve.py", "test_solve_backward_error.py",
-    "test_push.py",
+    "test_solve_arrays.py",
 )  # fmt: skip
 
 

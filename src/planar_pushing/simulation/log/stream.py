@@ -7,7 +7,7 @@ leaves what it has logged so far, with the attribute `finished` at 0.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import Any
 
 import h5netcdf
@@ -15,6 +15,7 @@ import h5py
 
 from planar_pushing.simulation.log import variables as log
 from planar_pushing.simulation.log.disk import Disk, PathLike, new_file
+from planar_pushing.simulation.log.interrupts import undisturbed
 from planar_pushing.simulation.problem import Problem
 
 #: Instants in a chunk of the file.
@@ -30,18 +31,20 @@ class Stream:
     def append(self, rows: Any) -> None:
         """Write rows to the end of the log."""
         start, self.length = self.length, self.length + len(rows)
-        self.file.resize_dimension("time", self.length)
-        for name, value in log.arrays(rows, self.problem).items():
-            stored = value.view("i1") if value.dtype == bool else value
-            self.file.variables[name][start : self.length] = stored
-        # What netCDF adds goes to the file, and the file to the disk.
-        self.file.flush()
-        self.hdf.flush()
+        with undisturbed():
+            self.file.resize_dimension("time", self.length)
+            for name, value in log.arrays(rows, self.problem).items():
+                stored = value.view("i1") if value.dtype == bool else value
+                self.file.variables[name][start : self.length] = stored
+            # What netCDF adds goes to the file, and the file to the disk.
+            self.file.flush()
+            self.hdf.flush()
         self.disk.check()
 
     def end(self, stopped: str, time: float) -> None:
         """Note that the run has ended, when, and why before its time."""
-        self.file.attrs.update(log.ending(stopped, time))
+        with undisturbed():
+            self.file.attrs.update(log.ending(stopped, time))
 
 
 @contextmanager
@@ -53,14 +56,18 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
     InvalidFile
         Where the file cannot be written.
     """
-    # netCDF readers want the order of creation kept.
-    with (
-        new_file(path) as disk,
-        h5py.File(disk, "w", track_order=True) as hdf,
-        h5netcdf.File(hdf, "r+") as file,
-    ):
-        _define(file, problem, method)
-        yield Stream(file, hdf, disk, problem)
+    with ExitStack() as files:
+        with undisturbed():
+            disk = files.enter_context(new_file(path))
+            # netCDF readers want the order of creation kept.
+            hdf = files.enter_context(h5py.File(disk, "w", track_order=True))
+            file = files.enter_context(h5netcdf.File(hdf, "r+"))
+            _define(file, problem, method)
+        try:
+            yield Stream(file, hdf, disk, problem)
+        finally:
+            with undisturbed():
+                files.close()
 
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:

@@ -1,0 +1,41 @@
+"""Ctrl-C while a file is written."""
+
+import signal
+import threading
+
+import pytest
+
+from planar_pushing.simulation.log.interrupts import undisturbed
+
+
+def test_ctrl_c_comes_after_the_block():
+    written = []
+
+    def write():
+        with undisturbed():
+            signal.raise_signal(signal.SIGINT)
+            written.append("all")
+
+    with pytest.raises(KeyboardInterrupt):
+        write()
+    assert written == ["all"]
+    with pytest.raises(KeyboardInterrupt):
+        signal.raise_signal(signal.SIGINT)
+
+
+def test_an_error_of_the_block_goes_on():
+    with pytest.raises(OSError, match="full"), undisturbed():
+        raise OSError("full")
+
+
+def test_threads_hear_no_signals():
+    done = []
+
+    def write():
+        with undisturbed():
+            done.append(signal.getsignal(signal.SIGINT))
+
+    thread = threading.Thread(target=write)
+    thread.start()
+    thread.join()
+    assert done == [signal.getsignal(signal.SIGINT)]
