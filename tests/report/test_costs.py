@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from planar_pushing.report import supplement
-from planar_pushing.report.cost_tables import COST_TABLES, case_text, spin_ratio_text
-from planar_pushing.report.costs import absent_evaluations, listed_evaluations
+from planar_pushing.report.costs.numbers import absent_evaluations, listed_evaluations
+from planar_pushing.report.costs.tables import COST_TABLES, case_text, spin_ratio_text
 from planar_pushing.report.parts.costs import ACCURACY, EFFECTS, HARD_CASES
 from planar_pushing.report.results import MEASURED, Results
 from planar_pushing.study.storage.store import read_dataset
@@ -79,7 +79,7 @@ def test_each_method_is_shown_at_its_best_setting(results):
     assert set(found) == set(wrench.method.values)
     for name, row in found.items():
         worst = wrench.error[wrench.method.values == name].max("spin_ratio").values
-        shown = np.inf if row["worst error"] == "no number" else float(row["worst error"])
+        shown = np.inf if row["worst error"] == "NaN" else float(row["worst error"])
         assert shown == pytest.approx(worst.min(), rel=0.06)
     assert found["closed form"]["calls"] == "\u2013"
     assert found["textbook E and K"]["at k"] == "1"

@@ -89,7 +89,7 @@ rule report_tables:
         "<results>/benchmarks/paper/report_tables.tsv"
     priority: FIRST
     params:
-        code=code_of("report.tables", "report.cost_tables"),
+        code=code_of("report.tables", "report.costs.tables"),
         golden=lambda wildcards: STUDY.golden,
         results=lambda wildcards: RESULTS,
     message:

@@ -7,7 +7,7 @@ with job_log(snakemake.log[0]):
 
     from planar_pushing.evidence.writing import write_text
     from planar_pushing.report import tables
-    from planar_pushing.report.cost_tables import COST_TABLES
+    from planar_pushing.report.costs.tables import COST_TABLES
     from planar_pushing.report.results import Results
 
     results = Results(Path(snakemake.params.results), Path(snakemake.params.golden))

@@ -12,19 +12,17 @@ from contextlib import suppress
 
 from planar_pushing import __version__
 from planar_pushing.commands import (
-    animate,
     check,
     compilation,
     completion,
     cone,
-    draw,
-    explore,
     init,
     plan,
     query,
     simulate,
     solve,
 )
+from planar_pushing.commands.pictures import animate, draw, explore
 from planar_pushing.commands.words.arguments import Parser, check_push
 from planar_pushing.commands.words.text import text
 from planar_pushing.terms.errors import PlanarPushingError

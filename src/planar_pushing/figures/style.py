@@ -8,7 +8,7 @@ from pathlib import Path
 
 import matplotlib.style
 
-# From Okabe and Ito's palette, told apart with every kind of colour vision.
+# From Okabe and Ito's palette, whose colours differ for every kind of colour vision.
 GREEN = "#009E73"
 BLUE = "#0072B2"
 VERMILION = "#D55E00"

@@ -6,8 +6,8 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text, json_text
-from planar_pushing.report import times
-from planar_pushing.report.cost_tables import COMPUTED
+from planar_pushing.report.costs import times
+from planar_pushing.report.costs.tables import COMPUTED
 from planar_pushing.report.quantities import Numbers, computed, magnitude
 from planar_pushing.report.results import EFFECTS, Results
 from planar_pushing.terms.errors import InvalidFile

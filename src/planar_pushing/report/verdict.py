@@ -22,7 +22,7 @@ def _passed(results: Results) -> dict[str, Any]:
 
 
 def verdict_word() -> Quantity:
-    """Make the number that is no number: whether the check passed."""
+    """Make the quantity that says whether the check passed."""
     return Quantity(
         read=lambda results: "passed" if _passed(results) else "",
         digits=0,

@@ -20,9 +20,9 @@ def test_wrench_markers_are_least_times_and_errors_within_the_axis(pictures, dat
     assert np.array_equal(shown[np.lexsort(shown.T)], wanted[np.lexsort(wanted.T)])
 
 
-def test_what_is_no_number_is_said_where_it_is(pictures):
+def test_nan_is_marked_where_it_stands(pictures):
     said = [
-        any(text.get_text() == "no number" for text in ax.texts)
+        any(text.get_text() == "NaN" for text in ax.texts)
         for ax in pictures["accuracy_wrench"].axes
     ]
     assert said == [k == 1 for k in tables.SPIN_RATIOS]

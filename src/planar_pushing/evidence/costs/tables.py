@@ -21,7 +21,7 @@ VARIABLES: Quantities = {
     "method": ("1", "method"),
     "setting": ("1", "number of points, table entries or steps, or tolerance; 0 for none"),
     "spin_ratio": DATASET["spin_ratio"],
-    "error": ("1", "largest relative error of force and torque; inf where a part is no number"),
+    "error": ("1", "largest relative error of force and torque; inf where a part is NaN"),
     "evaluations": ("1", "evaluations of an integrand, or of the wrench, for one result"),
     "batch": ("1", "results that a timed call computes"),
     "wrench_seconds": ("s", "time for one wrench, each repeat"),

@@ -39,7 +39,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         _decorate(ax)
         for row in np.flatnonzero(~np.isfinite(one.error.values)):
             place = float(places[row]), LIMITS[1]
-            ax.annotate("no number", place, (6, -3), textcoords="offset points", fontsize=NOTE_SIZE)
+            ax.annotate("NaN", place, (6, -3), textcoords="offset points", fontsize=NOTE_SIZE)
     axes[0].set_ylabel("relative error")
     figure.supxlabel("evaluations of the integrand", fontsize=9, y=0.01)
     figure.legend(handles=handles(methods(data)), loc="upper center", ncols=5, fontsize=8)

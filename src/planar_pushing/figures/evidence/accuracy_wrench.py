@@ -14,7 +14,7 @@ from planar_pushing.figures.evidence.work_precision import (
 )
 from planar_pushing.figures.style import GREY, NOTE_SIZE
 
-#: Where errors of zero, and results that are no number, are marked.
+#: Where errors of zero, and NaN, are marked.
 LIMITS = (1e-19, 1e4)
 TITLES = (
     r"$k = 10^{-8}$, almost a translation",
@@ -44,7 +44,7 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         name_limits(ax, LIMITS)
         for row in np.flatnonzero(~np.isfinite(one.error.values)):
             place = float(one.wrench_seconds[row].min()), LIMITS[1]
-            ax.annotate("no number", place, (6, -3), textcoords="offset points", fontsize=NOTE_SIZE)
+            ax.annotate("NaN", place, (6, -3), textcoords="offset points", fontsize=NOTE_SIZE)
     for ax in axes[-1]:
         ax.set_xlabel("time for one wrench, seconds")
     for ax in axes[:, 0]:

@@ -64,15 +64,15 @@ def work_precision(
 
 
 def within(errors: Array, limits: tuple[float, float]) -> Array:
-    """Errors, zero at the lower limit and what is no number at the upper one."""
+    """Errors, with zero at the lower limit and NaN at the upper one."""
     return np.asarray(np.clip(np.nan_to_num(errors, nan=limits[1], posinf=limits[1]), *limits))
 
 
 def name_limits(ax: Axes, limits: tuple[float, float]) -> None:
-    """Name the places of zero and of what is no number on the axis of relative errors."""
+    """Name the places of zero and of NaN on the axis of relative errors."""
     ticks = 10.0 ** np.arange(-16, 1, 4)
     names = [f"$10^{{{power}}}$" for power in range(-16, 1, 4)]
-    ax.set_yticks([limits[0], *ticks, limits[1]], ["0", *names, "none"])
+    ax.set_yticks([limits[0], *ticks, limits[1]], ["0", *names, "NaN"])
 
 
 def curves(ax: Axes, names: Array, x: Array, errors: Array, limits: tuple[float, float]) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from planar_pushing.report import costs
+from planar_pushing.report.costs import numbers as costs
 from planar_pushing.report.quantities import Numbers, Quantity, computed, magnitude, picked
 
 WRENCH, CONE = "accuracy_errors/wrench", "accuracy_errors/cone"

@@ -34,7 +34,7 @@ class Moments(NamedTuple):
     x, y : arb
         G. A point at the centre counts as zero here and in the second derivatives.
     xx, xy, yy : arb
-        Second derivatives of D by the centre; infinite or no number where D has none.
+        Second derivatives of D by the centre; infinite or NaN where D has none.
     """
 
     distance: arb

@@ -137,7 +137,7 @@ def _edge_angles(lines: Edge, here: Flags, tables: dict[str, Table], mode: str) 
 def _slips_of_both(
     given: Pushes, lines: Edge, counts: Any, tables: dict[str, Table], mode: str
 ) -> Flags:
-    """Every slip that is there solves its equation; several are told apart."""
+    """Every slip solves its equation; where there are several, the slowest and the fastest differ."""
     here, wrong = counts > 0, (counts < 0) | ((counts > 0) & ~given.slips)
     at = lines.over(here.shape, here)
     push = [_spread(part * given.magnitude, here) for part in (given.x, given.y)]

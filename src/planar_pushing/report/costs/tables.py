@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text
-from planar_pushing.report.costs import FEW_ULP, ill, method, part, well
+from planar_pushing.report.costs.numbers import FEW_ULP, ill, method, part, well
 from planar_pushing.report.quantities import significant
 from planar_pushing.report.results import EFFECTS, FRICTION, INERTIA, Results
 
@@ -57,7 +57,7 @@ def _setting(value: float) -> str:
 
 
 def _error(value: float) -> str:
-    return significant(value) if np.isfinite(value) else "no number"
+    return significant(value) if np.isfinite(value) else "NaN"
 
 
 def _ulp(value: float) -> str:

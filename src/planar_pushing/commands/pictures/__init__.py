@@ -1,0 +1,1 @@
+"""The commands that draw: a scene, a motion, or a page on which a scene is dragged."""

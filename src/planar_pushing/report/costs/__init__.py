@@ -1,0 +1,1 @@
+"""Numbers and tables of what accuracy costs: errors, hard cases, effects, and times."""
