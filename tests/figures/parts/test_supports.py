@@ -35,6 +35,10 @@ def test_a_pose_turns_and_moves():
     assert UPRIGHT.at([[0, 0], [0, 1]]) == pytest.approx(np.array([[1, 2], [0, 2]]))
 
 
+def test_a_pose_scales_about_its_origin():
+    assert Pose((1.0, 2.0), np.pi / 2, 0.5).at((2.0, 1.0)) == pytest.approx([0.5, 3.0])
+
+
 def shown(ax):
     """Points of all that was drawn, in the plane."""
     paths = [patch.get_patch_transform().transform_path(patch.get_path()) for patch in ax.patches]
@@ -46,7 +50,7 @@ def shown(ax):
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_the_extents_are_those_of_what_is_drawn(ax, name):
     support, _ = SUPPORTS[name]
-    pose = Pose((0.3, -0.2), 0.7)
+    pose = Pose((0.3, -0.2), 0.7, 0.5)
     draw_support(ax, support, pose, Ink())
     points, (low, high) = shown(ax), extents(support, pose)
     slack = 0.03 * support.extent  # circles are drawn as polygons, maps with their empty cells

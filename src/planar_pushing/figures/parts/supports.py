@@ -20,21 +20,23 @@ from planar_pushing.mechanics.plane import Array, direction
 
 #: How much of the slider's colour an even area has, the highest pressure of a map, and a support point.
 AREA, HIGHEST, POINT = 0.1, 0.62, 0.5
-#: Diameter of the heaviest support point and least diameter of any, points; line width of a segment.
+#: Diameter of the heaviest support point and least diameter of any, line width of a segment: points, where
+#: outlines are as wide as by default.
 HEAVIEST, LIGHTEST, BAR = 8.5, 2.5, 5.0
 #: Areas lie below cones, lines above.
 BELOW, LINES, DOTS = 0.2, 3.0, 3.5
 
 
 class Pose(NamedTuple):
-    """Where the body frame is: its origin, and the angle of its x axis in radians."""
+    """Where the body frame is, the angle of its x axis in radians, and how long its unit is."""
 
     origin: npt.ArrayLike
     angle: float
+    scale: float = 1.0
 
     def at(self, points: npt.ArrayLike) -> Array:
         """Points of the body, shape S + (2,), in the plane."""
-        x, y = direction(self.angle)
+        x, y = self.scale * direction(self.angle)
         turned = np.asarray(points, dtype=float) @ np.array([[x, y], [-y, x]])
         return np.asarray(np.asarray(self.origin, dtype=float) + turned)
 
@@ -45,6 +47,11 @@ class Ink(NamedTuple):
     color: str = SLIDER
     width: float = 2.2
 
+    @property
+    def part(self) -> float:
+        """Width over the default."""
+        return self.width / Ink().width
+
 
 def draw_support(ax: Axes, support: Any, pose: Pose, ink: Ink) -> None:
     """Draw a support; a ring has a radius of its own."""
@@ -54,7 +61,7 @@ def draw_support(ax: Axes, support: Any, pose: Pose, ink: Ink) -> None:
 def extents(support: Any, pose: Pose) -> Array:
     """Corners of the smallest upright box around a support, shape (2, 2)."""
     ends, circles = _rim(support)
-    middles, radii = pose.at(circles[:, :2]), circles[:, 2:]
+    middles, radii = pose.at(circles[:, :2]), pose.scale * circles[:, 2:]
     every = np.concatenate([pose.at(ends), middles - radii, middles + radii])
     return np.array([every.min(axis=0), every.max(axis=0)])
 
@@ -75,26 +82,27 @@ def _circle(ax: Axes, middle: Array, radius: float, ink: Ink) -> None:
 
 
 def _ring(ax: Axes, ring: supports.Ring, pose: Pose, ink: Ink) -> None:
-    _circle(ax, pose.at((0.0, 0.0)), ring.extent, ink)
+    _circle(ax, pose.at((0.0, 0.0)), pose.scale * ring.extent, ink)
 
 
 def _disc(ax: Axes, disc: supports.Disc, pose: Pose, ink: Ink) -> None:
-    middle = pose.at(disc.center)
-    shade = Circle(tuple(middle), disc.radius, facecolor=tint(ink.color, AREA), linewidth=0)
+    middle, radius = pose.at(disc.center), pose.scale * disc.radius
+    shade = Circle(tuple(middle), radius, facecolor=tint(ink.color, AREA), linewidth=0)
     shade.set_zorder(BELOW)
     ax.add_patch(shade)
-    _circle(ax, middle, disc.radius, ink)
+    _circle(ax, middle, radius, ink)
 
 
 def _annulus(ax: Axes, annulus: supports.Annulus, pose: Pose, ink: Ink) -> None:
     middle, circle = pose.at(annulus.center), Path.unit_circle()
+    inner, outer = pose.scale * annulus.inner, pose.scale * annulus.outer
     turns = np.asarray(circle.vertices)
-    rims = [Path(middle + annulus.outer * turns, circle.codes)]
-    rims.append(Path(middle + annulus.inner * turns * [1.0, -1.0], circle.codes))
+    rims = [Path(middle + outer * turns, circle.codes)]
+    rims.append(Path(middle + inner * turns * [1.0, -1.0], circle.codes))
     shade = PathPatch(Path.make_compound_path(*rims), facecolor=tint(ink.color, AREA), linewidth=0)
     shade.set_zorder(BELOW)
     ax.add_patch(shade)
-    for radius in (annulus.inner, annulus.outer):
+    for radius in (inner, outer):
         _circle(ax, middle, radius, ink)
 
 
@@ -130,8 +138,7 @@ def _pressure_map(ax: Axes, given: supports.PressureMap, pose: Pose, ink: Ink) -
 
 def _segment(ax: Axes, segment: supports.Segment, pose: Pose, ink: Ink) -> None:
     ends = pose.at([segment.start, segment.end])
-    width = BAR * ink.width / Ink().width
-    ax.plot(*ends.T, color=ink.color, linewidth=width, solid_capstyle="butt", zorder=LINES)
+    ax.plot(*ends.T, color=ink.color, linewidth=BAR * ink.part, solid_capstyle="butt", zorder=LINES)
 
 
 def _points(ax: Axes, points: supports.Points, pose: Pose, ink: Ink) -> None:
@@ -140,7 +147,7 @@ def _points(ax: Axes, points: supports.Points, pose: Pose, ink: Ink) -> None:
     middle = pose.at(points.center_of_pressure)
     for place, weight in zip(places, points.weights, strict=True):
         _leg(ax, middle, place, ink)
-        size = max(HEAVIEST * float(np.sqrt(weight / heaviest)), LIGHTEST)
+        size = ink.part * max(HEAVIEST * float(np.sqrt(weight / heaviest)), LIGHTEST)
         face = tint(ink.color, POINT)
         ax.plot(*place, "o", markersize=size, mfc=face, mec=ink.color, mew=0.8, zorder=DOTS)
 

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import arrows, drawing
 from planar_pushing.figures.parts.curves import named, titled
-from planar_pushing.figures.parts.outlines import outline
+from planar_pushing.figures.parts.supports import Ink, Pose, draw_support
 from planar_pushing.figures.settings import Sources
 from planar_pushing.figures.sliders.flats import FLAT, limit_line
 from planar_pushing.figures.sliders.gallery import (
@@ -32,6 +32,8 @@ ANGLES = np.linspace(0.0, 360.0, 721)
 COLUMNS = 4
 #: Half the width of a panel, and the radius of the slider's picture, in units of the largest force.
 SPAN, SKETCH = 1.3, 0.24
+#: Width of the sketches' outlines, points.
+OUTLINE = 0.9
 #: How the ring's curve is drawn.
 OF_RING: dict[str, Any] = {"color": GREY, "linewidth": 0.8, "linestyle": "--"}
 ACROSS = {"x": "along", "y": "normal to"}
@@ -93,4 +95,4 @@ def _slider(ax: Axes, support: object, one: xr.Dataset, ahead: float) -> None:
     foot = center - scale * float(one.rod_length) * arrows.unit(psi)
     ax.plot(*np.stack([foot, center]).T, color=DARK, linewidth=0.7, zorder=3)
     drawing.dot(ax, foot, size=2.5)
-    outline(ax, support, center, psi, scale=scale)
+    draw_support(ax, support, Pose(center, np.deg2rad(psi), scale), Ink(width=OUTLINE))
