@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.study.studies import PAPER_FILE, study_folder, study_name
+from planar_pushing.terms.errors import InvalidFile
 
 
 def add(commands: Commands) -> None:
@@ -18,9 +20,9 @@ def add(commands: Commands) -> None:
         help="folder that the pipeline has filled (default: results)",
     )  # fmt: skip
     sub.add_argument(
-        "--study", type=Path, default=Path("workflow/config/paper.yaml"), metavar="STUDY.yaml",
+        "--study", type=Path, default=Path(PAPER_FILE), metavar="STUDY.yaml",
         help="study whose results are checked, in RESULTS/studies/NAME for another than the paper's "
-        "(default: workflow/config/paper.yaml)",
+        f"(default: {PAPER_FILE})",
     )  # fmt: skip
 
 
@@ -28,8 +30,10 @@ def checked(args: argparse.Namespace) -> dict[str, Any]:
     """The verdict; it sets `args.status` to 1 where anything differs."""
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
-    from planar_pushing.study.studies import study_folder, study_name
 
+    if args.study == Path(PAPER_FILE) and not args.study.exists():
+        remedy = "go to the project's folder, or give --study"
+        raise InvalidFile(f"{PAPER_FILE}: no such file; {remedy}")
     folder = study_folder(study_name(args.study), args.results)
     found = verdict(check_results(folder, args.study))
     args.status = 0 if found["passed"] else 1

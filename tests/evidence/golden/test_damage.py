@@ -118,6 +118,13 @@ def test_the_command_passes_fails_and_refuses(smoke_results, folder, tmp_path, c
     assert main(["check", str(tmp_path / "results"), "--study", "none.yaml"]) == 2
 
 
+def test_outside_the_project_the_command_says_where_to_go(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == 2
+    said = "workflow/config/paper.yaml: no such file; go to the project's folder, or give --study"
+    assert capsys.readouterr().err == f"planar-pushing check: {said}\n"
+
+
 def test_the_verdict_counts_by_rule(smoke_results):
     found = verdict(check.check_results(smoke_results, SMOKE))
     assert found["passed"], verdict_text(found)

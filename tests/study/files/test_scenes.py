@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 import planar_pushing as pp
 from planar_pushing import InvalidFile, load_scene
 from planar_pushing.study.files.scenes import load_scene_file, save_scene_file
+from planar_pushing.study.study_file import load_study
 
 POSITIVE = st.floats(1e-6, 1e6)
 
@@ -181,8 +182,18 @@ def test_missing_file(tmp_path):
 
 
 def test_unreadable_file(tmp_path):
-    with pytest.raises(InvalidFile, match=r"cannot be read .* give a YAML text file"):
+    with pytest.raises(InvalidFile, match=r"cannot be read \(Is a directory\); give a YAML"):
         load_scene(tmp_path)
+
+
+@pytest.mark.parametrize(("load", "file", "kind"), [
+    (load_scene, "workflow/config/smoke.yaml", "study file"),
+    (load_study, "workflow/config/sliders_smoke.yaml", "study of sliders"),
+    (load_study, "workflow/scenes/figure_03.yaml", "scene file"),
+])  # fmt: skip
+def test_a_file_of_another_kind_is_named(load, file, kind):
+    with pytest.raises(InvalidFile, match=f"; this is a {kind}; give a file with these keys"):
+        load(file)
 
 
 def test_not_text(tmp_path):

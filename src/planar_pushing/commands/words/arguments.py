@@ -23,8 +23,27 @@ DIRECTION = (
 class Parser(argparse.ArgumentParser):
     """A parser that says in one line what is wrong with the arguments."""
 
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self.register("type", float, _number)
+        self.register("type", int, _whole_number)
+
     def error(self, message: str) -> NoReturn:
         self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} given; allowed: a number") from None
+
+
+def _whole_number(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} given; allowed: a whole number") from None
 
 
 def command(

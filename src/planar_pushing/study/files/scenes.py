@@ -20,6 +20,9 @@ from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path,
 
 Model = TypeVar("Model", bound=FileModel)
 
+#: Keys that only one kind of file has.
+KINDS = {"contact": "a scene file", "supports": "a study of sliders", "grid": "a study file"}
+
 
 def load_scene(path: PathLike) -> Scene:
     """Read a scene file.
@@ -92,6 +95,12 @@ def _key(location: tuple[int | str, ...]) -> str:
     return key
 
 
+def _other_kind(given: dict[object, object], known: list[str]) -> str:
+    """What to do with a file that has unknown keys at its top: give another where it is of another kind."""
+    kinds = [kind for key, kind in KINDS.items() if key in given and key not in known]
+    return f"this is {kinds[0]}; give a file with these keys" if kinds else "remove the key"
+
+
 def _explain(path: Path, error: ErrorDetails) -> str:
     """One line: file, key, value, what is allowed, what to do."""
     key, given, context = _key(error["loc"]), error["input"], error.get("ctx", {})
@@ -101,11 +110,12 @@ def _explain(path: Path, error: ErrorDetails) -> str:
             return f"{path}: {key}: missing; allowed: a value for this key; add it"
         case "unknown_key":
             unknown, known = context["key"], context["known"]
+            remedy = "remove the key" if key else _other_kind(given, known)
             near = difflib.get_close_matches(str(unknown), known, n=1)
+            remedy = f"did you mean {near[0]}?" if near else remedy
             word = shown(unknown)[1:].removesuffix("'") if isinstance(unknown, str) else unknown
             key, given = (f"{key}.{word}" if key else str(word)), given[unknown]
             allowed = f"the keys {', '.join(known)}"
-            remedy = f"did you mean {near[0]}?" if near else "remove the key"
         case "refused":
             key, given, remedy = f"{key}.{context['name']}", context["given"], context["remedy"]
         case "union_tag_invalid":

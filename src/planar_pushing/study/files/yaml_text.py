@@ -59,7 +59,8 @@ def _text(path: Path) -> str:
     except FileNotFoundError:
         raise InvalidFile(f"{path}: no such file; give the path of a YAML file") from None
     except (OSError, ValueError) as error:
-        raise InvalidFile(f"{path}: cannot be read ({error}); give a YAML text file") from None
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise InvalidFile(f"{path}: cannot be read ({reason}); give a YAML text file") from None
 
 
 def _excesses(text: str) -> Iterator[str]:
