@@ -111,7 +111,8 @@ WRONG = [
     (["simulate", PULLING, "--method", "euler", "-o", "log.nc"],
      "method: 'euler' given; allowed: 'event-driven' or 'time-stepping'"),
     (["simulate", PULLING, "--on-ambiguity", "both", "-o", "log.nc"],
-     "on_ambiguity: 'both' given; allowed: 'keep-contact', 'separate', 'stay-in-mode', 'stick', "),
+     "on_ambiguity: 'both' given; allowed: 'keep-contact', 'separate', 'stay-in-mode', 'stick', "
+     "'slip-right' or 'slip-left'; "),
     (["simulate", PULLING, "--pusher-angle", "nan", "-o", "log.nc"],
      "pusher_angle: nan given; allowed: a finite number of degrees"),
 ]  # fmt: skip

@@ -8,9 +8,15 @@ import pytest
 def test_a_wrong_scene_is_one_line(refused, tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_text(
-        "slider: {rod_length: 2, rod_angle: 45}\ncontact: {law: glue}\n", encoding="utf-8"
+        "title: Glue\nslider: {rod_length: 2, rod_angle: 45}\ncontact: {law: glue}\n"
+        "effects: [{type: ring_friction, weight: 1}]\n",
+        encoding="utf-8",
     )
-    refused(["explore", str(tmp_path / "none.yaml")], f"{tmp_path}/none.yaml: ")
+    refused(["explore", str(path)], f"{path}: contact: ")
+
+
+def test_a_missing_scene_is_one_line(refused, tmp_path):
+    refused(["explore", str(tmp_path / "none.yaml")], f"{tmp_path}/none.yaml: no such file; ")
 
 
 def test_a_port_in_use_is_refused(refused):

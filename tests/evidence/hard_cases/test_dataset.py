@@ -23,7 +23,6 @@ from planar_pushing.terms.quantities import DATASET as VARIABLES
 
 FAMILIES = {"ring": ring, "lengths": lengths, "contact": contact, "shares": shares, "rest": rest,
             "painleve": painleve}  # fmt: skip
-FAMILY = pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
 
 
 @pytest.fixture(scope="module")

@@ -53,7 +53,8 @@ def test_the_extents_are_those_of_what_is_drawn(ax, name):
     pose = Pose((0.3, -0.2), 0.7, 0.5)
     draw_support(ax, support, pose, Ink())
     points, (low, high) = shown(ax), extents(support, pose)
-    slack = 0.03 * support.extent  # circles are drawn as polygons, maps with their empty cells
+    # Circles are drawn as polygons, maps with their empty cells.
+    slack = 0.03 * pose.scale * support.extent
     if name != "peak":
         assert points.min(axis=0) == pytest.approx(low, abs=slack)
         assert points.max(axis=0) == pytest.approx(high, abs=slack)
