@@ -1,7 +1,7 @@
-# The manual: pages, docstrings and results, set as HTML by Sphinx; `snakemake manual`, outside of `all`. Like
-# the report, it is about a whole study that golden data certify.
+# The manual: Sphinx writes pages, docstrings and results as HTML. `snakemake manual` builds it; `all` does not.
+# Like the report, it needs the whole study that golden data certify.
 
-#: Times that `snakemake accuracy` measured: shown where they are there, and never asked for.
+#: Times that `snakemake accuracy` measured: the manual shows them where they exist, and does not request them.
 MEASURED = sorted(Path(RESULTS, "tables").glob("times_*.csv"))
 
 
@@ -29,7 +29,7 @@ rule manual_pages:
         code=code_of("commands", "report.manual"),
         measured=lambda wildcards: [path.read_text() for path in MEASURED],
     message:
-        "Setting the manual"
+        "Building the manual"
     script:
         "../scripts/manual.py"
 

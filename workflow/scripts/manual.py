@@ -1,4 +1,4 @@
-"""Set the manual as HTML."""
+"""Build the manual as HTML."""
 
 from planar_pushing.study.running.jobs import job_log
 

@@ -1,4 +1,4 @@
-"""Set the manual: Sphinx writes its pages, and stops at any warning."""
+"""Build the manual: Sphinx writes its pages, and any warning stops it."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.extras import require_extra
 
-#: What makes two builds the same bytes: sets in one order, and no time of the build.
+#: Makes two builds identical: sets are in one order, and no time of the build is written.
 FIXED = {"PYTHONHASHSEED": "0", "SOURCE_DATE_EPOCH": "0"}
-#: What Sphinx keeps for a next build, and the empty folder of sources.
+#: Files that Sphinx keeps for the next build, and the empty folder of sources.
 KEPT = (".buildinfo", "_sources")
 
 
@@ -29,7 +29,7 @@ def build_manual(source: PathLike, output: PathLike, *options: str) -> None:
     output : path
         The folder to write.
     *options : str
-        Options of `sphinx-build` besides.
+        Further options of `sphinx-build`.
 
     Raises
     ------
@@ -38,7 +38,7 @@ def build_manual(source: PathLike, output: PathLike, *options: str) -> None:
     """
     require_extra("manual")
     with tempfile.TemporaryDirectory() as work:
-        # Executed notebooks are left beside the pages, and doctrees where -d says.
+        # Sphinx leaves executed notebooks beside the pages, and doctrees in their own folder.
         pages, trees = Path(work) / "pages" / "html", Path(work) / "trees"
         command = [sys.executable, "-m", "sphinx", "--builder", "html", "--fail-on-warning"]
         command += ["--keep-going", "--quiet", "--doctree-dir", str(trees), *options]

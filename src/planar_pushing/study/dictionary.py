@@ -34,8 +34,8 @@ The pipeline generates everything in this folder except this page: `data/` holds
 the figures, with the numbers that they plot in `figures/data/`, `tables/` the golden verdict and the tables
 of the report, `paper.pdf` the report, `accuracy.pdf` its supplement on time, `logs/` and `benchmarks/` a
 file for each job, `report.html` Snakemake's report, `manual/` the manual. `studies/NAME/` holds the same
-of another study than the paper's, in `chunks/` the chunks of its datasets; `studies/sliders/` is that of
-the study of sliders.
+for a study other than the paper's, with the chunks of its datasets in `chunks/`; `studies/sliders/` belongs
+to the study of sliders.
 `make dictionary` writes this page from the attributes of the datasets.
 
 The datasets are netCDF4 files by the CF conventions; `planar_pushing.open_dataset("motion_cones")` opens

@@ -81,12 +81,12 @@ def study_folder(name: str | None, results: PathLike = "results") -> Path:
 
 
 def built_folder(name: str | None, results: PathLike = "results") -> Path:
-    """The same of a study that was built.
+    """Folder of results of a study that was built.
 
     Raises
     ------
     InvalidValue
-        Where results hold no such study.
+        Where the results hold no such study.
     """
     folder = study_folder(name, results)
     if Path(results).is_dir() and not folder.is_dir():
@@ -95,7 +95,7 @@ def built_folder(name: str | None, results: PathLike = "results") -> Path:
 
 
 def _unknown(name: object, results: PathLike) -> InvalidValue:
-    """What says which studies were built."""
+    """The error that lists the studies that were built."""
     built = sorted(path.name for path in (Path(results) / "studies").glob("*"))
     allowed = ", ".join([PAPER, *built])
     return InvalidValue("study", name, allowed, "name a study that was built")

@@ -12,7 +12,8 @@ from typing import NamedTuple
 class Policy(StrEnum):
     """Which mode is taken where several are consistent.
 
-    Each policy but `KEEP_CONTACT` prefers a mode, and acts like it where that mode is not consistent.
+    `KEEP_CONTACT` takes sticking before slip and separation last. The others prefer a mode, and act like
+    `KEEP_CONTACT` where that mode is not consistent.
     """
 
     KEEP_CONTACT = "keep-contact"

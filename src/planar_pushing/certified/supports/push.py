@@ -121,7 +121,7 @@ def on_edge(support: Pieces, length: fmpq, rod_angle: fmpq, friction: float, sid
 
 
 def decided(decide: Callable[[Push], Found], push: Callable[[], Push]) -> Found:
-    """What is decided of a push, at the first precision that suffices; the push is made anew for each.
+    """Decide on a push at the first precision that suffices; the push is made anew at each precision.
 
     Raises
     ------

@@ -1,1 +1,1 @@
-"""The commands that draw: a scene, a motion, or a page on which a scene is dragged."""
+"""The commands that draw a scene, a motion, or a page in the browser."""

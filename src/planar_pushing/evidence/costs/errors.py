@@ -20,7 +20,7 @@ def wrench(spin_ratio: float) -> tuple[arb, arb]:
 
 
 def relative_error(value: float, exact: arb) -> float:
-    """``|value - exact| / |exact|``, formed without rounding; infinite where `value` is NaN."""
+    """``|value - exact| / |exact|``, formed without rounding; infinite where `value` is not finite."""
     if not np.isfinite(value):
         return np.inf
     with ctx.workprec(PRECISION):

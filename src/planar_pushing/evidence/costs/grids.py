@@ -1,4 +1,4 @@
-"""The study's largest dataset, the limit curves, on grids of any size, in blocks of any size.
+"""Limit curves on grids of any size, in blocks of any size.
 
 A grid of N points has `ROD_LENGTHS` times N / 10 force angles. Values go to a file block by block, so that
 memory depends on the block alone.

@@ -164,7 +164,7 @@ def worst(error: Floats, allowed: Floats) -> tuple[int, ...]:
 
 
 def judged(check: Check, values: xr.DataArray, error: Any, allowed: Any) -> Check:
-    """The check with the errors of all values; an error that is NaN fails."""
+    """The check with the errors of all values; it fails where an error is NaN."""
     error, allowed = (np.broadcast_to(each, values.shape) for each in (error, allowed))
     failed = ~(error <= allowed)
     if not values.size:

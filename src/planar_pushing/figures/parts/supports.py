@@ -20,15 +20,15 @@ from planar_pushing.mechanics.plane import Array, direction
 
 #: How much of the slider's colour an even area has, the highest pressure of a map, and a support point.
 AREA, HIGHEST, POINT = 0.1, 0.62, 0.5
-#: Diameter of the heaviest support point and least diameter of any, line width of a segment: points, where
-#: outlines are as wide as by default.
+#: Diameter of the heaviest support point, least diameter of any, and line width of a segment, in points, for
+#: outlines of the default width.
 HEAVIEST, LIGHTEST, BAR = 8.5, 2.5, 5.0
 #: Areas lie below cones, lines above.
 BELOW, LINES, DOTS = 0.2, 3.0, 3.5
 
 
 class Pose(NamedTuple):
-    """Where the body frame is, the angle of its x axis in radians, and how long its unit is."""
+    """Origin of the body frame, angle of its x axis in radians, and length of its unit."""
 
     origin: npt.ArrayLike
     angle: float
@@ -49,7 +49,7 @@ class Ink(NamedTuple):
 
     @property
     def part(self) -> float:
-        """Width over the default."""
+        """Ratio of the width to the default."""
         return self.width / Ink().width
 
 
