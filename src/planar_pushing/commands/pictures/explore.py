@@ -11,7 +11,7 @@ from planar_pushing.commands.words.arguments import Commands, command
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Open a scene in the browser, where the mouse moves push, rod, support and line of force."
+    about = "Open a scene in the browser, where the mouse moves push, rod, support and force."
     sub = command(commands, "explore", explored, about, "scene.yaml")
     sub.add_argument(
         "scene", type=Path, nargs="?", metavar="SCENE.yaml",
@@ -19,7 +19,7 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
     sub.add_argument(
         "--port", type=int, default=0, metavar="NUMBER",
-        help="port of 127.0.0.1 that serves the page, a whole number from 1 to 65535 (default: a free port)",
+        help="port of 127.0.0.1 that serves the page, a whole number to 65535 (default: a free port)",
     )  # fmt: skip
     sub.add_argument(
         "--no-browser", action="store_true", help="print the address, and open no browser"

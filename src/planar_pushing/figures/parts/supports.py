@@ -20,7 +20,7 @@ from planar_pushing.mechanics.plane import Array, direction
 
 #: How much of the slider's colour an even area has, the highest pressure of a map, and a support point.
 AREA, HIGHEST, POINT = 0.1, 0.62, 0.5
-#: Diameter of the heaviest support point, least diameter of any, and line width of a segment, in points, for
+#: Diameter of the heaviest support point, least diameter of any, and line width of a segment: points, for
 #: outlines of the default width.
 HEAVIEST, LIGHTEST, BAR = 8.5, 2.5, 5.0
 #: Areas lie below cones, lines above.
