@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 EXAMPLES = Path("paper/manual/examples")
-PROGRAMS = ("estimate_support", "push_planner")
+#: What rounding on another machine may move of the numbers that each prints: a unit of the last digit where
+#: least squares converge, more where a plan starts from the end of another.
+PROGRAMS = {"estimate_support": 1.1e-4, "push_planner": 5e-3}
 NUMBER = re.compile(r"-?\d+\.\d+")
 
 
@@ -37,12 +39,11 @@ def test_example_is_short(name):
 
 
 def test_page_shows_what_is_printed(name, printed):
-    """Words are the same; numbers within the last digits, which rounding on another machine moves."""
     shown = (EXAMPLES / f"{name}.txt").read_text(encoding="utf-8").splitlines()
     assert [NUMBER.sub("", line).split() for line in printed] == [
         NUMBER.sub("", line).split() for line in shown
     ]
-    np.testing.assert_allclose(numbers(printed), numbers(shown), atol=5e-3, rtol=0)
+    np.testing.assert_allclose(numbers(printed), numbers(shown), atol=PROGRAMS[name], rtol=0)
 
 
 @pytest.mark.parametrize("name", ["estimate_support"], indirect=True)

@@ -8,6 +8,8 @@ from urllib.parse import unquote, urlsplit
 import pytest
 
 from manual.conftest import pages_as_html
+from manual.pages import PAGES
+from manual.pages import name as page_name
 from planar_pushing.report.manual import build_manual
 from planar_pushing.terms.errors import InvalidFile
 from report.setting import Setting, set_up
@@ -34,7 +36,9 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="session")
 def pages(html):
-    return {path: Page(path) for path in html.rglob("*.html")}
+    found = {path: Page(path) for path in html.rglob("*.html")}
+    assert {html / f"{page_name(page)}.html" for page in PAGES} <= set(found)
+    return found
 
 
 def test_every_internal_link_leads_somewhere(pages):
