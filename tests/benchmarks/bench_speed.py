@@ -35,7 +35,7 @@ SIMULATE, BATCH, TWO_CORES = 11_000.0, 180.0, 1 / 1.7
 #: take this many nanoseconds for each point, for each edge of a polygon near by, and of one far away.
 FLOOR, POINT, SIDE, FAR = 24.0, 5.0, 40.0, 2000.0
 #: A solve with any support, as a multiple of one with the ring; with both effects its slips are sought at
-#: many sizes of the motion under each edge. And 1e5 quadrilaterals, in seconds.
+#: many sizes of the motion under each edge. Then the time of 1e5 quadrilaterals, seconds.
 ANY_SUPPORT, QUADRILATERALS = {"friction": 5.0, "both": 100.0}, 10.0
 ARRAYS = {
     "even in direction": np.tan(RANDOM.uniform(0, np.pi / 2, COUNT)),
@@ -146,7 +146,7 @@ def test_simulate_a_scene(ratio, effects):
 
 @numba.njit(nogil=True, error_model="numpy")
 def elements(pressure, centers, found):
-    """Sums of D, G and T, which leaves nothing of them out."""
+    """Sums of D, G and T, so that the compiler drops none of them."""
     for i in range(len(centers)):
         now = moments(pressure, centers[i, 0], centers[i, 1])
         found[i] = now.distance + now.unit_x + now.unit_y + now.torque
@@ -185,7 +185,7 @@ BOX, STOOL = pp.Polygon(around(4)), pp.Points(around(3), np.ones(3))
 @pytest.mark.parametrize("support", [BOX, STOOL], ids=["square", "tripod"])
 @pytest.mark.parametrize("effects", ANY_SUPPORT)
 def test_modes_with_any_support(ratio, effects, support):
-    """As a multiple of the ring's."""
+    """The time as a multiple of the ring's."""
     count = COUNT // 100
     every = scenes(EFFECT_SETS[effects], count)
     friction = pp.SupportFriction(support=support, weight=every.effects[0].weight)
@@ -201,7 +201,7 @@ def test_modes_with_any_support(ratio, effects, support):
 
 
 def quadrilaterals(count):
-    """Solutions of scenes with a quadrilateral each, which are made as well."""
+    """Solutions of scenes with a quadrilateral each, the making of the scenes included."""
     angle = (np.arange(4) + RANDOM.uniform(0, 0.8, (count, 4))) * np.pi / 2
     away = RANDOM.uniform(0.4, 1.0, (count, 4))
     supports = np.empty(count, dtype=object)
@@ -214,7 +214,7 @@ def quadrilaterals(count):
 
 
 def test_quadrilaterals_in_seconds(ratio, monkeypatch):
-    """The ratio of 1e5 of them, on two cores, is to one second."""
+    """The time of 1e5 of them on two cores, as a ratio to one second."""
     monkeypatch.setattr(numba.config, "NUMBA_NUM_THREADS", 2)
     quadrilaterals(10)
     start = time.perf_counter()

@@ -41,9 +41,9 @@ to the study of sliders.
 The datasets are netCDF4 files by the CF conventions; `planar_pushing.open_dataset("motion_cones")` opens
 one with xarray, `open_dataset(name, study="NAME")` that of another study, and `planar-pushing query` prints
 parts of it. The attributes `study` and `study_digest` name the study and give the digest of its file.
-Angles are degrees, counter-clockwise from the fence. NaN stands where there is no number; infinite
-coordinates are those of a translation's motion centre. What is true or false is stored as
-bytes, and comes back as `bool`.
+Angles are degrees, counter-clockwise from the fence. NaN marks values that do not exist; infinite
+coordinates are those of a translation's motion centre. Truth values are stored as bytes, and come back
+as `bool`.
 """
 
 

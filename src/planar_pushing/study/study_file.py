@@ -80,7 +80,7 @@ def _size_problems(study: StudyFile) -> Iterator[str]:
 
 
 def _chunk_problems(study: StudyFile) -> Iterator[str]:
-    """Chunks of what has no grid, or along what is no dimension of it, and chunks that are gone."""
+    """Chunks of datasets that have none, chunks along wrong axes, and `gather` without chunks."""
     for name, chunk in study.chunks.items():
         allowed = SPLIT.get(name, ()) if computes(study, name) else ()
         if not allowed:

@@ -83,7 +83,7 @@ def as_float(given: object) -> float:
 
 
 def as_floats(given: Any) -> tuple[float, ...]:
-    """The entries of a sequence as floats; none for what is no sequence."""
+    """The entries of a sequence as floats; an empty tuple for anything else."""
     return tuple(map(as_float, given)) if hasattr(given, "__len__") else ()
 
 

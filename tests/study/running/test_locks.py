@@ -17,7 +17,7 @@ input()
 
 @pytest.fixture(autouse=True)
 def owned(monkeypatch):
-    """What a test owns, which is given up after it; a process else owns until its end."""
+    """The locks that a test holds, released after it; a process otherwise holds its locks until it ends."""
     held = {}
     monkeypatch.setattr(locks, "_HELD", held)
     yield

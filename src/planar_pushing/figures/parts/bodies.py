@@ -74,7 +74,7 @@ def _bounds(support: Any) -> Array:
 
 
 def body_of(data: xr.Dataset) -> Body:
-    """The slider of a scene's dataset or of a log; one that names no scene is of a ring."""
+    """The slider of a scene's dataset or of a log; a ring where the dataset names no scene."""
     named = data.attrs.get("scene") or data.attrs.get("parameters")
     if named is None:
         return Body(support=Ring(float(data["radius"])))

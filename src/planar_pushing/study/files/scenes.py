@@ -43,7 +43,7 @@ def load_scene_file(path: PathLike) -> SceneFile:
 def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     """Write a scene file that `load_scene` reads back as the same scene.
 
-    A rod angle that no number of degrees turns into comes back within one unit in the last place.
+    A rod angle is stored in degrees, so that it comes back within one unit in the last place.
 
     Raises
     ------

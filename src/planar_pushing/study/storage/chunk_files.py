@@ -58,7 +58,7 @@ def index_of(whole: xr.Dataset, steps: Mapping[str, int]) -> xr.Dataset:
 
 
 def behind_index(found: xr.Dataset, path: Path) -> xr.Dataset:
-    """The dataset that an index stands for, with its attributes; what is no index as it is."""
+    """The dataset that an index stands for, with its attributes; any other dataset unchanged."""
     if ATTRIBUTE not in found.attrs:
         return found
     steps = _steps(found, path)

@@ -72,7 +72,7 @@ def _look(path: PathLike) -> None:
 def _walk_heaps(path: PathLike) -> None:
     """Refuse a file in whose global heaps, which hold text and references, a size is wrong.
 
-    The HDF5 library goes round in one for ever where an object's size overflows (section III.E of the
+    The HDF5 library never returns from a heap in which an object's size overflows (section III.E of the
     format: a header of 16 bytes with the size of the collection; objects of an index, a size and data).
     """
     size = Path(path).stat().st_size
