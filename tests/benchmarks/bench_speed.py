@@ -35,7 +35,7 @@ SIMULATE, BATCH, TWO_CORES = 11_000.0, 180.0, 1 / 1.7
 #: take this many nanoseconds for each point, for each edge of a polygon near by, and of one far away.
 FLOOR, POINT, SIDE, FAR = 24.0, 5.0, 40.0, 2000.0
 #: A solve with any support, as a multiple of one with the ring; with both effects its slips are sought at
-#: many sizes of the motion under each edge. Then the time of 1e5 quadrilaterals, seconds.
+#: many sizes of the motion under each edge. And 1e5 quadrilaterals, in seconds.
 ANY_SUPPORT, QUADRILATERALS = {"friction": 5.0, "both": 100.0}, 10.0
 ARRAYS = {
     "even in direction": np.tan(RANDOM.uniform(0, np.pi / 2, COUNT)),
