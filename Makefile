@@ -39,10 +39,10 @@ test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm
 test-failures: $(COMPILED) ## kill runs and fill disks (root, for the disks); some minutes
 	$(BIN)/pytest tests/workflow/failures.py
 
-test-browser: $(COMPILED) ## try the explorer in headless Chromium (Debian's chromium); some minutes
+test-browser: $(COMPILED) ## test the explorer in headless Chromium (Debian's chromium); some minutes
 	$(BIN)/pytest tests/browser/explorer.py
 
-test-drags: $(COMPILED) ## drag 20,000 times in the explorer: memory and latency; half an hour, on an idle machine
+test-drags: $(COMPILED) ## drag 20,000 times in the explorer for memory and latency; half an hour on an idle machine
 	$(BIN)/pytest -s tests/browser/many_drags.py
 
 lint: $(READY)

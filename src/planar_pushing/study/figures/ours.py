@@ -64,8 +64,8 @@ OURS = by_name(
         caption=(
             "Error of the friction wrench against evaluations of the integrand, at four spin "
             "ratios k, a marker for each setting of a method. Formulas evaluate no integrand "
-            "and stand in the grey strip; zero and NaN stand at the ends of the axis. Dotted: rounding "
-            "of a double."
+            "and stand in the grey strip; an error of zero and a result of NaN stand at the ends of the "
+            "axis. Dotted: rounding of a double."
         ),
     ),
     Figure(
