@@ -37,8 +37,8 @@ def test_axes(sliders, name):
     assert tuple(opened(sliders, name).sizes)[: len(DIMS[name])] == DIMS[name]
 
 
-def test_wrenches_of_a_box_are_those_of_the_literature():
-    """PHYSICS.md, section 7: a square of side 2."""
+def test_wrenches_of_a_box_are_the_known_ones():
+    """A square of side 2, known from numerical integrals."""
     square = {"shape": "polygon", "vertices": [[-1, -1], [1, -1], [1, 1], [-1, 1]]}
     study = SMOKE.model_validate(
         SMOKE.model_dump()

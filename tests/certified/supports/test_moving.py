@@ -22,7 +22,7 @@ QUADRUPED = {
     "positions": [(-1, -1), (1, -1), (1, 1), (-1, 1)],
     "weights": [1, 1, 1, 1],
 }
-#: Distance of the centre of rotation for offsets of the line of force, PHYSICS.md, section 7.
+#: Distance of the centre of rotation for offsets of the line of force, known from numerical integrals.
 OFFSETS = [0.1, 0.25, 0.5, 1]
 DISTANCES = [
     (DISC, (2.5820217533, 1.1927516849, 0.8269565546, 0.5471102677)),

@@ -1,1 +1,1 @@
-"""Any support pressure in ball arithmetic (PHYSICS.md, section 7)."""
+"""Any support pressure in ball arithmetic (`paper/manual/theory/any_support.md`)."""

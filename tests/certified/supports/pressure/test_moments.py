@@ -11,7 +11,7 @@ from planar_pushing.certified.supports.pressure.moments import moments
 from planar_pushing.certified.supports.pressure.pieces import pieces
 
 ORIGIN = arb(0), arb(0)
-#: D, G_x, G_y and the torque about the origin, PHYSICS.md, section 7.
+#: D, G_x, G_y and the torque about the origin, known from numerical integrals.
 PUBLISHED = [
     (
         SQUARE,

@@ -1,6 +1,7 @@
 """The second route: a part of the golden data computed from the integrals that define friction.
 
-They are those of Eqs. (2)-(3) as printed for the ring, and of PHYSICS.md, section 7, for other supports.
+They are those of Eqs. (2)-(3) as printed for the ring, and for other supports those that define D and G
+(`paper/manual/theory/any_support.md`).
 
 The part is a thinner study, computed like the whole one in processes of their own, so that no number
 of the first route is at hand. Its enclosures must overlap those of the first.

@@ -1,8 +1,8 @@
 """Errors of the ellipsoid in place of a support, in plain doubles and by formulas of their own.
 
 They are means and maxima over the motions that `fit_ellipsoid` names: spread over half a sphere of
-(v_x, v_y, a omega) by the golden angle. Near the support D and G are sums over its pieces, as PHYSICS.md
-has them; the torque then loses the distance's digits, so that far away it is a plain quadrature.
+(v_x, v_y, a omega) by the golden angle. Near the support D and G are sums over its pieces, by the
+closed forms; the torque then loses the distance's digits, so that far away it is a plain quadrature.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""D and G of supports in plain doubles, by PHYSICS.md's table, over arrays of centres of rotation."""
+"""D and G of supports in plain doubles, by their closed forms, over arrays of centres of rotation."""
 
 from __future__ import annotations
 
