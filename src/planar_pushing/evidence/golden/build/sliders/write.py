@@ -35,7 +35,7 @@ MODES: Mapping[str, tuple[Any, ...]] = {
     "pusher_angle": (-180, -135, -45, -15, 0, 15, 45, 90, 105, 135, 165, 180),
 }
 ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
-SOURCE = "PHYSICS.md, section 7, for any pressure distribution"
+SOURCE = "paper/manual/theory/any_support.md: any pressure distribution"
 
 
 def kept(study: Study, axes: Mapping[str, tuple[Any, ...]]) -> dict[str, Any]:
