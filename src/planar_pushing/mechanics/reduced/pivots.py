@@ -94,7 +94,7 @@ def _held(effects, line, i):
     (x, y, most), t_x, t_y = point(effects[0], i), line.x, line.y
     r_x, r_y = x + line.length, y
     arm = t_x * r_y - t_y * r_x
-    if abs(arm) <= DIRECTION * (abs(r_x) + abs(r_y)):
+    if most == 0.0 or abs(arm) <= DIRECTION * (abs(r_x) + abs(r_y)):
         return inf, Motion(0.0, 0.0, 0.0), 0.0, 0.0
     motion, f_x, f_y, torque = _about(effects, line.length, i, line.along / arm)
     across = t_x * f_y - t_y * f_x
