@@ -85,12 +85,14 @@ def _places(edges: Array, lengths: Any, first: Any) -> Array:
     """Centre of pressure, largest distance from it and share of plates, from triangles over their edges."""
     if not len(first):
         return np.empty((0, 4))
-    corner = np.repeat(edges[first, :2], lengths, axis=0)
-    start, end = edges[:, :2] - corner, edges[:, 2:4] - corner
+    ends = edges[:, :2]
+    middle = (np.minimum.reduceat(ends, first) + np.maximum.reduceat(ends, first)) / 2
+    about = np.repeat(middle, lengths, axis=0)
+    start, end = edges[:, :2] - about, edges[:, 2:4] - about
     loads = (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 2 * edges[:, 4]
     share = np.add.reduceat(loads, first)
     weighted = np.add.reduceat(loads[:, None] * (start + end), first)
-    center = edges[first, :2] + weighted / (3 * share)[:, None]
+    center = middle + weighted / (3 * share)[:, None]
     around = np.repeat(center, lengths, axis=0)
     away = np.maximum(_distance(edges[:, :2], around), _distance(edges[:, 2:4], around))
     return np.column_stack([center, np.maximum.reduceat(away, first), share])
