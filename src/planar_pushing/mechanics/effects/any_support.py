@@ -16,8 +16,6 @@ from planar_pushing.mechanics.supports.pressure.table import Table, pressure_of
 FARTHEST = 1e9
 #: From here on the force follows the motion of the centre of pressure to what a slope needs.
 FAR = 1e3
-#: Square of the radius of gyration that stands for a support in a first guess, in its extents.
-ROUGH = 0.6
 
 
 class Supports(NamedTuple):
@@ -52,7 +50,9 @@ def gradient(effect, x, y, spin):
     f_x, f_y = -sign * g_y, sign * g_x
     xx, xy, yy = part * h_yy, -part * h_xy, part * h_xx
     if c_x * c_x + c_y * c_y > FAR * FAR:
-        b_x, b_y, bend = 0.0, 0.0, part * torque
+        xx_mean, xy_mean, yy_mean = pressure.spread
+        along = xx_mean * w_x * w_x + 2.0 * xy_mean * w_x * w_y + yy_mean * w_y * w_y
+        b_x, b_y, bend = 0.0, 0.0, weight * along / (speed * speed * speed)
     else:
         b_x, b_y = -(xx * w_x + xy * w_y) / turn, -(xy * w_x + yy * w_y) / turn
         bend = -(b_x * w_x + b_y * w_y) / turn
@@ -94,7 +94,8 @@ def wrench_about(effect, i, spin, c_x, c_y):
 @compiled
 def rough(effect):
     extent, pressure = effect.extent, effect.pressure
-    return extent * pressure.center_x, extent * pressure.center_y, ROUGH * extent * extent
+    xx, _, yy = pressure.spread
+    return extent * pressure.center_x, extent * pressure.center_y, (xx + yy) * extent * extent
 
 
 @compiled

@@ -28,6 +28,8 @@ class Pressure(NamedTuple):
         Centre of pressure.
     extent : float
         Largest distance of the support from the centre of pressure.
+    spread : tuple of float
+        Means of x x, x y and y y from the centre of pressure.
     starts : tuple of int
         Rows in which the pieces of each kind begin: `ATOMS` to `EDGES`.
     series : int
@@ -48,6 +50,7 @@ class Pressure(NamedTuple):
     center_x: float
     center_y: float
     extent: float
+    spread: tuple[float, float, float]
     starts: tuple[int, int, int, int, int, int]
     series: int
     rows: Array
