@@ -51,6 +51,9 @@ def slips(kinds: Any) -> Callable[..., Any]:
     Parameters
     ----------
     effects, rod, edge, normal
+    start : float
+        Motions are sought whose part along the fence is on the side of this one that the force points away from;
+        an infinite one, of the sign of the force's part along the fence, brings all.
     found : ndarray, shape (SLIPS, MOTION)
         Takes the motions, slow ones first.
     """

@@ -10,17 +10,23 @@ flat where a support on one line turns about a place on that line; there a root 
 
 from __future__ import annotations
 
-from math import pi, tan
+from math import inf, pi, tan
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import fastest, gradient, rough
 from planar_pushing.mechanics.numerics.bracket import bracketed
-from planar_pushing.mechanics.numerics.root import EQUATIONS, root
+from planar_pushing.mechanics.numerics.root import (
+    EPSILON,
+    EQUATIONS,
+    NEAR,
+    QUADRATIC,
+    SETTLED,
+    root,
+)
 
-#: Newton steps at most, and trials of one; what a step has to leave of the slope at most; and the relative
-#: size of a step after which the error is rounding.
-STEPS, CUTS, ENOUGH, SETTLED = 100, 12, 0.5, 1e-12
+#: Newton steps at most, and trials of one; and what a step has to leave of the slope at most.
+STEPS, CUTS, ENOUGH = 100, 12, 0.5
 #: Part of the curvature in one direction that is left in every direction where Newton's method is sure.
 CURVED = 1e-14
 
@@ -92,7 +98,7 @@ EQUATIONS[TorqueOfSpin] = _torque_of_spin
 
 
 @compiled
-def _rough_spin(effects, length, x, y):
+def _as_of_a_mass(effects, length, x, y):
     """Rotation of a contact that moves by (x, y), as if the first effect were a mass; exact for a mass."""
     c_x, c_y, gyration = rough(effects[0])
     arm = c_x + length
@@ -102,14 +108,25 @@ def _rough_spin(effects, length, x, y):
 @compiled
 def spin_of(effects, length, x, y):
     """Rotation of a contact that moves by (x, y), at which the torque about it vanishes."""
-    start = _rough_spin(effects, length, x, y)
-    most = fastest(effects[0], length) * (x * x + y * y) ** 0.5
-    low, high = -most, most
+    start, most = rough_spin(effects, length, x, y), fastest(effects[0], length)
+    return spin_near(effects, length, x, y, most, start) if most > 0.0 else start
+
+
+@compiled
+def rough_spin(effects, length, x, y):
+    """A first guess of `spin_of`."""
+    start = _as_of_a_mass(effects, length, x, y)
+    return (start + _as_of_a_mass(effects[1:], length, x, y)) / 2.0 if len(effects) > 1 else start
+
+
+@compiled
+def spin_near(effects, length, x, y, most, start):
+    """As `spin_of`, from a guess and from `fastest` of friction."""
+    high = most * (x * x + y * y) ** 0.5
+    low = -high
     if len(effects) > 1:
-        other = _rough_spin(effects[1:], length, x, y)
-        low, high, start = min(low, other), max(high, other), (start + other) / 2.0
-    elif most == 0.0:
-        return start
+        other = _as_of_a_mass(effects[1:], length, x, y)
+        low, high = min(low, other), max(high, other)
     return root(TorqueOfSpin(effects, length, x, y), low, high, min(max(start, low), high))[0]
 
 
@@ -168,27 +185,40 @@ def _newton(line, start):
     """
     across, spin = start.y * line.x - start.x * line.y, start.spin
     one, other, bend, turn, stiff = _slopes(line, start)
+    last = inf
     for _ in range(STEPS):
         whole = bend * stiff - turn * turn
         if not whole > CURVED * bend * stiff:
             break
         step, swing = (turn * other - stiff * one) / whole, (turn * one - bend * other) / whole
-        slope = one * step + other * swing
-        settled = abs(step) <= SETTLED * (line.along + abs(across)) and abs(swing) <= SETTLED * abs(
-            spin
-        )
-        part = 1.0
+        size = max(_over(step, line.along + abs(across)), _over(swing, spin))
+        if _is_last(size, last):
+            return _composed(line, across + step, spin + swing), True
+        slope, part, last = one * step + other * swing, 1.0, size
         for _ in range(CUTS):
             motion = _composed(line, across + part * step, spin + part * swing)
             one, other, bend, turn, stiff = _slopes(line, motion)
-            last = one * step + other * swing
-            if settled or abs(last) <= ENOUGH * abs(slope):
+            left = one * step + other * swing
+            if abs(left) <= ENOUGH * abs(slope):
                 break
-            part *= slope / (slope - last) if last > 0.0 else 2.0
+            part *= slope / (slope - left) if left > 0.0 else 2.0
         across, spin = across + part * step, spin + part * swing
-        if settled:
-            return _composed(line, across, spin), True
     return _composed(line, across, spin), False
+
+
+@compiled
+def _over(step, size):
+    """Size of a step over that of what it changes."""
+    if step == 0.0:
+        return 0.0
+    return abs(step / size) if size != 0.0 else inf
+
+
+@compiled
+def _is_last(size, before):
+    """Whether only rounding is left after a step of a relative size, as `root` has it."""
+    quadratic = before <= NEAR and size <= QUADRATIC * before
+    return size <= SETTLED or (quadratic and size**3 <= EPSILON * before**2)
 
 
 @compiled

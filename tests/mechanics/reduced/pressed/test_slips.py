@@ -22,7 +22,7 @@ def found(support, part):
     row[:7] = scene.weight, *scene.inertia, *scene.placement
     own, motions = rod(2.0, np.pi / 4), np.empty((8, MOTION))
     edge = toward(own, np.arctan2(1.0, 1.4))
-    count = slips(made(scene.kinds, row), own, edge, part * LEAST, motions)
+    count = slips(made(scene.kinds, row), own, edge, part * LEAST, np.inf, motions)
     return motions[:count]
 
 
