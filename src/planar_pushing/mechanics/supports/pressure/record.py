@@ -43,7 +43,7 @@ class Pressure(NamedTuple):
         distance of an edge from it, share, and the rows in which its edges begin and end.
         Edges of the plates: x and y of the middle from the plate's centre, unit tangent, half the length,
         and the pressure on the left of the tangent less that on the right, per unit share.
-    multipoles : array, shape (m, TERMS, 2)
+    multipoles : array, shape (m, ROWS, 2)
         Moments of the plates as `far` of `multipole` reads them.
     """
 
