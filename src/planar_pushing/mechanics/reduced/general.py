@@ -108,8 +108,15 @@ def _as_of_a_mass(effects, length, x, y):
 @compiled
 def spin_of(effects, length, x, y):
     """Rotation of a contact that moves by (x, y), at which the torque about it vanishes."""
-    start, most = rough_spin(effects, length, x, y), fastest(effects[0], length)
-    return spin_near(effects, length, x, y, most, start) if most > 0.0 else start
+    start = rough_spin(effects, length, x, y)
+    most = fastest(effects[0], length) * (x * x + y * y) ** 0.5
+    low, high = -most, most
+    if len(effects) > 1:
+        other = _as_of_a_mass(effects[1:], length, x, y)
+        low, high = min(low, other), max(high, other)
+    elif most == 0.0:
+        return start
+    return root(TorqueOfSpin(effects, length, x, y), low, high, min(max(start, low), high))[0]
 
 
 @compiled
@@ -117,17 +124,6 @@ def rough_spin(effects, length, x, y):
     """A first guess of `spin_of`."""
     start = _as_of_a_mass(effects, length, x, y)
     return (start + _as_of_a_mass(effects[1:], length, x, y)) / 2.0 if len(effects) > 1 else start
-
-
-@compiled
-def spin_near(effects, length, x, y, most, start):
-    """As `spin_of`, from a guess and from `fastest` of friction."""
-    high = most * (x * x + y * y) ** 0.5
-    low = -high
-    if len(effects) > 1:
-        other = _as_of_a_mass(effects[1:], length, x, y)
-        low, high = min(low, other), max(high, other)
-    return root(TorqueOfSpin(effects, length, x, y), low, high, min(max(start, low), high))[0]
 
 
 @compiled

@@ -8,7 +8,7 @@ where it dips below zero, for which the slopes at both places have to point inwa
 
 from __future__ import annotations
 
-from math import asinh, ceil, copysign, exp, nan, sinh
+from math import asinh, ceil, copysign, exp, inf, nan, sinh
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,12 +17,15 @@ from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import count_points, point
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 from planar_pushing.mechanics.plane import Direction, Rod
-from planar_pushing.mechanics.reduced.general import Motion, felt, rough_spin, spin_near
+from planar_pushing.mechanics.reduced.general import Motion, felt, rough_spin, spin_of
 from planar_pushing.mechanics.reduced.pivots import SHARE, held
 from planar_pushing.mechanics.reduced.pressed.motions import RANGE, line_of, of_line, sustained, write
 
 #: Distance of two places in asinh(x / normal part) at most, and how many distances there are at least.
 WIDTH, LEAST = 0.5, 3
+#: Newton steps to a rotation at most, what one may leave of the last, and the relative size of one whose
+#: square is rounding.
+STEPS, SHRINK, SETTLED = 8, 0.3, 1e-8
 #: How often a dip is halved at most.
 HALVINGS = 40
 #: The least and the largest part along the fence, and a force that has a sign and no size.
@@ -30,13 +33,12 @@ SLOWEST, FASTEST, TINY = exp(-RANGE), exp(RANGE), 1e-300
 
 
 class Slide(NamedTuple):
-    """Motions with a normal part, the edge, and the greatest rotation of friction alone at unit speed."""
+    """Motions of the contact with one normal part, and the edge."""
 
     effects: tuple[Any, ...]
     own: Rod
     edge: Direction
     normal: float
-    fastest: float
 
 
 class Place(NamedTuple):
@@ -66,16 +68,36 @@ def _contact(slide, x):
 
 @compiled
 def _place(slide, x, near):
+    """The place at x: by Newton's method from a near one, or where that is not near by a bracketed root."""
+    length, (u_x, u_y) = slide.own.length, _contact(slide, x)
+    spin, last = near.spin + near.swing * (x - near.x), inf
+    for _ in range(STEPS):
+        now = felt(slide.effects, length, Motion(u_x, u_y, spin))
+        step = -now.torque / now.ss
+        if abs(step) <= SETTLED * (abs(spin) + (abs(u_x) + abs(u_y)) / (1.0 + length)):
+            return _felt_at(slide, x, spin, step, now)
+        if not abs(step) <= SHRINK * last:
+            break
+        spin, last = spin + step, abs(step)
+    spin = spin_of(slide.effects, length, u_x, u_y)
+    return _felt_at(slide, x, spin, 0.0, felt(slide.effects, length, Motion(u_x, u_y, spin)))
+
+
+@compiled
+def _felt_at(slide, x, spin, step, now):
+    """The place at x, from what is felt at a rotation and the step that is left of it."""
     own, edge = slide.own, slide.edge
-    u_x, u_y = _contact(slide, x)
-    guess = near.spin + near.swing * (x - near.x)
-    spin = spin_near(slide.effects, own.length, u_x, u_y, slide.fastest, guess)
-    now = felt(slide.effects, own.length, Motion(u_x, u_y, spin))
     swing = (now.ys * own.y - now.xs * own.x) / now.ss
-    f_x = now.xx * own.x - now.xy * own.y + now.xs * swing
-    f_y = now.xy * own.x - now.yy * own.y + now.ys * swing
-    across, slope = edge.along * now.f_y + edge.aside * now.f_x, edge.along * f_y + edge.aside * f_x
-    return Place(x, across, slope, spin, swing)
+    change_x = now.xx * own.x - now.xy * own.y + now.xs * swing
+    change_y = now.xy * own.x - now.yy * own.y + now.ys * swing
+    f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
+    across, slope = _across_edge(edge, f_x, f_y), _across_edge(edge, change_x, change_y)
+    return Place(x, across, slope, spin + step, swing)
+
+
+@compiled
+def _across_edge(edge, f_x, f_y):
+    return edge.along * f_y + edge.aside * f_x
 
 
 @compiled

@@ -8,7 +8,6 @@ from typing import Any
 
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.effects.base import fastest
 from planar_pushing.mechanics.reduced.corners import corner_under
 from planar_pushing.mechanics.reduced.pressed.motions import (
     at_end,
@@ -75,8 +74,7 @@ def _not(effects, scale):
 def slips(effects, own, edge, normal, start, found):
     """As `base.slips`, for friction and inertia."""
     if edge.x != 0.0:
-        slide = Slide(effects, own, edge, normal, fastest(effects[0], own.length))
-        return slips_along(slide, start, found)
+        return slips_along(Slide(effects, own, edge, normal), start, found)
     # Under a force along the normal, the normal part alone says which motion it is.
     if not edge.y * normal > 0.0:
         return 0
