@@ -135,10 +135,10 @@ def _slipping(effects, own, law, pusher, moved, mode, modes, motions, count):
         Whether one of the slips is the stick, and whether they are the ends of a continuum.
     """
     angle, side = (law.left, 1.0) if mode == SLIP_RIGHT else (law.right, -1.0)
-    found, at_edge, corner = np.empty((SLIPS, MOTION)), False, False
-    edge, start = toward(own, angle), pusher.x - side * BEFORE
+    edge, at_edge, corner = toward(own, angle), False, False
     if not _may_slip(edge, side, pusher, moved):
         return count, at_edge, corner
+    found, start = np.empty((SLIPS, MOTION)), pusher.x - side * BEFORE
     for i in range(slips(effects, own, edge, pusher.y, start, found)):
         slip = contact_motion(own, found[i, 0], found[i, 1], found[i, 2])[0] - pusher.x
         if side * slip > COINCIDENCE:

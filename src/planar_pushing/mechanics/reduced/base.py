@@ -52,7 +52,7 @@ def slips(kinds: Any) -> Callable[..., Any]:
     ----------
     effects, rod, edge, normal
     start : float
-        Motions are sought whose part along the fence is on the side of this one that the force points away from;
+        Slips that move further along the fence than this, in the sense of the force, need not be found;
         an infinite one, of the sign of the force's part along the fence, brings all.
     found : ndarray, shape (SLIPS, MOTION)
         Takes the motions, slow ones first.

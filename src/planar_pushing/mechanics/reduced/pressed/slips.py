@@ -16,7 +16,8 @@ from planar_pushing.mechanics.reduced.pressed.motions import (
     rise_of,
     write,
 )
-from planar_pushing.mechanics.reduced.pressed.sliding import Slide, slips_along
+from planar_pushing.mechanics.reduced.pressed.places import Slide
+from planar_pushing.mechanics.reduced.pressed.sliding import slips_along
 
 
 @compiled

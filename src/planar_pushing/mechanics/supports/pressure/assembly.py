@@ -37,7 +37,7 @@ class Gathered(NamedTuple):
     first : ndarray of int, shape (plates + 1,)
         Where the edges of each plate begin, and the number of all.
     centers, extents, spreads : ndarray
-        Of the supports: centres of pressure, largest distances of the support from them, and second moments.
+        Of the supports: centres of pressure, largest distances of the support from them, second moments.
     """
 
     rows: list[Array]

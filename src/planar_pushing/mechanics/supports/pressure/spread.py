@@ -22,7 +22,7 @@ ROUND = {RINGS: 1 / 2, DISCS: 1 / 4}
 
 
 def spreads(rows: list[Array], owners: list[Any], centers: Array) -> Array:
-    """Means of x x, x y and y y from the centres of pressure, shape (supports, 3); parameters as `Gathered`."""
+    """Means of x x, x y and y y from the centres of pressure, shape (supports, 3)."""
     found = np.zeros((len(centers), 3))
     for kind, first, last in ENDS:
         pieces, around = rows[kind], centers[owners[kind]]
