@@ -98,11 +98,11 @@ EQUATIONS[TorqueOfSpin] = _torque_of_spin
 
 
 @compiled
-def _as_of_a_mass(effects, length, x, y):
-    """Rotation of a contact that moves by (x, y), as if the first effect were a mass; exact for a mass."""
-    c_x, c_y, gyration = rough(effects[0])
+def _as_of_a_mass(effect, length, x, y):
+    """Of the mass that an effect roughly acts like: rotation times moment, and moment about the contact."""
+    c_x, c_y, gyration = rough(effect)
     arm = c_x + length
-    return (x * c_y - y * arm) / (arm * arm + c_y * c_y + gyration)
+    return x * c_y - y * arm, arm * arm + c_y * c_y + gyration
 
 
 @compiled
@@ -112,8 +112,8 @@ def spin_of(effects, length, x, y):
     most = fastest(effects[0], length) * (x * x + y * y) ** 0.5
     low, high = -most, most
     if len(effects) > 1:
-        other = _as_of_a_mass(effects[1:], length, x, y)
-        low, high = min(low, other), max(high, other)
+        pull, moment = _as_of_a_mass(effects[1], length, x, y)
+        low, high = min(low, pull / moment), max(high, pull / moment)
     elif most == 0.0:
         return start
     return root(TorqueOfSpin(effects, length, x, y), low, high, min(max(start, low), high))[0]
@@ -121,9 +121,13 @@ def spin_of(effects, length, x, y):
 
 @compiled
 def rough_spin(effects, length, x, y):
-    """A first guess of `spin_of`."""
-    start = _as_of_a_mass(effects, length, x, y)
-    return (start + _as_of_a_mass(effects[1:], length, x, y)) / 2.0 if len(effects) > 1 else start
+    """A first guess of `spin_of`; exact for a mass."""
+    pull, moment = _as_of_a_mass(effects[0], length, x, y)
+    if len(effects) > 1:
+        one, other = effects[0].weight, effects[1].mass * (x * x + y * y) ** 0.5
+        more_pull, more_moment = _as_of_a_mass(effects[1], length, x, y)
+        pull, moment = one * pull + other * more_pull, one * moment + other * more_moment
+    return pull / moment
 
 
 @compiled

@@ -28,6 +28,8 @@ from planar_pushing.mechanics.reduced.pressed.places import (
 WIDTH, LEAST = 0.5, 3
 #: The least and the largest part along the fence.
 SLOWEST, FASTEST = exp(-RANGE), exp(RANGE)
+#: A root is not guessed nearer to an end than this, in parts of the way to the other.
+INNER = 0.05
 #: How often a dip is halved at most.
 HALVINGS = 40
 
@@ -123,7 +125,9 @@ def _write_root(slide, one, other, found, count):
     """Write down the slip between two places of other signs, and return how many there are then."""
     low, high = (one, other) if one.x < other.x else (other, one)
     across = Across(slide, one, 1.0 if high.across > 0.0 else -1.0)
-    x = root(across, low.x, high.x, low.x + (high.x - low.x) / 2.0)[0]
+    part = low.across / (low.across - high.across)
+    start = low.x + min(max(part, INNER), 1.0 - INNER) * (high.x - low.x)
+    x = root(across, low.x, high.x, start)[0]
     return _write(moved_at(slide, place_at(slide, x, one)), found, count)
 
 
