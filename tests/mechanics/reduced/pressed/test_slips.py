@@ -48,11 +48,11 @@ def test_before_its_birth_there_is_no_pair():
 COUNT = 4000
 
 
-def solved(support):
+def solved(support, least, most):
     """Solutions of random pushes, most of them away from the slider."""
     rng = np.random.default_rng(3)
     slider = pp.Slider(
-        rod_length=rng.uniform(1.6, 2.4, COUNT), rod_angle=rng.uniform(0.6, 1.0, COUNT),
+        rod_length=np.exp(rng.uniform(np.log(least), np.log(most), COUNT)), rod_angle=rng.uniform(0.6, 1.0, COUNT),
         radius=1.0,
     )  # fmt: skip
     contact = pp.Coulomb(rng.uniform(1.2, 1.6, COUNT))
@@ -64,11 +64,31 @@ def solved(support):
 
 def test_all_solutions_of_random_pushes_are_those_of_the_rings_route():
     """The ring's route looks at bounds of cells, and leaves none out."""
-    general, ring = solved(RING), solved(pp.Ring())
+    general, ring = solved(RING, 1.6, 2.4), solved(pp.Ring(), 1.6, 2.4)
     assert np.array_equal(general.mode, ring.mode)
     twice = (ring.mode[:, 1:] == ring.mode[:, :-1]) & (ring.mode[:, 1:] > pp.ContactMode.STICK)
     assert twice.any()  # pairs of slips are among them
-    np.testing.assert_allclose(general.force, ring.force, rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(general.force, ring.force, rtol=1e-8, atol=1e-12)
+
+
+def test_slips_of_long_rods_are_those_of_the_rings_route():
+    """A rounding of the inputs moves their small forces by the square of the length."""
+    length = 1e5
+    general, ring = solved(RING, 1e3, length), solved(pp.Ring(), 1e3, length)
+    assert np.array_equal(general.mode, ring.mode)
+    size, off = (np.linalg.norm(f, axis=-1) for f in (ring.force, general.force - ring.force))
+    assert np.nanmax(off - length**2 * np.finfo(float).eps * size) <= 0
+
+
+@pytest.mark.parametrize(
+    "support", [pp.Segment((0, -1), (0.3, 1)), pp.Polygon([(1, 0), (-1, 1), (-1, -1)])]
+)
+def test_a_long_rod_is_pushed_and_never_pulled(support):
+    """The centre of rotation is next to the support's centre, where a line's friction is steep."""
+    found = solved(support, 1e3, 1e5)
+    slips = found.mode > pp.ContactMode.STICK
+    assert (found.force[slips][:, 1] > 0).all()
+    assert slips.any()
 
 
 def scanned(effects, own, edge, normal):

@@ -18,8 +18,8 @@ from planar_pushing.mechanics.reduced.general import Motion, felt, rough_spin, s
 from planar_pushing.mechanics.reduced.pivots import SHARE, held
 from planar_pushing.mechanics.reduced.pressed.motions import line_of, of_line, sustained
 
-#: Newton steps to a rotation at most, what one may leave of the last, and the relative size of one whose
-#: square is rounding.
+#: Newton steps to a rotation at most, what one may leave of the last, and the change of the slider's motion by
+#: one, in parts of that, whose square is rounding.
 STEPS, SHRINK, SETTLED = 8, 0.3, 1e-8
 #: A force that has a sign and no size.
 TINY = 1e-300
@@ -59,7 +59,8 @@ def place_at(slide, x, near):
     for _ in range(STEPS):
         now = felt(slide.effects, length, Motion(u_x, u_y, spin))
         step = -now.torque / now.ss
-        if abs(step) <= SETTLED * (abs(spin) + (abs(u_x) + abs(u_y)) / (1.0 + length)):
+        speed = abs(u_x) + abs(u_y + length * spin) + abs(spin)
+        if abs(step) * (1.0 + length) <= SETTLED * speed:
             return _felt_at(slide, x, spin, step, now)
         if not abs(step) <= SHRINK * last:
             break
