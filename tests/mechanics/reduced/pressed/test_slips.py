@@ -52,8 +52,8 @@ def solved(support, least, most):
     """Solutions of random pushes, most of them away from the slider."""
     rng = np.random.default_rng(3)
     slider = pp.Slider(
-        rod_length=np.exp(rng.uniform(np.log(least), np.log(most), COUNT)), rod_angle=rng.uniform(0.6, 1.0, COUNT),
-        radius=1.0,
+        rod_length=np.exp(rng.uniform(np.log(least), np.log(most), COUNT)),
+        rod_angle=rng.uniform(0.6, 1.0, COUNT), radius=1.0,
     )  # fmt: skip
     contact = pp.Coulomb(rng.uniform(1.2, 1.6, COUNT))
     effects = (pp.SupportFriction(support=support), pp.Inertia())
