@@ -18,8 +18,8 @@ from planar_pushing.mechanics.reduced.general import Motion, felt, rough_spin, s
 from planar_pushing.mechanics.reduced.pivots import SHARE, held
 from planar_pushing.mechanics.reduced.pressed.motions import line_of, of_line, sustained
 
-#: Newton steps to a rotation at most, what one may leave of the last, and the change of the slider's motion by
-#: one, in parts of that, whose square is rounding.
+#: Newton steps to a rotation at most, what one may leave of the last, and the change of the slider's motion
+#: by one, in parts of that motion, whose square is rounding.
 STEPS, SHRINK, SETTLED = 8, 0.3, 1e-8
 #: A force that has a sign and no size.
 TINY = 1e-300
