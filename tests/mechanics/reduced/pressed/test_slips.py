@@ -44,30 +44,30 @@ def test_before_its_birth_there_is_no_pair():
     assert len(found(RING, 1 + 1e-5)) == len(found(pp.Ring(), 1 + 1e-5)) == 0
 
 
-#: Scenes in which a slow pull and a fast one can be under one push.
-COUNT = 4000
+COUNT = 300
 
 
 def solved(support, least, most):
-    """Solutions of random pushes, most of them away from the slider."""
+    """Solutions of random pushes, half of them pulls, some of which have two slips."""
     rng = np.random.default_rng(3)
     slider = pp.Slider(
         rod_length=np.exp(rng.uniform(np.log(least), np.log(most), COUNT)),
-        rod_angle=rng.uniform(0.6, 1.0, COUNT), radius=1.0,
+        rod_angle=rng.uniform(0.75, 0.82, COUNT), radius=1.0,
     )  # fmt: skip
-    contact = pp.Coulomb(rng.uniform(1.2, 1.6, COUNT))
+    contact = pp.Coulomb(rng.uniform(1.3, 1.5, COUNT))
     effects = (pp.SupportFriction(support=support), pp.Inertia())
     scene = pp.Scene(slider=slider, contact=contact, effects=effects)
-    angle = np.where(rng.random(COUNT) < 0.8, rng.uniform(-0.6, 0.0, COUNT), 4 * rng.random(COUNT))
-    return pp.solve(scene, angle, 10 ** rng.uniform(-2, 0.5, COUNT))
+    pull = np.arange(COUNT) < COUNT // 2
+    angle = np.where(pull, rng.uniform(-0.04, 0.0, COUNT), rng.uniform(-np.pi, np.pi, COUNT))
+    return pp.solve(scene, angle, np.where(pull, 1.5, 10 ** rng.uniform(-2, 1, COUNT)))
 
 
 def test_all_solutions_of_random_pushes_are_those_of_the_rings_route():
     """The ring's route looks at bounds of cells, and leaves none out."""
-    general, ring = solved(RING, 1.6, 2.4), solved(pp.Ring(), 1.6, 2.4)
+    general, ring = solved(RING, 1.9, 2.1), solved(pp.Ring(), 1.9, 2.1)
     assert np.array_equal(general.mode, ring.mode)
     twice = (ring.mode[:, 1:] == ring.mode[:, :-1]) & (ring.mode[:, 1:] > pp.ContactMode.STICK)
-    assert twice.any()  # pairs of slips are among them
+    assert np.count_nonzero(twice.any(axis=1)) > 10  # pairs of slips are among them
     np.testing.assert_allclose(general.force, ring.force, rtol=1e-8, atol=1e-12)
 
 
