@@ -17,6 +17,8 @@ from planar_pushing.mechanics.reduced.turning import SLIPS
 
 #: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
 COINCIDENCE = 9e-13
+#: How far before the pusher's motion slips begin, relative to it, so that one that is the stick is seen.
+BEFORE = 1e-11
 #: A force this far outside the cone, relative to its size, is taken to the edge.
 OUTSIDE = 5e-13
 #: Solutions of one push: separate, stick, and the slips under each edge.
@@ -109,7 +111,20 @@ def _separate(modes, motions):
 
 
 @compiled
-def _slipping(effects, own, law, pusher, mode, modes, motions, count):
+def _may_slip(edge, side, pusher, moved):
+    """Whether there can be slips under an edge, beside the sticking motion.
+
+    A slip goes against the edge's force along the fence, so it has less of a part along the force than the
+    pusher's motion, and that part is positive. The potential is convex, so the force along the fence rises
+    with the motion along it: a slip to the right takes more than sticking does.
+    """
+    part = edge.x * pusher.x + edge.y * pusher.y
+    size = sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y)
+    return part >= -COINCIDENCE and side * moved.f_x <= OUTSIDE * size
+
+
+@compiled
+def _slipping(effects, own, law, pusher, moved, mode, modes, motions, count):
     """Write down the slips of a mode.
 
     Returns
@@ -119,9 +134,12 @@ def _slipping(effects, own, law, pusher, mode, modes, motions, count):
     at_edge, corner : bool
         Whether one of the slips is the stick, and whether they are the ends of a continuum.
     """
-    edge, side = (law.left, 1.0) if mode == SLIP_RIGHT else (law.right, -1.0)
-    found, at_edge, corner = np.empty((SLIPS, MOTION)), False, False
-    for i in range(slips(effects, own, toward(own, edge), pusher.y, found)):
+    angle, side = (law.left, 1.0) if mode == SLIP_RIGHT else (law.right, -1.0)
+    edge, at_edge, corner = toward(own, angle), False, False
+    if not _may_slip(edge, side, pusher, moved):
+        return count, at_edge, corner
+    found, start = np.empty((SLIPS, MOTION)), pusher.x - side * BEFORE
+    for i in range(slips(effects, own, edge, pusher.y, start, found)):
         slip = contact_motion(own, found[i, 0], found[i, 1], found[i, 2])[0] - pusher.x
         if side * slip > COINCIDENCE:
             modes[count], motions[count] = mode, found[i]
@@ -169,10 +187,10 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     held = law.rough or (right > right_noise and left > left_noise and rise > noise)
     if law.slips:
         first, on_left, left_corner = _slipping(
-            effects, own, law, pusher, SLIP_RIGHT, modes, motions, place + 1
+            effects, own, law, pusher, moved, SLIP_RIGHT, modes, motions, place + 1
         )
         count, on_right, right_corner = _slipping(
-            effects, own, law, pusher, SLIP_LEFT, modes, motions, first
+            effects, own, law, pusher, moved, SLIP_LEFT, modes, motions, first
         )
         slides_right, slides_left = first > place + 1, count > first
         # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.

@@ -15,6 +15,6 @@ def test_a_slip_is_a_multiple_of_the_motion_of_unit_size(length, angle):
     v_x, v_y, spin, f_x, f_y = edge_motion(effects, own, toward(own, angle))
     assert max(np.hypot(v_x, v_y), abs(spin)) == pytest.approx(1, rel=1e-14)
     advance, found = contact_motion(own, v_x, v_y, spin)[1], np.empty((8, MOTION))
-    assert slips(effects, own, toward(own, angle), advance, found) == 1
+    assert slips(effects, own, toward(own, angle), advance, 0.0, found) == 1
     expected = [v_x, v_y, spin, f_x, f_y, f_x, f_y, -1]
     assert found[0] == pytest.approx(expected, rel=1e-9, abs=1e-12)

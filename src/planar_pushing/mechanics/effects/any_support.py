@@ -16,8 +16,6 @@ from planar_pushing.mechanics.supports.pressure.table import Table, pressure_of
 FARTHEST = 1e9
 #: From here on the force follows the motion of the centre of pressure to what a slope needs.
 FAR = 1e3
-#: Square of the radius of gyration that stands for a support in a first guess, in its extents.
-ROUGH = 0.6
 
 
 class Supports(NamedTuple):
@@ -52,7 +50,11 @@ def gradient(effect, x, y, spin):
     f_x, f_y = -sign * g_y, sign * g_x
     xx, xy, yy = part * h_yy, -part * h_xy, part * h_xx
     if c_x * c_x + c_y * c_y > FAR * FAR:
-        b_x, b_y, bend = 0.0, 0.0, part * torque
+        b_x, b_y, bend = (
+            0.0,
+            0.0,
+            weight / speed * _spread_along(pressure, w_x / speed, w_y / speed),
+        )
     else:
         b_x, b_y = -(xx * w_x + xy * w_y) / turn, -(xy * w_x + yy * w_y) / turn
         bend = -(b_x * w_x + b_y * w_y) / turn
@@ -62,6 +64,13 @@ def gradient(effect, x, y, spin):
     bend += -p_y * (2.0 * b_x + a_x) + p_x * (2.0 * b_y + a_y)
     xs, ys = extent * (b_x + a_x), extent * (b_y + a_y)
     return f_x, f_y, extent * torque, xx, xy, yy, xs, ys, extent * extent * bend
+
+
+@compiled
+def _spread_along(pressure, x, y):
+    """Mean square of the places' parts in a direction: what a translation resists a rotation with."""
+    xx, xy, yy = pressure.spread
+    return xx * x * x + 2.0 * xy * x * y + yy * y * y
 
 
 @compiled
@@ -94,7 +103,8 @@ def wrench_about(effect, i, spin, c_x, c_y):
 @compiled
 def rough(effect):
     extent, pressure = effect.extent, effect.pressure
-    return extent * pressure.center_x, extent * pressure.center_y, ROUGH * extent * extent
+    xx, _, yy = pressure.spread
+    return extent * pressure.center_x, extent * pressure.center_y, (xx + yy) * extent * extent
 
 
 @compiled

@@ -51,6 +51,9 @@ def slips(kinds: Any) -> Callable[..., Any]:
     Parameters
     ----------
     effects, rod, edge, normal
+    start : float
+        Slips that move further along the fence than this, in the sense of the force, need not be found;
+        an infinite one, of the sign of the force's part along the fence, brings all.
     found : ndarray, shape (SLIPS, MOTION)
         Takes the motions, slow ones first.
     """

@@ -10,17 +10,23 @@ flat where a support on one line turns about a place on that line; there a root 
 
 from __future__ import annotations
 
-from math import pi, tan
+from math import inf, pi, tan
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import fastest, gradient, rough
 from planar_pushing.mechanics.numerics.bracket import bracketed
-from planar_pushing.mechanics.numerics.root import EQUATIONS, root
+from planar_pushing.mechanics.numerics.root import (
+    EPSILON,
+    EQUATIONS,
+    NEAR,
+    QUADRATIC,
+    SETTLED,
+    root,
+)
 
-#: Newton steps at most, and trials of one; what a step has to leave of the slope at most; and the relative
-#: size of a step after which the error is rounding.
-STEPS, CUTS, ENOUGH, SETTLED = 100, 12, 0.5, 1e-12
+#: Newton steps at most, and trials of one; and what a step has to leave of the slope at most.
+STEPS, CUTS, ENOUGH = 100, 12, 0.5
 #: Part of the curvature in one direction that is left in every direction where Newton's method is sure.
 CURVED = 1e-14
 
@@ -92,25 +98,36 @@ EQUATIONS[TorqueOfSpin] = _torque_of_spin
 
 
 @compiled
-def _rough_spin(effects, length, x, y):
-    """Rotation of a contact that moves by (x, y), as if the first effect were a mass; exact for a mass."""
-    c_x, c_y, gyration = rough(effects[0])
+def _as_of_a_mass(effect, length, x, y):
+    """Of the mass that an effect roughly acts like: rotation times moment, and moment about the contact."""
+    c_x, c_y, gyration = rough(effect)
     arm = c_x + length
-    return (x * c_y - y * arm) / (arm * arm + c_y * c_y + gyration)
+    return x * c_y - y * arm, arm * arm + c_y * c_y + gyration
 
 
 @compiled
 def spin_of(effects, length, x, y):
     """Rotation of a contact that moves by (x, y), at which the torque about it vanishes."""
-    start = _rough_spin(effects, length, x, y)
+    start = rough_spin(effects, length, x, y)
     most = fastest(effects[0], length) * (x * x + y * y) ** 0.5
     low, high = -most, most
     if len(effects) > 1:
-        other = _rough_spin(effects[1:], length, x, y)
-        low, high, start = min(low, other), max(high, other), (start + other) / 2.0
+        pull, moment = _as_of_a_mass(effects[1], length, x, y)
+        low, high = min(low, pull / moment), max(high, pull / moment)
     elif most == 0.0:
         return start
     return root(TorqueOfSpin(effects, length, x, y), low, high, min(max(start, low), high))[0]
+
+
+@compiled
+def rough_spin(effects, length, x, y):
+    """A first guess of `spin_of`; exact for a mass."""
+    pull, moment = _as_of_a_mass(effects[0], length, x, y)
+    if len(effects) > 1:
+        one, other = effects[0].weight, effects[1].mass * (x * x + y * y) ** 0.5
+        more_pull, more_moment = _as_of_a_mass(effects[1], length, x, y)
+        pull, moment = one * pull + other * more_pull, one * moment + other * more_moment
+    return pull / moment
 
 
 @compiled
@@ -168,27 +185,40 @@ def _newton(line, start):
     """
     across, spin = start.y * line.x - start.x * line.y, start.spin
     one, other, bend, turn, stiff = _slopes(line, start)
+    last = inf
     for _ in range(STEPS):
         whole = bend * stiff - turn * turn
         if not whole > CURVED * bend * stiff:
             break
         step, swing = (turn * other - stiff * one) / whole, (turn * one - bend * other) / whole
-        slope = one * step + other * swing
-        settled = abs(step) <= SETTLED * (line.along + abs(across)) and abs(swing) <= SETTLED * abs(
-            spin
-        )
-        part = 1.0
+        size = max(_over(step, line.along + abs(across)), _over(swing, spin))
+        if _is_last(size, last):
+            return _composed(line, across + step, spin + swing), True
+        slope, part, last = one * step + other * swing, 1.0, size
         for _ in range(CUTS):
             motion = _composed(line, across + part * step, spin + part * swing)
             one, other, bend, turn, stiff = _slopes(line, motion)
-            last = one * step + other * swing
-            if settled or abs(last) <= ENOUGH * abs(slope):
+            left = one * step + other * swing
+            if abs(left) <= ENOUGH * abs(slope):
                 break
-            part *= slope / (slope - last) if last > 0.0 else 2.0
+            part *= slope / (slope - left) if left > 0.0 else 2.0
         across, spin = across + part * step, spin + part * swing
-        if settled:
-            return _composed(line, across, spin), True
     return _composed(line, across, spin), False
+
+
+@compiled
+def _over(step, size):
+    """Size of a step over that of what it changes."""
+    if step == 0.0:
+        return 0.0
+    return abs(step / size) if size != 0.0 else inf
+
+
+@compiled
+def _is_last(size, before):
+    """Whether only rounding is left after a step of a relative size, as `root` has it."""
+    quadratic = before <= NEAR and size <= QUADRATIC * before
+    return size <= SETTLED or (quadratic and size**3 <= EPSILON * before**2)
 
 
 @compiled

@@ -128,7 +128,7 @@ def write_slip(effects, edge, speed, ratio, found):
 
 
 @compiled
-def steady_slips(effects, own, edge, normal, found):
+def steady_slips(effects, own, edge, normal, start, found):
     """As `base.slips`: the motion under one effect keeps its direction, so there is one at most."""
     ratio = spin_ratio(effects, own, edge)
     advance = without_noise(edge.y, own.length * own.x * ratio)

@@ -82,19 +82,19 @@ def _no_pivot_of(effects, length, x, y):
 @compiled
 def _pivot_under(effects, line):
     for i in range(count_points(effects[0])):
-        excess, motion, f_x, f_y = _held(effects, line, i)
+        excess, motion, f_x, f_y = held(effects, line, i)
         if excess <= SHARE:
             return Pivot(i, motion, f_x, f_y, 0.0, 0.0)
     return none()
 
 
 @compiled
-def _held(effects, line, i):
+def held(effects, line, i):
     """What a point under a line of force would carry, over its share, less 1; motion about it and force."""
     (x, y, most), t_x, t_y = point(effects[0], i), line.x, line.y
     r_x, r_y = x + line.length, y
     arm = t_x * r_y - t_y * r_x
-    if abs(arm) <= DIRECTION * (abs(r_x) + abs(r_y)):
+    if most == 0.0 or abs(arm) <= DIRECTION * (abs(r_x) + abs(r_y)):
         return inf, Motion(0.0, 0.0, 0.0), 0.0, 0.0
     motion, f_x, f_y, torque = _about(effects, line.length, i, line.along / arm)
     across = t_x * f_y - t_y * f_x
@@ -107,7 +107,7 @@ def kink_under(effects, line):
     """Positive while a motion under a line of force is a pivot, zero where one starts or ends."""
     least = inf
     for i in range(count_points(effects[0])):
-        least = min(least, _held(effects, line, i)[0])
+        least = min(least, held(effects, line, i)[0])
     return -least / (2.0 + least) if least < inf else nan
 
 

@@ -183,14 +183,14 @@ def _speed(effects, edge, normal, k):
 
 
 @compiled
-def slips(effects, own, towards, normal, found):
+def slips(effects, own, towards, normal, start, found):
     """Motions under a force towards an edge, slow ones first; parameters as in `base.slips`."""
     arm = moment_arm(own, towards)
     edge = Edge(abs(arm), towards.y, copysign(own.length, arm) * own.x)
     slow = spin_ratio_alone(effects[0], edge.arm)
     fast = spin_ratio_alone(effects[1], edge.arm)
     if abs(fast - slow) <= RESOLUTION * max(slow, fast):
-        return isotropic.steady_slips(effects, own, towards, normal, found)
+        return isotropic.steady_slips(effects, own, towards, normal, start, found)
     roots = np.empty(SLIPS)
     low, high = _ends(effects, edge, slow, fast)
     if normal != 0.0:

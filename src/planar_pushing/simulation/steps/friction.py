@@ -27,7 +27,7 @@ def slips(system, step, kind, found):
     system.body.evaluations += 1
     now = step.now
     edge = toward(now.own, contact.edge_of(system.body, kind)[2])
-    count = base.slips(now.effects, now.own, edge, step.y, found)
+    count = base.slips(now.effects, now.own, edge, step.y, step.x, found)
     for i in range(count):
         found[i, 3] *= step.size
         found[i, 4] *= step.size

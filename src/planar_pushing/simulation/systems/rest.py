@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan2, sqrt
+from math import atan2, copysign, inf, sqrt
 from typing import Any
 
 import numpy as np
@@ -85,7 +85,7 @@ def _slipping_starts(driven, body, own, normal, slip, found, motions):
     if body.slips:
         kind = base.SLIP_RIGHT if slip > 0.0 else base.SLIP_LEFT
         edge = toward(own, contact.edge_of(body, kind)[2])
-        for _ in range(slips(driven, own, edge, normal, motions[count:])):
+        for _ in range(slips(driven, own, edge, normal, copysign(inf, edge.x), motions[count:])):
             found[count] = kind
             count += 1
     return count

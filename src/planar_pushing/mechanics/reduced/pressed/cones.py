@@ -65,8 +65,7 @@ def _of_unit_part(effects, own, force):
 
 @compiled
 def _of_unit_speed(effects, own, force):
-    amount = Amount(effects, own, force)
-    return motion_of(amount, _sought(Speed(amount)))
+    return _sought(Speed(Amount(effects, own, force)))
 
 
 @compiled
@@ -123,21 +122,19 @@ def _on_curve(kinds: Any) -> Callable[..., Any]:
 
 @compiled
 def _of_unit_energy(effects, own, force):
-    amount = Amount(effects, own, force)
-    return motion_of(amount, _sought(Energy(amount)))
+    return _sought(Energy(Amount(effects, own, force)))
 
 
 @compiled
 def _sought(equation):
-    """Root of an equation that increases with the part of the motion along its line."""
+    """The motion at the root of an equation that increases with its part along the line of force."""
     width, at = 1.0, excess(equation, 0.0)[0]
     while True:
         other = -width if at > 0.0 else width
         beyond = excess(equation, other)[0]
         if (beyond > 0.0) != (at > 0.0) or width >= RANGE:
-            return bracketed(
-                equation, min(0.0, other), max(0.0, other), min(at, beyond), max(at, beyond)
-            )
+            ends = min(0.0, other), max(0.0, other), min(at, beyond), max(at, beyond)
+            return motion_of(equation.amount, bracketed(equation, *ends))
         width *= 2.0
 
 

@@ -34,7 +34,7 @@ class Amount(NamedTuple):
 
 
 @compiled
-def _sustained(own, motion, f_x, f_y, free_x, free_y, index):
+def sustained(own, motion, f_x, f_y, free_x, free_y, index):
     """A motion with its force, from the body frame."""
     v_y = motion.y + own.length * motion.spin
     return Sustained(
@@ -45,16 +45,24 @@ def _sustained(own, motion, f_x, f_y, free_x, free_y, index):
 
 
 @compiled
+def write(moved, scale, force, found):
+    """Write down a motion times a scale, its force times another."""
+    found[0], found[1], found[2] = scale * moved.v_x, scale * moved.v_y, scale * moved.spin
+    found[3], found[4] = force * moved.f_x, force * moved.f_y
+    found[5], found[6], found[7] = found[3], found[4], float(moved.pivot)
+
+
+@compiled
 def stick(effects, own, towards):
     """As `base.stick`."""
     x, y, length = towards.along, -towards.aside, own.length
     pivot = pivot_of(effects, length, x, y)
     if pivot.atom != NOWHERE:
         _, motion, f_x, f_y, free_x, free_y = pivot
-        return _sustained(own, motion, f_x, f_y, free_x, free_y, pivot.atom)
+        return sustained(own, motion, f_x, f_y, free_x, free_y, pivot.atom)
     motion = Motion(x, y, spin_of(effects, length, x, y))
     now = felt(effects, length, motion)
-    return _sustained(own, motion, now.f_x, now.f_y, 0.0, 0.0, NOWHERE)
+    return sustained(own, motion, now.f_x, now.f_y, 0.0, 0.0, NOWHERE)
 
 
 @compiled
@@ -69,25 +77,25 @@ def pushed(effects, own, edge, along):
     line = line_of(effects, own, edge, along)
     if corner_under(effects, line).exists:
         motion = Motion(along * line.x, along * line.y, 0.0)
-        return _of_line(effects, own, line, motion)
+        return of_line(effects, own, line, motion)
     pivot = pivot_under(effects, line)
     if pivot.atom != NOWHERE:
-        return _sustained(own, pivot.motion, pivot.f_x, pivot.f_y, 0.0, 0.0, pivot.atom)
-    return _of_line(effects, own, line, motion_under(line, rough_motion(line)))
+        return sustained(own, pivot.motion, pivot.f_x, pivot.f_y, 0.0, 0.0, pivot.atom)
+    return of_line(effects, own, line, motion_under(line, rough_motion(line)))
 
 
 @compiled
-def _of_line(effects, own, line, motion):
+def of_line(effects, own, line, motion):
     """A motion with its force, which is along a line."""
     now = felt(effects, own.length, motion)
     size = now.f_x * line.x + now.f_y * line.y
-    return _sustained(own, motion, size * line.x, size * line.y, 0.0, 0.0, NOWHERE)
+    return sustained(own, motion, size * line.x, size * line.y, 0.0, 0.0, NOWHERE)
 
 
 @compiled
 def at_end(own, motion, f_x, f_y):
     """A motion at an end of those that one force sustains."""
-    return _sustained(own, motion, f_x, f_y, 0.0, 0.0, CONTINUUM)
+    return sustained(own, motion, f_x, f_y, 0.0, 0.0, CONTINUUM)
 
 
 @compiled

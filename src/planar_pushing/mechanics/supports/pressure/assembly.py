@@ -20,6 +20,7 @@ from planar_pushing.mechanics.supports.pressure.record import (
     Pieces,
     Pressure,
 )
+from planar_pushing.mechanics.supports.pressure.spread import spreads
 
 #: A centre of rotation this close to an atom, over the size of the numbers it was computed from, is on it.
 ROUNDING = 1e-15
@@ -35,8 +36,8 @@ class Gathered(NamedTuple):
         the support that each is of.
     first : ndarray of int, shape (plates + 1,)
         Where the edges of each plate begin, and the number of all.
-    centers, extents : ndarray
-        Of the supports: centres of pressure, and largest distances of the support from them.
+    centers, extents, spreads : ndarray
+        Of the supports: centres of pressure, largest distances of the support from them, second moments.
     """
 
     rows: list[Array]
@@ -44,6 +45,7 @@ class Gathered(NamedTuple):
     first: Any
     centers: Array
     extents: Array
+    spreads: Array
 
 
 def shared(pieces: Pieces, share: float) -> Pieces:
@@ -78,19 +80,22 @@ def gathered(supports: Sequence[Pieces]) -> Gathered:
     rows += [_places(edges, lengths, first[:-1]), edges]
     owners += [np.repeat(owners[PLATES], lengths)]
     centers = _centers(rows, owners, len(supports))
-    return Gathered(rows, owners, first, centers, _extents(rows, owners, centers))
+    extents, found = _extents(rows, owners, centers), spreads(rows, owners, centers)
+    return Gathered(rows, owners, first, centers, extents, found)
 
 
 def _places(edges: Array, lengths: Any, first: Any) -> Array:
     """Centre of pressure, largest distance from it and share of plates, from triangles over their edges."""
     if not len(first):
         return np.empty((0, 4))
-    corner = np.repeat(edges[first, :2], lengths, axis=0)
-    start, end = edges[:, :2] - corner, edges[:, 2:4] - corner
+    ends = edges[:, :2]
+    middle = (np.minimum.reduceat(ends, first) + np.maximum.reduceat(ends, first)) / 2
+    about = np.repeat(middle, lengths, axis=0)
+    start, end = edges[:, :2] - about, edges[:, 2:4] - about
     loads = (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 2 * edges[:, 4]
     share = np.add.reduceat(loads, first)
     weighted = np.add.reduceat(loads[:, None] * (start + end), first)
-    center = edges[first, :2] + weighted / (3 * share)[:, None]
+    center = middle + weighted / (3 * share)[:, None]
     around = np.repeat(center, lengths, axis=0)
     away = np.maximum(_distance(edges[:, :2], around), _distance(edges[:, 2:4], around))
     return np.column_stack([center, np.maximum.reduceat(away, first), share])
@@ -147,8 +152,9 @@ def assembled(pieces: Pieces, radius: float) -> Pressure:
     found = gathered([pieces])
     starts, rows, multipoles = stacked(found, np.array([radius]))
     (x, y), size = found.centers[0] / radius, found.extents[0] / radius
+    xx, xy, yy = (found.spreads[0] / radius**2).tolist()
     first = tuple(starts[0, : EDGES + 1].tolist())
-    return Pressure(float(x), float(y), float(size), first, 0, rows, multipoles)
+    return Pressure(float(x), float(y), float(size), (xx, xy, yy), first, 0, rows, multipoles)
 
 
 def stacked(found: Gathered, radii: Array) -> tuple[Any, Array, Array]:

@@ -8,7 +8,8 @@ the radius over the centre of rotation c likewise,
 with the coefficients of ``sqrt(1 - z) = sum of a_j z^j``. The mean over the plate needs its moments
 ``M_jk``, the means of z^j conj(z)^k. D, the torque and all derivatives are sums of the same terms with
 factors of n = j + k and m = j - k, so nothing cancels: the torque starts at n = 2. Terms are stored for
-m = 0, 1, ... and in each for k = 0, 1, ...
+m = 0, 1, ... and in each for k = 0, 1, ...; those of one m are passed over where all are rounding, as in a
+plate that looks the same after a half or a quarter turn.
 """
 
 from __future__ import annotations
@@ -20,11 +21,14 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.numerics.arrays import in_threads
+from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.supports.pressure.record import Array
 
 #: Highest power n, enough for 1e-16 from `FAR` of `plate` on.
 ORDER = 52
 TERMS = sum((ORDER - m) // 2 + 1 for m in range(ORDER + 1))
+#: Rows of a plate: its terms, and of each m whether they count.
+ROWS = TERMS + ORDER + 1
 #: Terms of power n count while ``n log(|c| / radius)`` is below this; those of polygons with many kinds of
 #: corners are measured to be below 1e-16 from there on.
 DIGITS = 28.0
@@ -37,8 +41,8 @@ BLOCK = 512
 
 
 def of_all(rows: Array, plates: Any) -> Array:
-    """Terms of all plates, which are some of the rows of a record; shape (plates, TERMS, 2)."""
-    found = np.empty((len(plates), TERMS, 2))
+    """Terms of all plates, which are some of the rows of a record; shape (plates, ROWS, 2)."""
+    found = np.empty((len(plates), ROWS, 2))
 
     def block(start: int) -> None:
         part = slice(start, start + BLOCK)
@@ -59,7 +63,7 @@ def _expand(rows, plates, found):
 
 @compiled
 def multipoles(edges, radius):
-    """Terms of a plate, real and imaginary; shape (TERMS, 2)."""
+    """Terms of a plate, real and imaginary; shape (ROWS, 2)."""
     sums = np.zeros((ORDER + 1, ORDER // 2 + 1), dtype=np.complex128)
     for i in range(len(edges)):
         x, y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]
@@ -104,7 +108,7 @@ def _powers(z):
 @compiled
 def _terms(sums):
     """Coefficients of the series from the moments; those of power 1 are zero about the centre."""
-    found, place = np.empty((TERMS, 2)), 0
+    found, place = np.zeros((ROWS, 2)), 0
     whole = sums[0, 0].real
     sums[1, 0] = 0.0
     for m in range(ORDER + 1):
@@ -112,6 +116,10 @@ def _terms(sums):
             factor = ROOT[m + k] * ROOT[k] / whole * (2.0 if m > 0 else 1.0)
             found[place, 0] = factor * sums[m, k].real
             found[place, 1] = factor * sums[m, k].imag
+            # The second term is the torque's largest.
+            size = max(abs(found[place, 0]), abs(found[place, 1]))
+            if size > EPSILON * abs(found[1, 0]):
+                found[TERMS + m, 0] = 1.0
             place += 1
     return found
 
@@ -139,14 +147,15 @@ def _sums(multipoles, i, ratio, cosine, sine):
     y, re, im, start = ratio * ratio, 1.0, 0.0, 0
     one, first, second, slide, shear, turn = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for m in range(order + 1):
-        a, b, n_a, n_b, nn_a, nn_b = _row(multipoles, i, start, m, (order - m) // 2 + 1, y)
-        real, imaginary = re * a - im * b, re * b + im * a
-        one += real
-        first += re * n_a - im * n_b
-        second += re * nn_a - im * nn_b
-        slide += m * imaginary
-        shear += m * (re * n_b + im * n_a)
-        turn += m * m * real
+        if multipoles[i, TERMS + m, 0] > 0.0:
+            a, b, n_a, n_b, nn_a, nn_b = _row(multipoles, i, start, m, (order - m) // 2 + 1, y)
+            real, imaginary = re * a - im * b, re * b + im * a
+            one += real
+            first += re * n_a - im * n_b
+            second += re * nn_a - im * nn_b
+            slide += m * imaginary
+            shear += m * (re * n_b + im * n_a)
+            turn += m * m * real
         re, im = ratio * (re * cosine - im * sine), ratio * (re * sine + im * cosine)
         start += (ORDER - m) // 2 + 1
     return one, first, second, slide, shear, turn

@@ -28,6 +28,8 @@ class Pressure(NamedTuple):
         Centre of pressure.
     extent : float
         Largest distance of the support from the centre of pressure.
+    spread : tuple of float
+        Means of x x, x y and y y from the centre of pressure.
     starts : tuple of int
         Rows in which the pieces of each kind begin: `ATOMS` to `EDGES`.
     series : int
@@ -41,13 +43,14 @@ class Pressure(NamedTuple):
         distance of an edge from it, share, and the rows in which its edges begin and end.
         Edges of the plates: x and y of the middle from the plate's centre, unit tangent, half the length,
         and the pressure on the left of the tangent less that on the right, per unit share.
-    multipoles : array, shape (m, TERMS, 2)
+    multipoles : array, shape (m, ROWS, 2)
         Moments of the plates as `far` of `multipole` reads them.
     """
 
     center_x: float
     center_y: float
     extent: float
+    spread: tuple[float, float, float]
     starts: tuple[int, int, int, int, int, int]
     series: int
     rows: Array

@@ -20,6 +20,8 @@ class Table(NamedTuple):
     ----------
     centers : ndarray, shape (n, 2)
         Centres of pressure.
+    spreads : ndarray, shape (n, 3)
+        As `spread` in `Pressure`.
     starts : ndarray of int, shape (n, 7)
         Where the pieces of each support begin, as in `Pressure`, and the number of its first multipoles.
     rows, multipoles : ndarray
@@ -27,6 +29,7 @@ class Table(NamedTuple):
     """
 
     centers: Array
+    spreads: Array
     starts: Any
     rows: Array
     multipoles: Array
@@ -63,12 +66,14 @@ def table_of(supports: Sequence[Any]) -> Table:
     """The table of supports."""
     found = _required(supports, gathered([support.pieces() for support in supports]))
     starts, rows, multipoles = stacked(found, found.extents)
-    return Table(found.centers / found.extents[:, None], starts, rows, multipoles)
+    size = found.extents[:, None]
+    return Table(found.centers / size, found.spreads / size**2, starts, rows, multipoles)
 
 
 @compiled
 def pressure_of(table, i):
     """One of the pressures."""
     x, y, at = table.centers[i, 0], table.centers[i, 1], table.starts[i]
+    spread = table.spreads[i, 0], table.spreads[i, 1], table.spreads[i, 2]
     starts = at[0], at[1], at[2], at[3], at[4], at[5]
-    return Pressure(x, y, 1.0, starts, at[6], table.rows, table.multipoles)
+    return Pressure(x, y, 1.0, spread, starts, at[6], table.rows, table.multipoles)
