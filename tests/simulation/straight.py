@@ -1,4 +1,4 @@
-"""A finger against a flat side, integrated by scipy straight from Newton's law and PHYSICS.md, section 7.
+"""A finger against a flat side, integrated by scipy straight from Newton's law.
 
 Everything is seen from the world; the side is the line n . (c - F) = constant through the finger F. Nothing
 is shared with the package.

@@ -27,7 +27,7 @@ PIECE = np.dtype(
     ],
     align=True,
 )  # fmt: skip
-#: Parts of a span at which its speed is looked at.
+#: Parts of a span at which its speed is sampled.
 PARTS = 64
 
 

@@ -35,7 +35,7 @@ def starts_of(policies: Policies) -> list[float]:
 
 
 def marked(fences: Any, policies: Policies) -> Any:
-    """The same pieces of fences, each of which now holds its policy."""
+    """Write the policy of each piece of fences into it, and return the pieces."""
     numbers = np.array([list(Policy).index(policy) for _, policy in policies])
     held = np.searchsorted(starts_of(policies), fences["start"], side="right") - 1
     fences["policy"] = numbers[held]

@@ -42,7 +42,7 @@ def along_force(support, arm):
 @pytest.mark.parametrize("length", [0.3, 1.0, 4.0])
 @pytest.mark.parametrize("support", ROUND.values(), ids=ROUND)
 def test_round_supports_follow_from_one_number(support, length, turn):
-    """Moment arm <-> spin ratio, which the ring's route is made of (PHYSICS.md, section 7)."""
+    """Moment arm <-> spin ratio, which the ring's route is made of."""
     psi = 0.9
     phi = psi - turn
     arm = length * np.sin(turn)

@@ -14,6 +14,11 @@ from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 
 
+def rows_of(pressure, kind):
+    """Rows of one kind of pieces but edges."""
+    return pressure.rows[pressure.starts[kind] : pressure.starts[kind + 1]]
+
+
 def rectangle(half_length, half_width):
     a, b = half_length, half_width
     return Polygon([(-a, -b), (a, -b), (a, b), (-a, b)])

@@ -1,4 +1,4 @@
-"""Moments of supports in 50 digits, transcribed from PHYSICS.md: mean distance, mean unit vector, torque.
+"""Moments of supports in 50 digits, straight from their closed forms: mean distance, unit vector, torque.
 
 Each takes a centre of rotation in the body frame and gives D, G_x, G_y and the torque about the origin; the
 closed forms cancel far away, which the digits pay for.

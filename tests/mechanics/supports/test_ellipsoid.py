@@ -16,7 +16,7 @@ from planar_pushing.mechanics.supports.ring import ring_wrench
 from planar_pushing.mechanics.supports.segment import Segment
 from planar_pushing.terms.errors import InvalidValue
 
-#: Integration constants: PHYSICS.md, section 7, and by hand.
+#: Integration constants: numerical integrals, and the disc and the ring by hand.
 CONSTANTS = [
     (SQUARE, 0.541075, 1e-6),
     (rectangle(2.0, 1.0), 0.530604, 1e-6),

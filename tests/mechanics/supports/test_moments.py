@@ -16,7 +16,7 @@ from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 
-#: Centre of rotation, D, G_x, G_y and the torque, from PHYSICS.md, section 7.
+#: Centre of rotation, D, G_x, G_y and the torque, from numerical integrals.
 PUBLISHED = [
     (
         SQUARE,

@@ -7,13 +7,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechanics.supports.cases import regular
+from mechanics.supports.cases import regular, rows_of
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.mechanics.supports.pressure.record import ATOMS, rows_of
+from planar_pushing.mechanics.supports.pressure.record import ATOMS
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 

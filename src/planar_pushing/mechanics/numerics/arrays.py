@@ -76,7 +76,7 @@ def mapped(
 
 
 def _flat(array: Array, shape: tuple[int, ...]) -> Array:
-    """An array, broadcast to a shape and flat; a number stays one."""
+    """An array, broadcast to a shape and flat; a scalar is returned unchanged."""
     return np.broadcast_to(array, shape).reshape(-1) if array.ndim else array
 
 

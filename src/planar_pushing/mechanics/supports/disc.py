@@ -80,7 +80,7 @@ def of_discs(total, pressure, x, y):
 def disc(x, y, radius):
     """The piece of an even disc.
 
-    With f and t of the ring at the ratio of c and R: what PHYSICS.md gives in E and K, without a difference
+    With f and t of the ring at the ratio of c and R: what is usually written in E and K, without a difference
     in D or G. The mean of 1 / rho, 2 f inside and 2 t outside, is the sum of the two curvatures.
     """
     c = sqrt(x * x + y * y) / radius

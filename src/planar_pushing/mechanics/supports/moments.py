@@ -1,4 +1,4 @@
-"""What friction needs of a pressure distribution at a centre of rotation (PHYSICS.md, section 7)."""
+"""What friction needs of a pressure distribution at a centre of rotation (theory/any_support of the manual)."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from planar_pushing.simulation.events.tableau import STAGES
 from planar_pushing.simulation.fence import span
 from planar_pushing.simulation.systems import base
 
-#: Parts of a step at which the guards are looked at where an event may lie in it.
+#: Parts of a step at which the guards are evaluated where an event may lie in it.
 NODES = (0.25, 0.5, 0.75, 1.0)
 #: Stages of the stiff method.
 RADAU = 3
@@ -43,7 +43,7 @@ NOW, LATER = END + 1, END + 2
 def _dtype(entries: int) -> np.dtype[Any]:
     """Where a run is.
 
-    `phase` of `driver`; `time` of the state, `until` at the end of the step that is looked at, and `event`
+    `phase` of `driver`; `time` of the state, `until` at the end of the step that is examined, and `event`
     in it, with its `cause`; `before` when the mode was chosen; `planned` size of the next step, `prepared`
     where the dense output of this one is known; `pivot` is a time at which the motion is not smooth, and
     `side` 1 behind it, -1 before it and 0 where there is none. `chosen` of the `count` modes that might be,

@@ -74,7 +74,7 @@ BODY = np.dtype(
 class QuasiStatic(NamedTuple):
     """The system of a scene whose effects are all friction; `body` is a record of `BODY`.
 
-    `fence` is the pusher's motion, of a fence or of a finger, which `shape` tells apart.
+    `fence` is the pusher's motion, of a fence or of a finger, of which kind `shape` says.
     """
 
     effects: tuple[Any, ...]

@@ -12,7 +12,7 @@ from planar_pushing.mechanics.reduced.base import MOTION, slips
 from planar_pushing.mechanics.reduced.pressed.motions import Amount, contact_of, motion_of
 
 Twist = namedtuple("Twist", "v_x v_y spin")
-#: The normal motion of the contact falls to this over the size of the force, and rises again (PHYSICS.md).
+#: The normal motion of the contact falls to this over the size of the force, and rises again.
 LEAST = -0.0400296
 RING = pp.Composite([(1.0, pp.Ring(1.0))])
 

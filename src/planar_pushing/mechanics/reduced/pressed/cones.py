@@ -1,4 +1,4 @@
-"""Limit curve, motion angles and motion centres of any support, as `base` asks for them."""
+"""Limit curve, motion angles and motion centres of any support: members of the functions of `base`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from planar_pushing.mechanics.reduced.pressed.motions import (
 
 
 class Speed(NamedTuple):
-    """Logarithm of the origin's speed."""
+    """Speed of the origin, less 1."""
 
     amount: Amount
 

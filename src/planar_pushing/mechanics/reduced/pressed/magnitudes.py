@@ -17,7 +17,7 @@ from planar_pushing.mechanics.numerics.bracket import dip
 from planar_pushing.mechanics.numerics.root import EQUATIONS, excess
 from planar_pushing.mechanics.reduced.pressed.motions import Amount, contact_of, motion_of
 
-#: Magnitudes at which the angle of the contact's motion is looked at, to either side of the one at which
+#: Magnitudes at which the angle of the contact's motion is evaluated, to either side of the one at which
 #: friction and inertia are of one size: hyperbolic sines, this far apart, are their logarithms.
 NODES, APART = 32, 0.11
 #: Steps between the two neighbours of a node at which the angle is extreme.
@@ -71,7 +71,7 @@ def _node(i):
 
 @compiled
 def _least(turn, asides):
-    """The least angle of all magnitudes: in the dips about nodes, and at the ends of what is level."""
+    """The least angle of all magnitudes: in the dips about nodes, and at the ends of level stretches."""
     found = min(asides[0], asides[-1])
     for i in range(1, len(asides) - 1):
         here, before, after = asides[i], asides[i - 1], asides[i + 1]
@@ -83,7 +83,7 @@ def _least(turn, asides):
 
 @compiled
 def _deepest(turn, low, high):
-    """The least value in a dip, which may be narrow beside something level."""
+    """The least value in a dip, which may be narrow beside a level stretch."""
     step = (high - low) / FINER
     least, place = inf, low
     for i in range(1, FINER):

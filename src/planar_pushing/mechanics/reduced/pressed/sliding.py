@@ -99,7 +99,7 @@ def _between(slide, one, other, found, count):
 def _dip(slide, one, other):
     """A place between two at which the sign is another, and whether there is one.
 
-    Halves of a dip are looked at while the tangents at its sides meet beyond zero.
+    Halves of a dip are searched while the tangents at its sides meet beyond zero.
     """
     sign, away = 1.0 if one.across > 0.0 else -1.0, other.x - one.x
     for i in range(HALVINGS):

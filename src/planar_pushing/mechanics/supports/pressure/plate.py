@@ -1,7 +1,7 @@
 """An area whose pressure is even between straight edges: a polygon, or cells of a pressure map.
 
 By the divergence theorem the means over the area are sums over the edges of the mean distance along each,
-times the step of the pressure across it (PHYSICS.md, section 7). From afar the sums cancel, and multipoles
+times the step of the pressure across it (theory/any_support of the manual). From afar the sums cancel, and multipoles
 take over.
 """
 

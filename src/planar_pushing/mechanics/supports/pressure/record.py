@@ -57,11 +57,6 @@ class Pressure(NamedTuple):
     multipoles: Array
 
 
-def rows_of(pressure: Pressure, kind: int) -> Array:
-    """The rows of one kind of pieces but `EDGES`."""
-    return pressure.rows[pressure.starts[kind] : pressure.starts[kind + 1]]
-
-
 class Pieces(NamedTuple):
     """Pieces of a support in the body frame, in the user's unit of length; the last column is the share.
 

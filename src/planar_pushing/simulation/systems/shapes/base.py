@@ -1,6 +1,6 @@
 """The interface of what pushes: at an instant a fence and a finger are one problem.
 
-It is seen in the frame whose +y is the normal at the contact (PHYSICS.md, section 7). A member is a module
+It is seen in the frame whose +y is the normal at the contact. A member is a module
 of functions by the names below, whose first argument is the shape, a named tuple of numbers. The functions
 choose by its kind, so a fence's equations hold nothing of a finger's.
 """

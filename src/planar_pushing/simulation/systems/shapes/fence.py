@@ -11,7 +11,7 @@ from planar_pushing.simulation.systems.shapes.base import Pose
 
 
 class Fence(NamedTuple):
-    """A fence has no numbers."""
+    """A fence has no parameters."""
 
 
 @compiled
