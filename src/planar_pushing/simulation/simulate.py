@@ -63,9 +63,9 @@ def simulate(
     on_ambiguity : {"keep-contact", "separate", "stay-in-mode", "stick", "slip-right", "slip-left"}
         Which mode is taken where several are consistent. "keep-contact": sticking before slip, separation
         last; "separate": separation first; "stay-in-mode": the mode so far while it is consistent; "stick",
-        "slip-right", "slip-left": that mode where it is consistent, else as "keep-contact". Or a sequence of
-        (start_time, policy), which begins at 0: each policy holds until the next starts, and at these times
-        the mode is chosen anew.
+        "slip-right", "slip-left": that mode where it is consistent, else as "keep-contact". Or a sequence
+        of (start_time, policy), which begins at 0: each policy holds until the next starts, and at these
+        times the mode is chosen anew.
     twist : (v_x, v_y, omega)
         Initial twist at the ring centre, omega in radians per time, for a scene with inertia.
     gap : float

@@ -11,8 +11,8 @@ from planar_pushing.mechanics.numerics.root import excess
 RESOLUTION = 1e-15
 #: More than bisection needs to come to zero through all the exponents.
 ITERATIONS = 2000
-#: Golden section, and the number of sections for the least value of a dip: to 1e-7 of its width, where the value is
-#: known to 1e-14 of its depth.
+#: Golden section, and the number of sections for the least value of a dip: to 1e-7 of its width, where the
+#: value is known to 1e-14 of its depth.
 SECTION, SECTIONS = (3.0 - sqrt(5.0)) / 2.0, 34
 
 

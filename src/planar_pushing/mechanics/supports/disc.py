@@ -80,8 +80,8 @@ def of_discs(total, pressure, x, y):
 def disc(x, y, radius):
     """The piece of an even disc.
 
-    With f and t of the ring at the ratio of c and R: what is usually written in E and K, without a difference
-    in D or G. The mean of 1 / rho, 2 f inside and 2 t outside, is the sum of the two curvatures.
+    With f and t of the ring at the ratio of c and R: what is usually written in E and K, but without a
+    difference in D or G. The mean of 1 / rho, 2 f inside and 2 t outside, is the sum of the two curvatures.
     """
     c = sqrt(x * x + y * y) / radius
     distance, slope, torque, along, across = _inside(c) if c <= 1.0 else _outside(c)

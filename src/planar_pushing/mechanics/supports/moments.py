@@ -1,4 +1,4 @@
-"""What friction needs of a pressure distribution at a centre of rotation (theory/any_support of the manual)."""
+"""What friction needs of a pressure at a centre of rotation (manual: theory, any support)."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """An area whose pressure is even between straight edges: a polygon, or cells of a pressure map.
 
 By the divergence theorem the means over the area are sums over the edges of the mean distance along each,
-times the step of the pressure across it (theory/any_support of the manual). From afar the sums cancel, and multipoles
-take over.
+times the step of the pressure across it (manual: theory, any support). From afar the sums cancel, and
+multipoles take over.
 """
 
 from __future__ import annotations
