@@ -90,7 +90,7 @@ def _pivot_under(effects, line):
 
 @compiled
 def held(effects, line, i):
-    """Force that a point must exert under a line of force, over its share, less 1; its motion, and force."""
+    """Force that a point must exert under a line of force, over its share, less 1; motion, and force."""
     (x, y, most), t_x, t_y = point(effects[0], i), line.x, line.y
     r_x, r_y = x + line.length, y
     arm = t_x * r_y - t_y * r_x
