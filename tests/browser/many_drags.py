@@ -16,23 +16,25 @@ WARM, BLOCK = 2_000, 500
 PAGE, SERVER = 4e6, 40e6
 #: Most milliseconds between a move and its picture, for 99 of 100.
 LATENCY = 100.0
-#: Every move of the pointer is noted as it comes in, and every picture once it is on the screen.
+#: Every move of the pointer is noted as it comes in, and every picture when the screen has its image: one
+#: image of the screen after the one that is made of it.
 NOTE = """() => {
   const find = (name) => Bokeh.documents[0].get_model_by_name(name)
-  const [figure, beat] = [find("scene"), find("beat")]
-  window.noted = {moves: [], waits: [], count: beat.data.moves[0], last: 0}
+  const [picture, pointer] = [find("picture"), find("scene pointer")]
+  window.noted = {moves: [], waits: [], count: picture.data.moves[0], last: 0}
   window.addEventListener("pointermove", (event) => { noted.last = event.timeStamp }, true)
-  const pointer = find("scene pointer")
   pointer.properties.data.change.connect(() => {
     if (pointer.data.kind[0] === "drag") noted.moves.push([++noted.count, noted.last])
   })
-  const view = Bokeh.index.find_one_by_id(figure.id)
-  const paint = view.paint.bind(view)
-  view.paint = (...given) => {
-    paint(...given)
-    const [now, moves] = [performance.now(), beat.data.moves[0]]
-    while (noted.moves.length && noted.moves[0][0] <= moves) noted.waits.push(now - noted.moves.shift()[1])
-  }
+  picture.properties.data.change.connect(() => {
+    const moves = picture.data.moves[0]
+    requestAnimationFrame(() => requestAnimationFrame(() => {
+      const now = performance.now()
+      while (noted.moves.length && noted.moves[0][0] <= moves) {
+        noted.waits.push(now - noted.moves.shift()[1])
+      }
+    }))
+  })
 }"""
 
 

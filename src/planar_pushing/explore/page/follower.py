@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from bokeh.events import Tap
-from bokeh.models import Button, Div, RadioButtonGroup, Slider, Toggle
+from bokeh.models import Button, RadioButtonGroup, Slider, Toggle
 
 from planar_pushing.explore.following import (
     WAYS,
@@ -22,7 +22,6 @@ from planar_pushing.explore.following import (
 )
 from planar_pushing.explore.page.canvas import TimeCanvas
 from planar_pushing.explore.page.controller import Controller
-from planar_pushing.explore.page.view import heading
 from planar_pushing.explore.page.workers import Worker
 from planar_pushing.explore.pictures.motion import mode_bar, picture
 from planar_pushing.explore.state import State
@@ -58,7 +57,6 @@ class Follower:
             name="time", title="Time", start=0.0, end=1.0, value=0.0, step=0.001, format="0.000",
             disabled=True, sizing_mode="stretch_width",
         )  # fmt: skip
-        self.words = Div(name="choice words")
         self.way = RadioButtonGroup(name="way", labels=list(WAYS.values()), visible=False)
         self.forget = Button(name="forget", label="Forget the choices made", visible=False)
         self.worker = Worker(controller.document, self._compute, self._keep)
@@ -67,7 +65,7 @@ class Follower:
     @property
     def roots(self) -> list[Any]:
         """What the template places."""
-        widgets = [self.follow, self.play, self.time, self.words, self.way, self.forget]
+        widgets = [self.follow, self.play, self.time, self.way, self.forget]
         return [*widgets, self.canvas.bar, self.canvas.energy]
 
     def _listen(self) -> None:
@@ -118,7 +116,7 @@ class Follower:
         if following:
             self.controller.view.solution.disabled = True
         if not following:
-            self.way.visible, self.words.text = False, ""
+            self.way.visible = False
 
     def _toggle(self, active: bool) -> None:
         if not self.quiet:
@@ -136,7 +134,7 @@ class Follower:
 
     def _tick(self) -> None:
         """Go on while the motion is played."""
-        if self.play.active and self.motion is not None and self.controller.drawn_all:
+        if self.play.active and self.motion is not None and self.controller.has_room:
             end = float(self.motion.times[-1])
             later = min(self._now + end * STEP / 1000 / WHOLE, end)
             self._scrub(later)
@@ -182,7 +180,7 @@ class Follower:
         self.controller.view.say(found.log.attrs["stopped"])
         self.canvas.show(mode_bar(found), found.times, energies(found))
         self._guarded(lambda: self.time.update(end=float(found.times[-1])))
-        self.controller.view.scene.fit(found.bounds)
+        self.controller.frame(found.bounds)
         self._draw()
 
     def _draw(self) -> None:
@@ -190,8 +188,10 @@ class Follower:
         if self.motion is None:
             return
         now = min(self._now, float(self.motion.times[-1]))
-        columns = self.controller.view.scene.named(picture(self.motion, now))
-        self.controller.send(columns, {"words": heading(self._sentence(now))})
+        self.ways = ways_at(self.controller.state, self.motion, now)
+        choice = f"From time {now:.3f} on take the way on which it" if self.ways else ""
+        texts = {"words": self._sentence(now), "choice": choice}
+        self.controller.send(picture(self.motion, now), texts)
         self.canvas.mark(now)
         self._guarded(lambda: self._say(now))
 
@@ -206,12 +206,9 @@ class Follower:
 
     def _say(self, now: float) -> None:
         """Let the widgets show the instant, and the ways on."""
-        assert self.motion is not None
         self.time.value = now
-        self.ways = ways_at(self.controller.state, self.motion, now)
         labels = [WAYS[way] for way in self.ways]
         self.way.update(visible=bool(labels), labels=labels, active=None)
-        self.words.text = f"From time {now:.3f} on take the way on which it" if labels else ""
 
     def close(self) -> None:
         """End the thread."""

@@ -46,12 +46,11 @@ class Rest:
 
     def _rest(self) -> None:
         self.waiting, state = None, self.state()
-        self.view.mark(state)
         self.view.rest(query(state), lines(state))
+        self.done()
         if state.time is None:
             self.asked_at = time.monotonic()
             self.mapper.ask(state)
-            self.done()
 
     def _map(self, state: State) -> None:
         """In the mapper's thread: a coarse map first."""
