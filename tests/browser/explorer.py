@@ -60,8 +60,10 @@ def test_the_push_is_dragged(page):
     drag(page, handle(page, "pusher"), (-0.5, 1.2))
     agrees(page)
     assert state(page).angle == pytest.approx(np.rad2deg(np.arctan2(1.2, -0.5)), abs=1.0)
-    cross = page.evaluate("Bokeh.documents[0].get_model_by_name('map cross').data.y")
-    assert cross[0] == pytest.approx(state(page).angle)
+    across = np.rad2deg(np.arctan(state(page).scene.contact.friction_coefficient))
+    place = on_screen(page, (across, state(page).angle), "map")
+    cross = page.locator("#cross svg").bounding_box()
+    assert (cross["x"], cross["y"]) == pytest.approx(place, abs=1.5)
 
 
 def test_the_rod_is_dragged(page):

@@ -94,8 +94,8 @@ def ready(page):
     """Wait until the first picture and its map are drawn."""
     page.wait_for_function("window.Bokeh && Bokeh.documents.length && Bokeh.documents[0].is_idle")
     page.wait_for_function(
-        "Bokeh.documents[0].get_model_by_name('map cross').data.x.length > 0 "
-        "&& location.search.includes('slider.rod_length')"
+        "Bokeh.documents[0].get_model_by_name('map image').data.image.length > 0 "
+        "&& document.querySelector('#cross svg') && location.search.includes('slider.rod_length')"
         "&& document.querySelector('#scene [data-handle]')"
     )
 

@@ -25,6 +25,8 @@ from planar_pushing.mechanics.plane import Array
 
 #: Codes of the sets of modes.
 CODES = 1 << len(ContactMode)
+#: Room around the map, pixels: more than its labels take, so that its place does not depend on them.
+BORDERS = {"left": 76, "right": 12, "top": 8, "bottom": 56}
 FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif"
 #: Colours of the energies, which differ in brightness too, so that they can be told apart in grey.
 ENERGIES = {
@@ -65,22 +67,17 @@ class MapCanvas:
 
     def __init__(self) -> None:
         self.figure = figure(
-            name="map", toolbar_location=None, tools="", min_border=4, sizing_mode="stretch_width",
-            height=300, x_range=Range1d(0, 1), y_range=Range1d(-180, 180),
+            name="map", toolbar_location=None, tools="", sizing_mode="stretch_width", height=300,
+            x_range=Range1d(0, 1), y_range=Range1d(-180, 180),
+            **{f"min_border_{side}": width for side, width in BORDERS.items()},
             outline_line_color=GUIDE, border_fill_color=None, lod_threshold=None,
         )  # fmt: skip
         self.source = ColumnDataSource(
             {key: [] for key in ("image", "x", "y", "dw", "dh")}, name="map image"
         )
-        self.cross = ColumnDataSource({"x": [], "y": []}, name="map cross")
         palette = [look(code)[1] for code in range(CODES)]
         mapper = LinearColorMapper(palette=palette, low=-0.5, high=CODES - 0.5)
         self.figure.image("image", "x", "y", "dw", "dh", color_mapper=mapper, source=self.source)
-        for size, color, width in ((18, "white", 6.0), (16, DARK, 2.4)):
-            self.figure.scatter(
-                "x", "y", marker="cross", size=size, line_color=color, line_width=width,
-                source=self.cross,
-            )  # fmt: skip
         self.figure.grid.visible = False
         self.ticks = FixedTicker(ticks=[])
         self.figure.xaxis.ticker = self.ticks
@@ -100,6 +97,19 @@ class MapCanvas:
         self.source.data = {
             "image": [found.codes], "x": [left], "y": [-180], "dw": [right - left], "dh": [360],
         }  # fmt: skip
+
+    def cross(self, along: float, angle: float) -> str:
+        """A cross at a place of the map, over its figure: it is moved without painting the map anew."""
+        within = self.figure.x_range
+        left = (along - within.start) / (within.end - within.start)
+        wide, high = BORDERS["left"] + BORDERS["right"], BORDERS["top"] + BORDERS["bottom"]
+        x = f"calc({BORDERS['left']}px + {left:.4f} * (100% - {wide}px))"
+        y = f"calc({BORDERS['top']}px + {0.5 - angle / 360.0:.4f} * (100% - {high}px))"
+        strokes = "".join(
+            f'<path d="M{-half} 0H{half}M0 {-half}V{half}" stroke="{color}" stroke-width="{width}"/>'
+            for half, color, width in ((9, "white", 6.0), (8, DARK, 2.4))
+        )
+        return f'<svg style="left: {x}; top: {y}">{strokes}</svg>'
 
 
 class TimeCanvas:

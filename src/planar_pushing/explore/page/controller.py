@@ -22,8 +22,8 @@ from planar_pushing.terms.errors import PlanarPushingError
 
 LOG = logging.getLogger("planar_pushing")
 #: Milliseconds between looks at the page, and looks from one change of the widgets to the next while a
-#: handle is dragged: they and the map are slow to paint.
-LOOK, WIDGETS = 100, 3
+#: handle is dragged: they are slow to paint.
+LOOK, WIDGETS = 100, 10
 
 
 class Controller:
@@ -37,7 +37,7 @@ class Controller:
         self.listeners: list[Callable[[State], None]] = []
         self.pointing = Pointing(self)
         self.painter = Painter(document, view, self._show)
-        self.rest = Rest(document, view, lambda: self.state, self._came_to_rest)
+        self.rest = Rest(document, view, lambda: self.state, self._came_to_rest, self._draw_map)
         self._listen()
 
     def start(self) -> None:
@@ -95,7 +95,7 @@ class Controller:
             self.quiet = False
 
     def show_widgets(self) -> None:
-        """Let the widgets, and the cross on the map, follow the state."""
+        """Let the widgets follow the state."""
         self.stale = False
         self.guarded(lambda: self.view.read(self.state, self.found))
 
@@ -109,7 +109,7 @@ class Controller:
         self.view.on_map(lambda angle, along: self.change(lambda s: modes.gone(s, angle, along)))
         self.view.on_keys(self.pointing.key)
         self.view.on_taken(self._taken)
-        self.view.on_sizes(lambda: self.painter.send(self.pointing.moves))
+        self.view.on_sizes(self.resend)
         self.view.on_ready(self.document, self._begin)
         self.view.on_choice(self._choose_handle, self._choose_solution)
 
@@ -153,14 +153,22 @@ class Controller:
         elif self.state.time is None:
             self.found = found.found
             self.view.draw(found)
-            self.painter.send(order.moves)
+            self.painter.send(order.state, order.moves)
             self.stale = True
             self.pointing.follow()
 
     def send(self, columns: dict[str, Any], texts: dict[str, str]) -> None:
         """Show a picture of something else than the push."""
         self.view.show(columns, texts)
-        self.painter.send(self.pointing.moves)
+        self.resend()
+
+    def resend(self) -> None:
+        """Send what is shown, in its size of now."""
+        self.painter.send(self.state, self.pointing.moves)
+
+    def _draw_map(self, state: State, found: modes.Map) -> None:
+        self.view.draw_map(state, found)
+        self.resend()
 
     def _look(self) -> None:
         """Go on where a page is slow to answer, and show what may be late."""
@@ -185,7 +193,7 @@ class Controller:
     def frame(self, corners: Array) -> None:
         """Show a box of the plane."""
         if self.view.scene.fit(corners):
-            self.painter.send(self.pointing.moves)
+            self.resend()
 
     def close(self) -> None:
         """End the threads of a page that is gone."""

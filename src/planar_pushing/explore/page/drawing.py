@@ -76,10 +76,10 @@ class Painter:
         self.asked_at = time.monotonic()
         self.worker.ask(order)
 
-    def send(self, moves: int) -> None:
-        """Send what the view shows, which answers a number of moves."""
+    def send(self, state: State, moves: int) -> None:
+        """Send what the view shows of a state, which answers a number of moves."""
         self.sent, self.sent_at = self.sent + 1, time.monotonic()
-        self.view.send(self.sent, moves)
+        self.view.send(state, self.sent, moves)
 
     def took(self, number: int) -> None:
         """The page has taken a picture."""

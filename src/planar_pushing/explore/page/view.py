@@ -124,7 +124,7 @@ class View:
     # -- what is shown -----------------------------------------------------------------------
 
     def read(self, state: State, found: Found | None) -> None:
-        """Let the widgets show a state, its solutions, and its place on the map."""
+        """Let the widgets show a state, and its solutions."""
         for control in self.controls.values():
             wanted = control.options(state) | {control.holds: control.read(state)}
             fresh = {k: each for k, each in wanted.items() if getattr(control.widget, k) != each}
@@ -132,7 +132,6 @@ class View:
                 control.widget.update(**fresh)
         if found is not None and state.time is None:
             self._offer(found)
-        self._mark(state)
 
     def _offer(self, found: Found) -> None:
         """Offer each solution to be drawn in full."""
@@ -140,32 +139,29 @@ class View:
         labels = [name.replace("_", " ").capitalize() for name in self.modes] or ["None"]
         self.solution.update(labels=labels, active=max(found.shown, 0), disabled=len(labels) < 2)
 
-    def _mark(self, state: State) -> None:
-        """Move the cross on the map."""
-        axis = AXES[self.controls["across"].read(state)]
-        place = {"x": [axis.here(state)], "y": [state.angle]}
-        if self.map.cross.data != place:
-            self.map.cross.data = place
-
     def draw(self, found: Any) -> None:
         """Show the pictures of a push."""
         self.curve.columns = found.curve
-        self.show(
-            found.scene, {"words": found.words, "solutions": solutions(found.found), "choice": ""}
-        )
+        self.show(found.scene, {"words": found.words, "solutions": solutions(found.found)})
 
     def show(self, columns: dict[str, Any], texts: dict[str, str]) -> None:
         """Show a picture and texts."""
         self.scene.columns = columns
         self.texts |= texts
 
-    def send(self, number: int, moves: int) -> None:
+    def send(self, state: State, number: int, moves: int) -> None:
         """Send what is new of what is shown, with its number and that of the moves that it answers."""
-        shown = self.scene.drawn | self.curve.drawn | self.texts
+        cross = {"cross": self.map.cross(self._across(state), state.angle)}
+        shown = self.scene.drawn | self.curve.drawn | cross | self.texts
         fresh = {name: each for name, each in shown.items() if self.known.get(name) != each}
         self.known = shown
-        content = json.dumps(fresh)
-        self.channels.picture.data = {"number": [number], "moves": [moves], "content": [content]}
+        self.channels.picture.data = {
+            "number": [number], "moves": [moves], "content": [json.dumps(fresh)],
+        }  # fmt: skip
+
+    def _across(self, state: State) -> float:
+        """Place of a state across its map."""
+        return AXES[self.controls["across"].read(state)].here(state)
 
     def draw_map(self, state: State, found: Map) -> None:
         """Show a map and its legend."""
