@@ -127,3 +127,16 @@ def test_only_what_is_new_is_sent(page, slow):
     page.view.channels.sizes.data = {"scene": [350.0, 240.0], "curve": [340.0, 340.0]}
     assert "scene" in content(page)
     assert "words" not in content(page)
+
+
+def test_widgets_follow_a_drag_once_it_rests(page, slow):
+    slow.may.set()
+    finish(page)
+    take(page)
+    angle = page.view.controls["angle"].widget
+    before = angle.value
+    move(page, "grab", places(page.state, None)[Handle.PUSHER])
+    move(page, "drag", (0.0, 1.0))
+    assert angle.value == before
+    page._came_to_rest()
+    assert angle.value == pytest.approx(90.0)

@@ -53,10 +53,10 @@ class Controller:
 
     # -- states ------------------------------------------------------------------------------
 
-    def put(self, state: State, *, at_once: bool = True) -> None:
-        """Show another state: the pictures of it at once, and so the widgets, or a little later."""
+    def put(self, state: State) -> None:
+        """Show another state; while a handle is dragged the widgets follow a little later."""
         self.state, self.stale = state, True
-        if at_once:
+        if self.pointing.held is None:
             self.show_widgets()
         for listener in self.listeners:
             listener(state)
@@ -73,7 +73,7 @@ class Controller:
         self.state = state
         self.rest.later()
 
-    def change(self, make: Callable[[State], State], *, at_once: bool = True) -> None:
+    def change(self, make: Callable[[State], State]) -> None:
         """Put the state that a change makes; one that is not allowed is said."""
         try:
             state = make(self.state)
@@ -84,7 +84,7 @@ class Controller:
             return
         self.view.say("")
         if state != self.state:
-            self.put(state, at_once=at_once)
+            self.put(state)
 
     def guarded(self, show: Callable[[], None]) -> None:
         """Change widgets without taking that for the user's doing."""

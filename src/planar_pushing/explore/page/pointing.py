@@ -26,7 +26,7 @@ class Pointed(Protocol):
     def has_room(self) -> bool:
         """Whether a change would be drawn at once."""
 
-    def change(self, make: Callable[[State], State], *, at_once: bool) -> None:
+    def change(self, make: Callable[[State], State]) -> None:
         """Change the state."""
 
     def select(self, handle: Handle) -> None:
@@ -73,9 +73,7 @@ class Pointing:
         """Move the handle that is selected by a step."""
         chosen, force = self.selected, self.on.force
         if self.on.state.time is None:
-            self.on.change(
-                lambda state: handles.nudged(state, chosen, force, right, up, coarse), at_once=True
-            )
+            self.on.change(lambda state: handles.nudged(state, chosen, force, right, up, coarse))
 
     def select(self, handle: Handle) -> None:
         """Let the keys move a handle."""
@@ -90,4 +88,4 @@ class Pointing:
     def _move(self) -> None:
         place, held, self.place = self.place, self.held, None
         if place is not None and held is not None and self.on.state.time is None:
-            self.on.change(lambda state: handles.dragged(state, held, place), at_once=False)
+            self.on.change(lambda state: handles.dragged(state, held, place))
