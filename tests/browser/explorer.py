@@ -175,6 +175,7 @@ def test_widgets_change_the_scene(page):
     assert isinstance(found.scene.contact, pp.InfiniteFriction)
     assert len(found.scene.kinds) == 2
     page.get_by_role("button", name="Finger").click()
+    page.wait_for_function("location.search.includes('finger')")
     agrees(page)
     assert state(page).shape == "finger"
 
