@@ -42,7 +42,7 @@ test-failures: $(COMPILED) ## kill runs and fill disks (root, for the disks); so
 test-browser: $(COMPILED) ## test the explorer in headless Chromium (Debian's chromium); some minutes
 	$(BIN)/pytest tests/browser/explorer.py
 
-test-drags: $(COMPILED) ## drag 20,000 times in the explorer for memory and latency; half an hour on an idle machine
+test-drags: $(COMPILED) ## drag 20,000 times in the explorer for memory, latency and pictures a second; ten minutes on an idle machine
 	$(BIN)/pytest -s tests/browser/many_drags.py
 
 lint: $(READY)

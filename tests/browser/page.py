@@ -94,21 +94,25 @@ def ready(page):
     """Wait until the first picture and its map are drawn."""
     page.wait_for_function("window.Bokeh && Bokeh.documents.length && Bokeh.documents[0].is_idle")
     page.wait_for_function(
-        "Bokeh.documents[0].get_model_by_name('map cross').data.x.length > 0 "
-        "&& location.search.includes('slider.rod_length')"
-        "&& Bokeh.documents[0].get_model_by_name('scene handles').data.x.length > 0"
+        "Bokeh.documents[0].get_model_by_name('map image').data.image.length > 0 "
+        "&& document.querySelector('#cross svg') && location.search.includes('slider.rod_length')"
+        "&& document.querySelector('#scene [data-handle]')"
     )
 
 
 def on_screen(page, place, figure="scene"):
-    """Where a place of a picture is on the screen."""
+    """Where a place of a picture, or of one of Bokeh's figures, is on the screen."""
     return page.evaluate(
         """([name, x, y]) => {
+          const picture = document.getElementById(name)
+          if (picture) {
+            const box = picture.getBoundingClientRect(), origin = picture.firstElementChild.dataset
+            return [box.x + +origin.x + x * origin.scale, box.y + +origin.y - y * origin.scale]
+          }
           const view = Bokeh.index.find_one_by_id(Bokeh.documents[0].get_model_by_name(name).id)
+          view.el.scrollIntoView({block: "nearest"})
           const box = view.el.getBoundingClientRect()
-          const inner = view.frame.bbox
-          return [box.x + inner.left + view.frame.x_scale.compute(x) - inner.left,
-                  box.y + inner.top + view.frame.y_scale.compute(y) - inner.top]
+          return [box.x + view.frame.x_scale.compute(x), box.y + view.frame.y_scale.compute(y)]
         }""",
         [figure, *map(float, place)],
     )
@@ -116,9 +120,15 @@ def on_screen(page, place, figure="scene"):
 
 def handle(page, name):
     """Place of a handle in the picture."""
-    data = page.evaluate("Bokeh.documents[0].get_model_by_name('scene handles').data")
-    index = data["name"].index(name)
-    return data["x"][index], data["y"][index]
+    return page.evaluate(
+        """(name) => {
+          const origin = document.querySelector("#scene > g").dataset
+          const at = document.querySelector(`#scene [data-handle="${name}"]`)
+          return [(at.getAttribute("cx") - origin.x) / origin.scale,
+                  (origin.y - at.getAttribute("cy")) / origin.scale]
+        }""",
+        name,
+    )
 
 
 def drag(page, start, end, steps=8):

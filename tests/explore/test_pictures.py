@@ -1,20 +1,23 @@
 """Columns of the pictures, against the mechanics."""
 
 from dataclasses import replace
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 import planar_pushing as pp
 from planar_pushing.explore.following import energies, followed, row_at
+from planar_pushing.explore.handles import places
 from planar_pushing.explore.pictures import curve, modes, motion, scene
-from planar_pushing.explore.pictures.columns import COLUMNS
+from planar_pushing.explore.pictures.columns import COLUMNS, Marks
+from planar_pushing.explore.pictures.svg import markup, sheet
 from planar_pushing.explore.presets import preset, presets
 from planar_pushing.explore.state import pushed, simulated, with_law
 from planar_pushing.explore.words import best, number, outcome
 from planar_pushing.figures.style import FORCE, MOTION, PUSHER, SLIP
 
-PRESETS = [name for name in presets() if name != "box"]
+PRESETS = list(presets())
 
 
 def lines(columns, color):
@@ -44,6 +47,27 @@ def test_every_preset_is_drawn(name):
     low, high = scene.bounds(state)
     assert (low < 0).all()
     assert (high > 0).all()
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_every_mark_is_an_element_in_its_place(name):
+    state = preset(name)
+    columns, on = scene.picture(state, scene.found(state)), sheet(scene.bounds(state), 700, 480)
+    root = ElementTree.fromstring(markup(columns, on))
+    assert len(root) == sum(len(next(iter(each.values()))) for each in columns.values())
+    for (low, high), size in zip(scene.bounds(state).T, (700, 480), strict=True):
+        assert on.scale * (high - low) < size
+    found = {each.get("data-handle"): each for each in root if each.get("data-handle")}
+    for name, place in places(state, scene.found(state).force).items():
+        pixel = [float(found[name].get(key)) for key in ("cx", "cy")]
+        np.testing.assert_allclose(on.place(pixel), place, atol=0.02 / on.scale)
+
+
+def test_letters_are_escaped():
+    marks = Marks()
+    marks.label((0.0, 0.0), "a < b & c", "#000", (0.0, 0.0))
+    root = ElementTree.fromstring(markup(marks.columns, sheet([(-1, -1), (1, 1)], 100, 100)))
+    assert root[0].text == "a < b & c"
 
 
 def test_the_arrows_are_the_solutions():

@@ -30,7 +30,7 @@ def test_a_port_is_served_on_once():
 
 
 def test_pages_name_nothing_outside_of_this_machine():
-    for name in ("page.html", "page.css", "texts.css"):
+    for name in ("page.html", "page.css", "texts.css", "page.js"):
         text = (module.PAGE / name).read_text(encoding="utf-8")
         assert "http:" not in text
         assert "https:" not in text

@@ -9,7 +9,7 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.explore.address import query, state_in
 from planar_pushing.explore.downloads import written
-from planar_pushing.explore.following import chosen, followed, forgotten, taken
+from planar_pushing.explore.following import chosen, followed, forgotten, row_at, taken, ways_at
 from planar_pushing.explore.handles import Handle, dragged, nudged, places
 from planar_pushing.explore.presets import STORED, gallery, preset, presets, text
 from planar_pushing.explore.python_lines import lines
@@ -17,6 +17,7 @@ from planar_pushing.explore.state import (
     Start,
     effect,
     pushed,
+    simulated,
     state_of,
     with_effect,
     with_law,
@@ -30,6 +31,12 @@ from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EffectKind
 
 PRESETS = list(presets())
+MODES = {
+    "stick": pp.ContactMode.STICK,
+    "slip-right": pp.ContactMode.SLIP_RIGHT,
+    "slip-left": pp.ContactMode.SLIP_LEFT,
+    "separate": pp.ContactMode.SEPARATE,
+}
 
 
 def back(state):
@@ -173,6 +180,42 @@ def test_a_way_taken_by_hand_is_taken_from_its_time_on():
     assert forgotten(hand) == state
     earlier = taken(replace(hand, time=0.2), "separate")
     assert [piece.time for piece in earlier.file.simulate.policies] == [0.0, 0.2]
+
+
+def turned_finger():
+    """A pull by a finger whose side has turned by the time."""
+    return replace(simulated(preset("figure_03"), pusher_shape="finger"), time=0.3)
+
+
+def in_motion():
+    """A pull of a slider with inertia, which moves by the time."""
+    return replace(preset("pulling_with_inertia"), time=0.25)
+
+
+@pytest.mark.parametrize("state", [
+    pytest.param(replace(preset("figure_03"), time=0.3), id="fence"),
+    pytest.param(turned_finger(), id="finger"), pytest.param(in_motion(), id="inertia"),
+])  # fmt: skip
+def test_the_ways_on_are_those_that_are_consistent(state):
+    motion = followed(state)
+    row = row_at(motion, state.time)
+    ways = ways_at(state, motion, state.time)
+    assert len(ways) == motion.log["solutions"][row] == 3
+    for way in ways:
+        after = followed(taken(state, way))
+        later = int(np.searchsorted(after.times, state.time + 1e-6))
+        assert MODES[way] == after.log["mode"][later]
+
+
+def test_the_ways_on_from_rest_are_the_solutions():
+    state = replace(preset("pulling_with_inertia"), start=Start.ACCELERATION, time=0.0)
+    modes = {each.mode for each in solved(state)}
+    assert {MODES[way] for way in ways_at(state, followed(state), 0.0)} == modes
+
+
+def test_one_way_on_is_no_choice():
+    state = replace(preset("figure_08"), time=0.1)
+    assert ways_at(state, followed(state), 0.1) == ()
 
 
 def test_another_push_forgets_the_choices():

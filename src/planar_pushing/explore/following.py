@@ -10,13 +10,13 @@ import xarray as xr
 
 from planar_pushing.explore.python_lines import acceleration, settings
 from planar_pushing.explore.state import Start, State, first_policy, simulated
+from planar_pushing.explore.words import NUMBERS
 from planar_pushing.figures.motion.timeline import Run, plotted, runs
 from planar_pushing.figures.motion.trajectory import box
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.solve import solve
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
-from planar_pushing.terms.options import Shape
 
 #: Ways on that can be taken by hand, by the policies that prefer them.
 WAYS = {
@@ -25,6 +25,16 @@ WAYS = {
     "slip-left": "slips to the left",
     "separate": "breaks",
 }
+#: What the contact does at an instant, by its mode.
+DOES = {
+    -1: "no motion is consistent",
+    ContactMode.SEPARATE: "the contact is broken",
+    ContactMode.STICK: "the contact sticks",
+    ContactMode.SLIP_RIGHT: "the slider slips to the right",
+    ContactMode.SLIP_LEFT: "the slider slips to the left",
+}
+#: Part of the duration after which a motion has gone on in the way that was taken.
+SHORTLY = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,16 +50,21 @@ class Motion:
 
 def followed(state: State) -> Motion:
     """Simulate the push of a state."""
+    log = simulate(state.scene, **_options(state))
+    data = plotted(log)
+    left, right, low, high = box(data)
+    corners = np.array([(left, low), (right, high)])
+    return Motion(log, data, data["time"].values, tuple(runs(data)), corners)
+
+
+def _options(state: State) -> dict[str, Any]:
+    """Arguments of the simulation of a state's push."""
     options = settings(state)
     if state.start == Start.ACCELERATION:
         x, y = acceleration(state)
         shape = options["pusher"].shape
         options["pusher"] = Pusher(velocity=lambda time: (x * time, y * time), shape=shape)
-    log = simulate(state.scene, **options)
-    data = plotted(log)
-    left, right, low, high = box(data)
-    corners = np.array([(left, low), (right, high)])
-    return Motion(log, data, data["time"].values, tuple(runs(data)), corners)
+    return options
 
 
 def row_at(motion: Motion, time: float) -> int:
@@ -65,22 +80,31 @@ def run_at(motion: Motion, time: float) -> Run:
     return next(each for each in reversed(motion.runs) if each.start <= row)
 
 
+def said_at(motion: Motion, time: float) -> str:
+    """What the contact does at a time, in a sentence."""
+    row, data = row_at(motion, time), motion.data
+    mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
+    more = "" if count < 2 else f", one of {NUMBERS[count]} consistent ways"
+    return f"At time {time:.3f} {DOES[mode]}{more}."
+
+
 def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
     """Ways on that are consistent at a time, where there are several.
 
-    A slider with inertia is not at rest then, and a finger's side has turned: all ways are named, and one
-    that is not consistent acts like the policy that keeps the contact.
+    The simulation says so: a policy that prefers a mode takes it wherever it is consistent.
     """
     if not run_at(motion, time).several:
         return ()
-    scene = state.scene
-    if scene.stores_energy or state.shape != Shape.FENCE or state.file.simulate is None:
-        return tuple(WAYS)
-    angle = np.deg2rad(motion.log["rod_angle"].values[row_at(motion, time)])
-    push = next(each for each in reversed(state.file.simulate.pieces) if each.time <= time)
-    there = replace(scene, slider=replace(scene.slider, rod_angle=float(angle)))
-    modes = {str(each.mode.name) for each in solve(there, np.deg2rad(push.angle))}
-    return tuple(way for way in WAYS if way.replace("-", "_").upper() in modes)
+    return tuple(way for way in WAYS if _is_consistent(replace(state, time=time), way))
+
+
+def _is_consistent(state: State, way: str) -> bool:
+    """Whether the motion goes on in a way that is preferred from the state's time on."""
+    options = _options(taken(state, way))
+    shortly = (state.time or 0.0) + SHORTLY * options["duration"]
+    log = simulate(state.scene, **options | {"duration": shortly, "samples": 2})
+    mode = ContactMode(log["mode"].values[-1])
+    return str(mode.name) == way.replace("-", "_").upper()
 
 
 def taken(state: State, way: str) -> State:

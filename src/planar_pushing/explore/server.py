@@ -75,7 +75,7 @@ class Explorer:
         follower = Follower(controller)
         _add_files(document, controller)
         view.preset.on_change("value", partial(_start_from, controller))
-        view.close.on_click(partial(self._close, view))
+        view.close.on_click(partial(self._close, controller))
         sheet = InlineStyleSheet(css=(PAGE / "texts.css").read_text(encoding="utf-8"))
         with document.models.freeze():  # else every root has the document look through all models
             for root in [*view.roots, *follower.roots]:
@@ -104,8 +104,9 @@ class Explorer:
         except PlanarPushingError as error:
             return self.first, " ".join(str(error).split())
 
-    def _close(self, view: View) -> None:
-        view.words.text = "<h2>The explorer is closed. You can close this page.</h2>"
+    def _close(self, controller: Controller) -> None:
+        words = "The explorer is closed. You can close this page."
+        controller.send(controller.view.scene.columns, {"words": words})
         self.stop()
 
 

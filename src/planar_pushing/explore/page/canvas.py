@@ -1,11 +1,10 @@
-"""The pictures as Bokeh's figures: one glyph for each kind of mark, filled from its columns."""
+"""What the page draws on: the pictures, the map of contact modes, modes and energies over time."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-from bokeh.core.properties import value
 from bokeh.models import (
     ColumnDataSource,
     FixedTicker,
@@ -17,18 +16,19 @@ from bokeh.models import (
 )
 from bokeh.plotting import figure
 
-from planar_pushing.explore.pictures.columns import COLUMNS
+from planar_pushing.explore.pictures.columns import Marks
 from planar_pushing.explore.pictures.modes import AXES, Map, look
-from planar_pushing.figures.style import DARK, GREY, GUIDE, LIGHT
+from planar_pushing.explore.pictures.svg import Sheet, markup, sheet
+from planar_pushing.figures.style import DARK, GUIDE, LIGHT
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 
-#: Width over height of the picture of a scene, and room around what it holds.
-ASPECT, MARGIN = 1.45, 1.05
 #: Codes of the sets of modes.
 CODES = 1 << len(ContactMode)
+#: Room around the map, pixels: more than its labels take, so that its place does not depend on them.
+BORDERS = {"left": 76, "right": 12, "top": 8, "bottom": 56}
 FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif"
-#: Colours of the energies, told apart in grey as well.
+#: Colours of the energies, which differ in brightness too, so that they can be told apart in grey.
 ENERGIES = {
     "work": DARK,
     "support friction": "#D55E00",
@@ -37,73 +37,29 @@ ENERGIES = {
 }
 
 
-def plain_figure(name: str, **options: Any) -> Any:
-    """A figure without frame, axes and tools."""
-    found = figure(
-        name=name, toolbar_location=None, tools="", outline_line_color=None, min_border=0,
-        x_range=Range1d(-1, 1), y_range=Range1d(-1, 1), background_fill_color="white",
-        border_fill_color="white", output_backend="canvas", lod_threshold=None, **options,
-    )  # fmt: skip
-    found.axis.visible = False
-    found.grid.visible = False
-    return found
-
-
 class Canvas:
-    """A figure that draws marks."""
+    """A picture on the page: what it holds, the box of the plane that it shows, and its size in pixels."""
 
-    def __init__(self, name: str, **options: Any) -> None:
-        self.figure = plain_figure(name, **options)
-        self.sources = {
-            kind: ColumnDataSource({column: [] for column in columns}, name=f"{name} {kind}")
-            for kind, columns in COLUMNS.items()
-        }
-        self._glyphs(self.figure, self.sources)
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.corners: Array = np.array([(-1.5, -1.5), (1.5, 1.5)])
+        self.size = 700.0, 500.0
+        self.columns = Marks().columns
 
-    @staticmethod
-    def _glyphs(on: Any, sources: dict[str, Any]) -> None:
-        on.multi_polygons(
-            "xs", "ys", fill_color="fill", fill_alpha="alpha", line_color="line",
-            line_width="width", source=sources["areas"],
-        )  # fmt: skip
-        on.multi_line(
-            "xs", "ys", line_color="color", line_width="width", line_dash="dash",
-            line_alpha="alpha", line_join="round", source=sources["lines"],
-        )  # fmt: skip
-        on.patches(
-            "xs", "ys", fill_color="fill", fill_alpha="alpha", line_color="line",
-            line_alpha="alpha", source=sources["heads"],
-        )  # fmt: skip
-        on.scatter(
-            "x", "y", size="size", fill_color="fill", line_color="line", line_width=1.6,
-            marker="marker", source=sources["dots"],
-        )  # fmt: skip
-        on.scatter(
-            "x", "y", size="size", fill_color=GREY, fill_alpha="alpha", line_color=GREY,
-            line_alpha=0.75, line_width=1.2, source=sources["handles"],
-        )  # fmt: skip
-        for width, color in (
-            (4.0, "white"),
-            (0.0, "color"),
-        ):  # white behind letters keeps them legible
-            on.text(
-                "x", "y", text="text", text_color="color", x_offset="dx", y_offset="dy",
-                text_font=value(FONT), text_font_size="17px", text_font_style="bold",
-                text_align="center", text_baseline="middle", source=sources["labels"],
-                text_outline_color=color if width else None, text_outline_width=width,
-            )  # fmt: skip
+    def fit(self, corners: Array) -> bool:
+        """Show another box; whether it is another one."""
+        old, self.corners = self.corners, corners
+        return not np.array_equal(old, corners)
 
-    def named(self, columns: dict[str, Any]) -> dict[str, Any]:
-        """Columns by the names of the sources that they fill."""
-        return {str(self.sources[kind].name): given for kind, given in columns.items()}
+    @property
+    def sheet(self) -> Sheet:
+        """Where the picture is on the screen."""
+        return sheet(self.corners, *self.size)
 
-    def fit(self, corners: Array, aspect: float = ASPECT) -> None:
-        """Show a box, in the middle, to one scale in both directions."""
-        (left, low), (right, high) = corners
-        half = MARGIN * max((right - left) / aspect, high - low) / 2
-        x, y = (left + right) / 2, (low + high) / 2
-        self.figure.x_range.update(start=float(x - half * aspect), end=float(x + half * aspect))
-        self.figure.y_range.update(start=float(y - half), end=float(y + half))
+    @property
+    def drawn(self) -> dict[str, str]:
+        """The picture as SVG, by its name."""
+        return {self.name: markup(self.columns, self.sheet)}
 
 
 class MapCanvas:
@@ -111,22 +67,17 @@ class MapCanvas:
 
     def __init__(self) -> None:
         self.figure = figure(
-            name="map", toolbar_location=None, tools="", min_border=4, sizing_mode="stretch_width",
-            height=300, x_range=Range1d(0, 1), y_range=Range1d(-180, 180),
+            name="map", toolbar_location=None, tools="", sizing_mode="stretch_width", height=300,
+            x_range=Range1d(0, 1), y_range=Range1d(-180, 180),
+            **{f"min_border_{side}": width for side, width in BORDERS.items()},
             outline_line_color=GUIDE, border_fill_color=None, lod_threshold=None,
         )  # fmt: skip
         self.source = ColumnDataSource(
             {key: [] for key in ("image", "x", "y", "dw", "dh")}, name="map image"
         )
-        self.cross = ColumnDataSource({"x": [], "y": []}, name="map cross")
         palette = [look(code)[1] for code in range(CODES)]
         mapper = LinearColorMapper(palette=palette, low=-0.5, high=CODES - 0.5)
         self.figure.image("image", "x", "y", "dw", "dh", color_mapper=mapper, source=self.source)
-        for size, color, width in ((18, "white", 6.0), (16, DARK, 2.4)):
-            self.figure.scatter(
-                "x", "y", marker="cross", size=size, line_color=color, line_width=width,
-                source=self.cross,
-            )  # fmt: skip
         self.figure.grid.visible = False
         self.ticks = FixedTicker(ticks=[])
         self.figure.xaxis.ticker = self.ticks
@@ -146,6 +97,19 @@ class MapCanvas:
         self.source.data = {
             "image": [found.codes], "x": [left], "y": [-180], "dw": [right - left], "dh": [360],
         }  # fmt: skip
+
+    def cross(self, along: float, angle: float) -> str:
+        """A cross at a place of the map, over its figure: it is moved without painting the map anew."""
+        within = self.figure.x_range
+        left = (along - within.start) / (within.end - within.start)
+        wide, high = BORDERS["left"] + BORDERS["right"], BORDERS["top"] + BORDERS["bottom"]
+        x = f"calc({BORDERS['left']}px + {left:.4f} * (100% - {wide}px))"
+        y = f"calc({BORDERS['top']}px + {0.5 - angle / 360.0:.4f} * (100% - {high}px))"
+        strokes = "".join(
+            f'<path d="M{-half} 0H{half}M0 {-half}V{half}" stroke="{color}" stroke-width="{width}"/>'
+            for half, color, width in ((9, "white", 6.0), (8, DARK, 2.4))
+        )
+        return f'<svg style="left: {x}; top: {y}">{strokes}</svg>'
 
 
 class TimeCanvas:

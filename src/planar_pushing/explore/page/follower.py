@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from bokeh.events import Tap
-from bokeh.models import Button, Div, RadioButtonGroup, Slider, Toggle
+from bokeh.models import Button, RadioButtonGroup, Slider, Toggle
 
 from planar_pushing.explore.following import (
     WAYS,
@@ -16,30 +16,21 @@ from planar_pushing.explore.following import (
     energies,
     followed,
     forgotten,
-    row_at,
+    said_at,
     taken,
     ways_at,
 )
 from planar_pushing.explore.page.canvas import TimeCanvas
 from planar_pushing.explore.page.controller import Controller
-from planar_pushing.explore.page.view import heading
 from planar_pushing.explore.page.workers import Worker
 from planar_pushing.explore.pictures.motion import mode_bar, picture
 from planar_pushing.explore.state import State
-from planar_pushing.explore.words import NUMBERS
-from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.terms.errors import PlanarPushingError
 
 #: Milliseconds between pictures of a motion that is played, and seconds that the whole of it takes.
 STEP, WHOLE = 33, 6.0
-#: What the contact does at an instant, by its mode.
-DOES = {
-    -1: "no motion is consistent",
-    ContactMode.SEPARATE: "the contact is broken",
-    ContactMode.STICK: "the contact sticks",
-    ContactMode.SLIP_RIGHT: "the slider slips to the right",
-    ContactMode.SLIP_LEFT: "the slider slips to the left",
-}
+#: What stands before the ways on.
+CHOICE = "From here on take the way on which it"
 
 
 class Follower:
@@ -58,16 +49,16 @@ class Follower:
             name="time", title="Time", start=0.0, end=1.0, value=0.0, step=0.001, format="0.000",
             disabled=True, sizing_mode="stretch_width",
         )  # fmt: skip
-        self.words = Div(name="choice words")
-        self.way = RadioButtonGroup(name="way", labels=list(WAYS.values()), visible=False)
+        self.way = RadioButtonGroup(name="way", labels=[], visible=False)
         self.forget = Button(name="forget", label="Forget the choices made", visible=False)
-        self.worker = Worker(controller.document, self._compute, self._keep)
+        self.worker = Worker(controller.document, followed, self._keep)
+        self.chooser = Worker(controller.document, lambda order: ways_at(*order), self._offer)
         self._listen()
 
     @property
     def roots(self) -> list[Any]:
         """What the template places."""
-        widgets = [self.follow, self.play, self.time, self.words, self.way, self.forget]
+        widgets = [self.follow, self.play, self.time, self.way, self.forget]
         return [*widgets, self.canvas.bar, self.canvas.energy]
 
     def _listen(self) -> None:
@@ -118,7 +109,7 @@ class Follower:
         if following:
             self.controller.view.solution.disabled = True
         if not following:
-            self.way.visible, self.words.text = False, ""
+            self._show_ways(())
 
     def _toggle(self, active: bool) -> None:
         if not self.quiet:
@@ -133,10 +124,12 @@ class Follower:
         self.play.label = "Pause" if active else "Play"
         if active and self.motion is not None and self._now >= self.motion.times[-1]:
             self._scrub(0.0)
+        elif not active:
+            self._draw()
 
     def _tick(self) -> None:
         """Go on while the motion is played."""
-        if self.play.active and self.motion is not None and self.controller.drawn_all:
+        if self.play.active and self.motion is not None and self.controller.has_room:
             end = float(self.motion.times[-1])
             later = min(self._now + end * STEP / 1000 / WHOLE, end)
             self._scrub(later)
@@ -168,9 +161,6 @@ class Follower:
 
     # -- the motion --------------------------------------------------------------------------
 
-    def _compute(self, wanted: State) -> Motion:
-        return followed(wanted)
-
     def _keep(self, wanted: State, found: Any) -> None:
         if wanted != self.key:
             return
@@ -182,37 +172,34 @@ class Follower:
         self.controller.view.say(found.log.attrs["stopped"])
         self.canvas.show(mode_bar(found), found.times, energies(found))
         self._guarded(lambda: self.time.update(end=float(found.times[-1])))
-        self.controller.view.scene.fit(found.bounds)
+        self.controller.frame(found.bounds)
         self._draw()
 
     def _draw(self) -> None:
         """Show the instant of the state."""
-        if self.motion is None:
+        if self.motion is None or self.controller.state.time is None:
             return
         now = min(self._now, float(self.motion.times[-1]))
-        columns = self.controller.view.scene.named(picture(self.motion, now))
-        self.controller.send(columns, {"words": heading(self._sentence(now))})
+        if self.play.active:
+            self._show_ways(())
+        else:
+            self.chooser.ask((self.controller.state, self.motion, now))
+        self.controller.send(picture(self.motion, now), {"words": said_at(self.motion, now)})
         self.canvas.mark(now)
-        self._guarded(lambda: self._say(now))
+        self._guarded(lambda: self.time.update(value=now))
 
-    def _sentence(self, now: float) -> str:
-        """What the contact does now."""
-        assert self.motion is not None
-        row = row_at(self.motion, now)
-        data = self.motion.data
-        mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
-        more = "" if count < 2 else f", one of {NUMBERS[count]} consistent ways"
-        return f"At time {now:.3f} {DOES[mode]}{more}."
+    def _offer(self, order: tuple[State, Motion, float], found: Any) -> None:
+        """Offer the ways on from an instant, if it is still the one that is shown."""
+        if order[0] == self.controller.state:
+            self._show_ways(() if isinstance(found, BaseException) else found)
+            self.controller.resend()
 
-    def _say(self, now: float) -> None:
-        """Let the widgets show the instant, and the ways on."""
-        assert self.motion is not None
-        self.time.value = now
-        self.ways = ways_at(self.controller.state, self.motion, now)
-        labels = [WAYS[way] for way in self.ways]
-        self.way.update(visible=bool(labels), labels=labels, active=None)
-        self.words.text = f"From time {now:.3f} on take the way on which it" if labels else ""
+    def _show_ways(self, ways: tuple[str, ...]) -> None:
+        self.ways, labels = ways, [WAYS[way] for way in ways]
+        self._guarded(lambda: self.way.update(visible=bool(ways), labels=labels, active=None))
+        self.controller.view.texts["choice"] = CHOICE if ways else ""
 
     def close(self) -> None:
-        """End the thread."""
+        """End the threads."""
         self.worker.close()
+        self.chooser.close()

@@ -25,9 +25,15 @@ class Rest:
     """Waits for rest, and then orders what takes longer than a picture."""
 
     def __init__(
-        self, document: Any, view: View, state: Callable[[], State], done: Callable[[], None]
+        self,
+        document: Any,
+        view: View,
+        state: Callable[[], State],
+        done: Callable[[], None],
+        draw_map: Callable[[State, modes.Map], None],
     ) -> None:
-        self.document, self.view, self.state, self.done = document, view, state, done
+        self.document, self.view, self.state = document, view, state
+        self.done, self.draw_map = done, draw_map
         self.mapper = Worker(document, self._map, self._failed)
         self.waiting: Any = None
         self.asked_at = 0.0
@@ -46,17 +52,16 @@ class Rest:
 
     def _rest(self) -> None:
         self.waiting, state = None, self.state()
-        self.view.mark(state)
         self.view.rest(query(state), lines(state))
+        self.done()
         if state.time is None:
             self.asked_at = time.monotonic()
             self.mapper.ask(state)
-            self.done()
 
     def _map(self, state: State) -> None:
         """In the mapper's thread: a coarse map first."""
         for each in modes.maps(state):
-            self.document.add_next_tick_callback(partial(self.view.draw_map, state, each))
+            self.document.add_next_tick_callback(partial(self.draw_map, state, each))
             if self.mapper.wanted:
                 return
 

@@ -6,23 +6,21 @@ import json
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 from bokeh.events import Tap
 from bokeh.models import (
     Button,
-    ColumnDataSource,
-    CustomJS,
     Div,
     RadioButtonGroup,
     Select,
 )
 
 from planar_pushing.explore.handles import Handle
-from planar_pushing.explore.page.canvas import ASPECT, Canvas, MapCanvas
-from planar_pushing.explore.page.channels import ADDRESS, DRAW, SAVE, Drag, on_pointer, pointer
+from planar_pushing.explore.page.canvas import Canvas, MapCanvas
+from planar_pushing.explore.page.channels import Channels, Drag, on_pointer
 from planar_pushing.explore.page.controls import controls
 from planar_pushing.explore.page.tables import legend, solutions
 from planar_pushing.explore.pictures.modes import AXES, Map
+from planar_pushing.explore.pictures.scene import Found
 from planar_pushing.explore.presets import presets
 from planar_pushing.explore.state import State
 
@@ -39,14 +37,10 @@ class View:
     """Figures, widgets and texts of the page."""
 
     def __init__(self) -> None:
-        self.scene = Canvas("scene", sizing_mode="scale_width", aspect_ratio=ASPECT)
-        self.curve = Canvas("curve", sizing_mode="scale_width", aspect_ratio=1.0)
-        self.curve.fit(np.array([(-1.5, -1.5), (1.5, 1.5)]), 1.0)
+        self.scene, self.curve = Canvas("scene"), Canvas("curve")
         self.map = MapCanvas()
         self.controls = controls()
-        self.words = Div(name="words", sizing_mode="stretch_width")
         self.status = Div(name="status", sizing_mode="stretch_width")
-        self.table = Div(name="solutions", sizing_mode="stretch_width")
         self.legend = Div(name="legend", sizing_mode="stretch_width")
         self.python = Div(name="python", sizing_mode="stretch_width")
         self.preset = Select(
@@ -58,37 +52,18 @@ class View:
         self.saves = {name: Button(name=name, label=word) for name, word in SAVES.items()}
         self.close = Button(name="close", label="Close", button_type="danger")
         self.modes: list[str] = []
-        self.known: dict[str, Any] = {}
+        self.texts: dict[str, str] = {}
+        self.known: dict[str, str] = {}
         self.said, self.rests = "", 0
-        self._channels()
-
-    def _channels(self) -> None:
-        """Sources by which page and server speak: they hold one number or text each."""
-        self.ticks = ColumnDataSource({"number": [0], "moves": [0], "picture": [""]}, name="beat")
-        self.drawn = ColumnDataSource({"number": [0]}, name="drawn")
-        self.keys = ColumnDataSource(
-            {"right": [], "up": [], "coarse": [], "number": []}, name="keys"
-        )
-        self.file = ColumnDataSource({"name": [], "content": []}, name="file")
-        self.address = ColumnDataSource({"query": [], "number": []}, name="address")
-        self.pointer, self.curve_pointer = pointer("scene"), pointer("curve")
-        # No glyph refers to them: the document finds them here.
-        heard = [self.drawn, self.keys, self.pointer, self.curve_pointer]
-        self.scene.figure.tags = [self.ticks, self.file, self.address, *heard]
-        texts = [self.words, self.table]
-        targets = [*self.scene.sources.values(), *self.curve.sources.values(), *texts]
-        for each in targets:  # the page fills them itself, and has nothing to report
-            each.syncable = False
-        js = {"drawn": self.drawn, "beat": self.ticks, "targets": targets}
-        self.ticks.js_on_change("data", CustomJS(args=js, code=DRAW))
-        self.file.js_on_change("data", CustomJS(args={"file": self.file}, code=SAVE))
-        self.address.js_on_change("data", CustomJS(args={"address": self.address}, code=ADDRESS))
+        self.channels = Channels()
+        # No glyph refers to the channels: the document finds them here.
+        self.map.figure.tags = self.channels.all
 
     @property
     def roots(self) -> list[Any]:
         """Everything that the template places, by its name."""
-        shown = [self.scene.figure, self.curve.figure, self.map.figure, self.words, self.status]
-        shown += [self.table, self.legend, self.python, self.preset, self.handle, self.solution]
+        shown = [self.map.figure, self.status, self.legend, self.python]
+        shown += [self.preset, self.handle, self.solution]
         shown += [each.widget for each in self.controls.values()]
         shown += [*self.saves.values(), self.close]
         return shown
@@ -103,14 +78,15 @@ class View:
             ready()
 
         document.on_event("document_ready", fresh)
+        document.js_on_event("document_ready", self.channels.script)
 
     def on_drag(self, grab: Drag, drag: Drag, drop: Callable[[], None]) -> None:
         """Drags on the picture, by mouse, pen or finger."""
-        on_pointer(self.pointer, grab, drag, drop)
+        on_pointer(self.channels.pointers["scene"], self.scene, grab, drag, drop)
 
     def on_curve(self, aim: Drag, drop: Callable[[], None]) -> None:
         """Drags on the limit curve, which aim the force."""
-        on_pointer(self.curve_pointer, aim, aim, drop)
+        on_pointer(self.channels.pointers["curve"], self.curve, aim, aim, drop)
 
     def on_map(self, go: Callable[[float, float], None]) -> None:
         """Clicks on the map."""
@@ -123,11 +99,22 @@ class View:
             if new["right"]:
                 key(int(new["right"][0]), int(new["up"][0]), bool(new["coarse"][0]))
 
-        self.keys.on_change("data", pressed)
+        self.channels.keys.on_change("data", pressed)
 
-    def on_drawn(self, drew: Callable[[int], None]) -> None:
-        """The number of the picture that the page has drawn."""
-        self.drawn.on_change("data", lambda name, old, new: drew(int(new["number"][0])))
+    def on_taken(self, took: Callable[[int], None]) -> None:
+        """The number of the picture that the page has taken."""
+        self.channels.taken.on_change("data", lambda name, old, new: took(int(new["number"][0])))
+
+    def on_sizes(self, resized: Callable[[], None]) -> None:
+        """The pictures have another size."""
+
+        def heard(name: str, old: Any, new: Any) -> None:
+            for canvas in (self.scene, self.curve):
+                width, height = new[canvas.name]
+                canvas.size = float(width), float(height)
+            resized()
+
+        self.channels.sizes.on_change("data", heard)
 
     def on_choice(self, handle: Callable[[int], None], solution: Callable[[str], None]) -> None:
         """The handle that the keys move, and the solution that is drawn in full."""
@@ -136,39 +123,45 @@ class View:
 
     # -- what is shown -----------------------------------------------------------------------
 
-    def read(self, state: State) -> None:
-        """Let the widgets show a state."""
+    def read(self, state: State, found: Found | None) -> None:
+        """Let the widgets show a state, and its solutions."""
         for control in self.controls.values():
             wanted = control.options(state) | {control.holds: control.read(state)}
             fresh = {k: each for k, each in wanted.items() if getattr(control.widget, k) != each}
             if fresh:
                 control.widget.update(**fresh)
+        if found is not None and state.time is None:
+            self._offer(found)
 
-    def draw(self, found: Any, number: int, moves: int) -> None:
-        """Show pictures and words."""
-        columns = self.scene.named(found.scene) | self.curve.named(found.curve)
-        texts = {"words": heading(found.words), "solutions": solutions(found.found)}
-        self.send(columns, texts, number, moves)
-        self.modes = [each.mode.name for each in found.found.solutions]
+    def _offer(self, found: Found) -> None:
+        """Offer each solution to be drawn in full."""
+        self.modes = [each.mode.name for each in found.solutions]
         labels = [name.replace("_", " ").capitalize() for name in self.modes] or ["None"]
-        self.solution.update(
-            labels=labels, active=max(found.found.shown, 0), disabled=len(labels) < 2
-        )
+        self.solution.update(labels=labels, active=max(found.shown, 0), disabled=len(labels) < 2)
 
-    def send(self, columns: dict[str, Any], texts: dict[str, str], number: int, moves: int) -> None:
-        """Send a picture, its number and that of the moves that it answers; what is known is left out."""
-        fresh = {name: each for name, each in columns.items() if self.known.get(name) != each}
-        said = {name: each for name, each in texts.items() if self.known.get(name) != each}
-        self.known |= fresh | said
-        picture = json.dumps({"columns": fresh, "texts": said})
-        self.ticks.data = {"number": [number], "moves": [moves], "picture": [picture]}
+    def draw(self, found: Any) -> None:
+        """Show the pictures of a push."""
+        self.curve.columns = found.curve
+        self.show(found.scene, {"words": found.words, "solutions": solutions(found.found)})
 
-    def mark(self, state: State) -> None:
-        """Move the cross on the map: less often than the rest, as the whole map is painted anew."""
-        axis = AXES[self.controls["across"].read(state)]
-        place = {"x": [axis.here(state)], "y": [state.angle]}
-        if self.map.cross.data != place:
-            self.map.cross.data = place
+    def show(self, columns: dict[str, Any], texts: dict[str, str]) -> None:
+        """Show a picture and texts."""
+        self.scene.columns = columns
+        self.texts |= texts
+
+    def send(self, state: State, number: int, moves: int) -> None:
+        """Send what is new of what is shown, with its number and that of the moves that it answers."""
+        cross = {"cross": self.map.cross(self._across(state), state.angle)}
+        shown = self.scene.drawn | self.curve.drawn | cross | self.texts
+        fresh = {name: each for name, each in shown.items() if self.known.get(name) != each}
+        self.known = shown
+        self.channels.picture.data = {
+            "number": [number], "moves": [moves], "content": [json.dumps(fresh)],
+        }  # fmt: skip
+
+    def _across(self, state: State) -> float:
+        """Place of a state across its map."""
+        return AXES[self.controls["across"].read(state)].here(state)
 
     def draw_map(self, state: State, found: Map) -> None:
         """Show a map and its legend."""
@@ -182,7 +175,7 @@ class View:
     def rest(self, query: str, lines: str) -> None:
         """The address and the lines of Python."""
         self.rests += 1  # so that a page that was loaded again hears it too
-        self.address.data = {"query": [query], "number": [self.rests]}
+        self.channels.address.data = {"query": [query], "number": [self.rests]}
         text = lines.replace("&", "&amp;").replace("<", "&lt;")
         self.python.text = f"<pre>{text}</pre>"
 
@@ -204,12 +197,7 @@ class View:
 
     def save(self, name: str, content: str) -> None:
         """Hand a file, in base64, to the browser."""
-        self.file.data = {"name": [name], "content": [content]}
-
-
-def heading(words: str) -> str:
-    """The sentence above the picture, read aloud where it changes."""
-    return f'<h2 aria-live="polite">{words}</h2>'
+        self.channels.file.data = {"name": [name], "content": [content]}
 
 
 def _capital(word: str) -> str:

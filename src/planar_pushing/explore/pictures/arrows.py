@@ -1,4 +1,8 @@
-"""Arrows and cones of the page: filled heads for forces, open ones for motions, as in the figures."""
+"""Arrows and cones of the page: filled heads for forces, open ones for motions, as in the figures.
+
+In the figures matplotlib makes the points of both: heads in points of the paper, arcs as Bezier curves.
+On the page heads keep their part of an arrow at every size of the window, and areas are polygons.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +12,7 @@ import numpy.typing as npt
 from planar_pushing.explore.pictures.columns import Marks
 from planar_pushing.figures.parts.drawing import tint
 from planar_pushing.figures.style import FORCE, MOTION
-from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.plane import direction
 
 #: Length and half the width of a head, in units of the reach of arrows.
 HEAD = 0.13, 0.05
@@ -85,9 +89,3 @@ def cone(
     if left - right < 2 * np.pi - 1e-9:
         for edge in (rim[0], rim[-1]):
             marks.line([(0.0, 0.0), edge], color, 1.1)
-
-
-def circle(middle: npt.ArrayLike, radius: float) -> Array:
-    """Points around a circle."""
-    turns = np.linspace(0.0, 2 * np.pi, 73)
-    return np.asarray(np.asarray(middle, dtype=float) + radius * np.asarray(direction(turns)))

@@ -11,17 +11,15 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
 
-#: Columns of each kind of mark, which are the fields of the glyph that draws it.
+#: Columns of each kind of mark.
 COLUMNS: dict[str, tuple[str, ...]] = {
-    "areas": ("xs", "ys", "fill", "alpha", "line", "width"),
+    "areas": ("xs", "ys", "fill"),
     "lines": ("xs", "ys", "color", "width", "dash", "alpha"),
-    "heads": ("xs", "ys", "fill", "line", "alpha"),
+    "heads": ("xs", "ys", "fill", "alpha"),
     "dots": ("x", "y", "size", "fill", "line", "marker"),
     "labels": ("x", "y", "text", "color", "dx", "dy"),
     "handles": ("x", "y", "name", "size", "alpha"),
 }
-#: Digits of coordinates, which are sent as text.
-DIGITS = 5
 
 
 @dataclass(slots=True)
@@ -32,19 +30,10 @@ class Marks:
         default_factory=lambda: {name: [] for name in COLUMNS}
     )
 
-    def area(
-        self,
-        rings: Iterable[Array],
-        fill: str,
-        *,
-        alpha: float = 1.0,
-        line: Any = None,
-        width: float = 0.0,
-    ) -> None:
+    def area(self, rings: Iterable[Array], fill: str) -> None:
         """Area inside the first ring and outside of the others."""
         xs, ys = zip(*(_split(each) for each in rings), strict=True)
-        row = [list(xs)], [list(ys)], fill, alpha, line or fill, width
-        self.rows["areas"].append(row)
+        self.rows["areas"].append((list(xs), list(ys), fill))
 
     def line(
         self,
@@ -61,7 +50,7 @@ class Marks:
     def head(self, points: Any, color: str, *, filled: bool, alpha: float = 1.0) -> None:
         """Head of an arrow: filled for a force, open for a motion, as in the figures."""
         if filled:
-            self.rows["heads"].append((*_split(points), color, color, alpha))
+            self.rows["heads"].append((*_split(points), color, alpha))
         else:
             self.line(np.asarray(points)[:3], color, 2.2, alpha=alpha)
 
@@ -69,24 +58,21 @@ class Marks:
         self, place: npt.ArrayLike, size: float, fill: Any, line: str, marker: str = "circle"
     ) -> None:
         """Mark of a fixed size on the screen, pixels."""
-        x, y = np.asarray(place, dtype=float)
-        self.rows["dots"].append((_short(x), _short(y), size, fill, line, marker))
+        self.rows["dots"].append((*_place(place), size, fill, line, marker))
 
     def label(self, place: npt.ArrayLike, text: str, color: str, offset: npt.ArrayLike) -> None:
         """Text at an offset in pixels, y upwards."""
-        (x, y), (dx, dy) = np.asarray(place, dtype=float), np.asarray(offset, dtype=float)
-        row = _short(x), _short(y), text, color, round(float(dx), 1), round(float(-dy), 1)
-        self.rows["labels"].append(row)
+        dx, dy = _place(offset)
+        self.rows["labels"].append((*_place(place), text, color, dx, -dy))
 
     def handle(self, place: npt.ArrayLike, name: str, *, selected: bool) -> None:
         """Place that can be dragged."""
-        x, y = np.asarray(place, dtype=float)
-        alpha = 0.5 if selected else 0.18
-        self.rows["handles"].append((_short(x), _short(y), name, 30 if selected else 26, alpha))
+        size, alpha = (30, 0.5) if selected else (26, 0.18)
+        self.rows["handles"].append((*_place(place), name, size, alpha))
 
     @property
     def columns(self) -> dict[str, dict[str, list[Any]]]:
-        """The columns of each kind, as the page's sources hold them."""
+        """The columns of each kind, as lists."""
         return {name: as_columns(name, rows) for name, rows in self.rows.items()}
 
 
@@ -97,9 +83,10 @@ def as_columns(name: str, rows: list[tuple[Any, ...]]) -> dict[str, list[Any]]:
 
 
 def _split(points: Any) -> tuple[list[float], list[float]]:
-    rounded = np.round(np.asarray(points, dtype=float), DIGITS)
-    return rounded[:, 0].tolist(), rounded[:, 1].tolist()
+    xs, ys = np.asarray(points, dtype=float).T.tolist()
+    return xs, ys
 
 
-def _short(number: Any) -> float:
-    return round(float(number), DIGITS)
+def _place(given: npt.ArrayLike) -> tuple[float, float]:
+    x, y = np.asarray(given, dtype=float).tolist()
+    return x, y

@@ -12,7 +12,7 @@ from planar_pushing.explore.pictures.arrows import cone, force_arrow, motion_arr
 from planar_pushing.explore.pictures.columns import Marks
 from planar_pushing.explore.pictures.scene import PALE, Found, letter
 from planar_pushing.explore.state import State, build
-from planar_pushing.figures.parts.forces import ALIKE
+from planar_pushing.figures.parts.forces import flats
 from planar_pushing.figures.style import CENTER, DARK, FORCE, LIGHT
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.limit_curve import LimitCurve, limit_curve
@@ -77,11 +77,8 @@ def picture(state: State, given: Found) -> dict[str, Any]:
 
 def _flats(marks: Marks, points: Array, curve: LimitCurve) -> None:
     """Heavier line along the flats, where one pivot belongs to an interval of forces."""
-    motion = np.rad2deg(curve.motion_angle)
-    flat = np.concatenate([[False], np.abs(np.diff(motion)) < ALIKE, [False]])
-    turns = np.flatnonzero(flat[1:] != flat[:-1])
-    for start, stop in turns.reshape(-1, 2):
-        marks.line(points[start : stop + 1], CENTER, 4.5)
+    for flat in flats(np.rad2deg(curve.motion_angle)):
+        marks.line(points[flat], CENTER, 4.5)
 
 
 def _on_curve(

@@ -14,7 +14,7 @@ from planar_pushing.explore.pictures.columns import Marks
 from planar_pushing.explore.pictures.supports import add_centers, add_support
 from planar_pushing.explore.state import State, build
 from planar_pushing.explore.words import best
-from planar_pushing.figures.parts.drawing import tint
+from planar_pushing.figures.parts.drawing import hatching, tint
 from planar_pushing.figures.parts.sketch import CONE, Sketch
 from planar_pushing.figures.parts.supports import Ink
 from planar_pushing.figures.style import CENTER, FENCE, FORCE, GUIDE, MOTION, PUSHER, SLIDER, SLIP
@@ -115,9 +115,8 @@ def add_body(marks: Marks, state: State, frame: Frame) -> None:
 def fence(marks: Marks, middle: Any, half: float, depth: float) -> None:
     """Piece of the fence, hatched on the side away from the slider."""
     x, y = middle
-    starts = np.arange(x - half + depth, x + half + 1e-9 * depth, 0.8 * depth)
-    for each in starts:
-        marks.line([(each, y), (each - depth, y - depth)], FENCE, 0.8)
+    for stroke in hatching(x - half, x + half, depth, y):
+        marks.line(stroke, FENCE, 0.8)
     marks.line([(x - half, y), (x + half, y)], FENCE, 2.2)
 
 

@@ -106,11 +106,17 @@ def fence(
     ax: Axes, xmin: float, xmax: float, *, depth: float | None = None, color: str = FENCE
 ) -> None:
     """Fence along y = 0, hatched on the side away from the slider; `depth` is the strip's."""
-    strip = 0.03 * (xmax - xmin) if depth is None else depth
-    starts = np.arange(xmin + strip, xmax + 1e-9 * strip, 0.8 * strip)
-    strokes = [[(x, 0.0), (x - strip, -strip)] for x in starts]
+    strokes = hatching(xmin, xmax, 0.03 * (xmax - xmin) if depth is None else depth)
     ax.add_collection(LineCollection(strokes, colors=color, linewidths=0.5, zorder=1))
     ax.plot([xmin, xmax], [0, 0], color=color, linewidth=1.2, solid_capstyle="butt", zorder=2)
+
+
+def hatching(
+    xmin: float, xmax: float, depth: float, y: float = 0.0
+) -> list[list[tuple[float, float]]]:
+    """Strokes of a strip of a depth below a fence along `y`."""
+    starts = np.arange(xmin + depth, xmax + 1e-9 * depth, 0.8 * depth)
+    return [[(float(x), y), (float(x) - depth, y - depth)] for x in starts]
 
 
 def cone(

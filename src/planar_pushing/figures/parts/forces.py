@@ -72,7 +72,12 @@ def limit_curve(ax: Axes, sketch: Sketch) -> None:
     """The curve, heavier along its flats, where one pivot belongs to an interval of forces."""
     curve, motion = sketch.curve, sketch.data["limit_motion_angle"].values
     ax.plot(*curve.T, color=FORCE, linewidth=0.9, zorder=2.4)
+    for flat in flats(motion):
+        ax.plot(*curve[flat].T, color=CENTER, linewidth=2.4, zorder=2.5)
+
+
+def flats(motion: Array) -> list[slice]:
+    """Where a limit curve is flat: points whose motions have one angle, in degrees."""
     flat = np.concatenate([[False], np.abs(np.diff(motion)) < ALIKE, [False]])
-    turns = np.flatnonzero(flat[1:] != flat[:-1])
-    for start, stop in turns.reshape(-1, 2):
-        ax.plot(*curve[start : stop + 1].T, color=CENTER, linewidth=2.4, zorder=2.5)
+    turns = np.flatnonzero(flat[1:] != flat[:-1]).reshape(-1, 2)
+    return [slice(int(start), int(stop) + 1) for start, stop in turns]
