@@ -85,7 +85,7 @@ def test_the_support_is_dragged(page):
 def test_the_line_of_force_is_dragged(page):
     drag(page, handle(page, "line of force"), (0.0, 2.0))
     agrees(page)
-    assert "at 90\N{DEGREE SIGN}" in page.locator("tr.shown").inner_text().replace("89.9", "90")
+    assert re.search(r"at (89\.9|90)\N{DEGREE SIGN}", page.locator("tr.shown").inner_text())
 
 
 def test_the_force_is_aimed_on_the_limit_curve(page):
@@ -132,7 +132,7 @@ def test_the_tab_key_reaches_picture_and_widgets(page):
         page.keyboard.press("Tab")
         reached.add(page.evaluate("document.activeElement.id || document.activeElement.tagName"))
     assert "picture" in reached
-    assert len(reached) > 10 or "DIV" in reached
+    assert len(reached) > 10
 
 
 def test_touch_drags(chromium, server):

@@ -10,6 +10,8 @@ from browser.page import drag, handle, on_screen, settled
 DRAGS = 20_000
 #: A drag, as events of the mouse with the buttons that are down.
 DRAG = (("mousePressed", 1), ("mouseMoved", 1), ("mouseReleased", 0))
+#: Seconds from drag to drag at least: 30 a second, as many as pictures are asked for.
+PACE = 1 / 30
 #: Moves of a long drag, and degrees of a move.
 LONG, STEP = 600, 2.0
 #: Drags before memory is measured for the first time, and between two drags of the rod.
@@ -77,7 +79,9 @@ def block(page, session, count, random_of):
     settled(page)
     page.evaluate("noted.moves = []")  # those that changed nothing have no picture
     turn, place = around(page)
-    for _ in range(count):
+    start = time.perf_counter()
+    for number in range(count):
+        time.sleep(max(start + number * PACE - time.perf_counter(), 0.0))
         for kind, buttons in DRAG:
             turn = random_of.uniform(-np.pi, np.pi) if kind == "mouseMoved" else turn
             mouse(session, kind, place(turn), buttons)

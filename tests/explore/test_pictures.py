@@ -75,6 +75,7 @@ def test_the_arrows_are_the_solutions():
     found = scene.found(state)
     columns = scene.picture(state, found)
     forces, motions = angles(lines(columns, FORCE)), angles(lines(columns, MOTION))
+    assert len(found.solutions) == 3
     for each in found.solutions:
         if each.mode != pp.ContactMode.SEPARATE:
             force, moves = (
@@ -116,6 +117,7 @@ def test_the_force_lies_on_the_limit_curve_and_the_motion_is_its_normal(name, ma
 @pytest.mark.parametrize("name", ["figure_03", "figure_13", "figure_19", "figure_15"])
 def test_the_map_is_what_single_pushes_find(name):
     state = preset(name)
+    assert modes.axes_of(state)
     for across in modes.axes_of(state):
         found = modes.mode_map(replace(state, across=across), (8, 5))
         assert found.axis == across
@@ -137,7 +139,7 @@ def test_a_click_on_the_cross_stays_there():
             assert there.magnitude == pytest.approx(state.magnitude)
 
 
-def test_the_words_are_those_of_the_issue():
+def test_the_outcome_is_said_in_words():
     state = pushed(preset("figure_06"), -10.0, 1.0)
     found = scene.found(state)
     assert outcome(tuple(found.solutions), found.pusher, found.shown) == (

@@ -1,4 +1,4 @@
-"""What happens next: the push of a state followed over time, with every choice that was taken."""
+"""What happens next: the push of a state followed over time, with every choice of the user."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 
-#: Ways on that can be taken by hand, by the policies that prefer them.
+#: Contact modes that the user can choose, by the policies that prefer them.
 WAYS = {
     "stick": "sticks",
     "slip-right": "slips to the right",
@@ -89,7 +89,7 @@ def said_at(motion: Motion, time: float) -> str:
 
 
 def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
-    """Ways on that are consistent at a time, where there are several.
+    """Contact modes that are consistent at a time, where there are several.
 
     The simulation says so: a policy that prefers a mode takes it wherever it is consistent.
     """
@@ -108,7 +108,7 @@ def _is_consistent(state: State, way: str) -> bool:
 
 
 def taken(state: State, way: str) -> State:
-    """The state in which a way is taken by hand at its time; choices behind it are void."""
+    """The state in which a mode is chosen at its time; later choices are dropped."""
     section = state.file.simulate
     time = round(state.time or 0.0, 9)
     before = [each.model_dump() for each in section.policies if each.time < time] if section else []
@@ -116,12 +116,12 @@ def taken(state: State, way: str) -> State:
 
 
 def forgotten(state: State) -> State:
-    """The state without any choice by hand."""
+    """The state without choices of the user."""
     return _with_policies(state, first_policy(state))
 
 
 def chosen(state: State) -> bool:
-    """Whether a way was taken by hand."""
+    """Whether the user chose a mode."""
     section = state.file.simulate
     return section is not None and len(section.policies) > 1
 

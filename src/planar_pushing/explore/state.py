@@ -64,11 +64,6 @@ class State:
             return float(scene.slider.radius)
         return float(support_of(scene).extent)
 
-    @property
-    def scripted(self) -> bool:
-        """Whether the file moves the pusher in pieces, of which the arrow shows the first."""
-        return bool(self.file.simulate and self.file.simulate.pusher)
-
 
 @lru_cache(maxsize=64)
 def build(file: SceneFile) -> Scene:
@@ -115,7 +110,7 @@ def pushed(state: State, angle: float, magnitude: float) -> State:
 
 
 def first_policy(state: State) -> str:
-    """What decides between contact modes before any choice by hand."""
+    """The policy before any choice of the user."""
     section = state.file.simulate
     return str(section.policies[0].policy if section else Policy.KEEP_CONTACT)
 

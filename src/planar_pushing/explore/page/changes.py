@@ -43,7 +43,7 @@ def law_name(state: State) -> str:
 
 
 def coefficient(state: State) -> float:
-    """The coefficient of friction; that which Coulomb's law would take up where there is none."""
+    """The coefficient of friction, or the default of Coulomb's law where the scene has none."""
     return float(getattr(state.scene.contact, "friction_coefficient", COEFFICIENT))
 
 
@@ -79,7 +79,7 @@ def kinds(state: State) -> list[int]:
 
 
 def with_kinds(state: State, active: list[int]) -> State:
-    """The state with these effects; the one that goes last stays."""
+    """The state with these effects; the last effect cannot be removed."""
     fresh: dict[EffectKind, dict[str, Any]] = {
         FRICTION: {"type": "ring_friction"},
         INERTIA: {"type": "inertia", "gyration_radius": state.size},

@@ -1,4 +1,4 @@
-"""How page and server speak: sources of data that one of them sets, and the other hears."""
+"""Messages between page and server: sources of data that one of them sets and the other hears."""
 
 from __future__ import annotations
 

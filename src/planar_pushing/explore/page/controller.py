@@ -74,7 +74,7 @@ class Controller:
         self.rest.later()
 
     def change(self, make: Callable[[State], State]) -> None:
-        """Put the state that a change makes; one that is not allowed is said."""
+        """Show the state that a change makes, or say why it is not allowed."""
         try:
             state = make(self.state)
             _ = state.scene
@@ -196,7 +196,7 @@ class Controller:
             self.resend()
 
     def close(self) -> None:
-        """End the threads of a page that is gone."""
+        """End the threads of a page that was closed."""
         self.painter.close()
         self.rest.close()
 

@@ -1,4 +1,4 @@
-"""Following a push over time on the page: play, scrub, and take the ways on by hand."""
+"""Following a push over time on the page: play, scrub, and choose among consistent modes."""
 
 from __future__ import annotations
 
@@ -150,7 +150,7 @@ class Follower:
             self._scrub(min(max(given, 0.0), float(self.motion.times[-1])))
 
     def _take(self, index: int | None) -> None:
-        """Take a way by hand where several are consistent."""
+        """Choose a mode where several are consistent."""
         if self.quiet or self.motion is None or index is None:
             return
         self.play.active = False
@@ -189,7 +189,7 @@ class Follower:
         self._guarded(lambda: self.time.update(value=now))
 
     def _offer(self, order: tuple[State, Motion, float], found: Any) -> None:
-        """Offer the ways on from an instant, if it is still the one that is shown."""
+        """Offer the modes to choose from at an instant, if it is still the one that is shown."""
         if order[0] == self.controller.state:
             self._show_ways(() if isinstance(found, BaseException) else found)
             self.controller.resend()

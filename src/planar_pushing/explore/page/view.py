@@ -71,7 +71,7 @@ class View:
     # -- what is told ------------------------------------------------------------------------
 
     def on_ready(self, document: Any, ready: Callable[[], None]) -> None:
-        """The page is there, and has nothing drawn."""
+        """The page is loaded, with nothing drawn."""
 
         def fresh(event: Any) -> None:
             self.known = {}
@@ -185,7 +185,7 @@ class View:
         self.wait(False)
 
     def wait(self, waits: bool) -> None:
-        """Say that something takes long, or what was said before."""
+        """Say that a computation takes long, or restore the message before."""
         text = (
             "Compiling this kind of slider, once: up to half a minute \u2026"
             if waits
