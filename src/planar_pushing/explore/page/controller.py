@@ -21,9 +21,8 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import PlanarPushingError
 
 LOG = logging.getLogger("planar_pushing")
-#: Milliseconds between looks at the page, and looks from one change of the widgets to the next while a
-#: handle is dragged: they are slow to paint.
-LOOK, WIDGETS = 100, 10
+#: Milliseconds between looks at the page.
+LOOK = 100
 
 
 class Controller:
@@ -33,7 +32,6 @@ class Controller:
         self.document, self.view, self.state = document, view, state
         self.found: scene.Found | None = None
         self.quiet = self.stale = False
-        self.looks = 0
         self.listeners: list[Callable[[State], None]] = []
         self.pointing = Pointing(self)
         self.painter = Painter(document, view, self._show)
@@ -54,7 +52,7 @@ class Controller:
     # -- states ------------------------------------------------------------------------------
 
     def put(self, state: State) -> None:
-        """Show another state; while a handle is dragged the widgets follow a little later."""
+        """Show another state; while a handle moves the widgets wait, which are slow to paint."""
         self.state, self.stale = state, True
         if self.pointing.held is None:
             self.show_widgets()
@@ -174,8 +172,7 @@ class Controller:
         """Go on where a page is slow to answer, and show what may be late."""
         self.painter.worker.go_on()
         self.pointing.follow()
-        self.looks += 1
-        if self.stale and self.looks % WIDGETS == 0:
+        if self.stale and self.rest.over:
             self.show_widgets()
         self.view.wait(self.painter.waits or self.rest.waits)
 

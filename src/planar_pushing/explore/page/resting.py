@@ -46,6 +46,11 @@ class Rest:
         self.waiting = self.document.add_timeout_callback(self._rest, REST)
 
     @property
+    def over(self) -> bool:
+        """Whether nothing has changed for a while."""
+        return self.waiting is None
+
+    @property
     def waits(self) -> bool:
         """Whether the map takes unusually long, as it does while its code is compiled."""
         return self.mapper.busy and time.monotonic() - self.asked_at > LONG
