@@ -126,12 +126,20 @@ def test_keys_move_the_handle_that_is_chosen(page):
     assert state(page).file.slider.rod_length == pytest.approx(3.6)
 
 
+#: What has the focus, inside of the widgets' own trees too: its name or its text.
+FOCUSED = """() => {
+  let found = document.activeElement
+  while (found.shadowRoot && found.shadowRoot.activeElement) found = found.shadowRoot.activeElement
+  return found.id || found.textContent.trim() || found.tagName
+}"""
+
+
 def test_the_tab_key_reaches_picture_and_widgets(page):
     reached = set()
     for _ in range(60):
         page.keyboard.press("Tab")
-        reached.add(page.evaluate("document.activeElement.id || document.activeElement.tagName"))
-    assert "picture" in reached
+        reached.add(page.evaluate(FOCUSED))
+    assert {"picture", "Rod", "Finger"} <= reached
     assert len(reached) > 10
 
 
