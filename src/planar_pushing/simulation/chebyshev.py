@@ -14,7 +14,7 @@ from planar_pushing.simulation.fence import POINTS
 #: Points in a piece: the zeros of a Chebyshev polynomial, so that a piece sees its own side of a jump.
 NODES = np.cos(np.pi * (np.arange(POINTS)[::-1] + 0.5) / POINTS)
 TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(NODES, POINTS - 1))
-#: What rounding leaves of values and of coefficients, relative to the largest of a piece.
+#: Rounding errors of values and of coefficients, relative to the largest of a piece.
 ROUNDING = 2e-15
 #: Points beside the nodes, at which an interpolant is checked.
 CHECKS = np.array([-0.97, 0.021, 0.53])

@@ -18,7 +18,7 @@ VELOCITY, ACCELERATION, MEAN = 0, 2, 4
 #: Coefficients of a piece at most.
 POINTS = 16
 #: A piece, in radii of the slider: its time, its degree, the pieces of its span from `first` to before
-#: `last`, the policy that holds in it, what rounding leaves of each part of its velocity, the displacement
+#: `last`, the policy that holds in it, the rounding error of each part of its velocity, the displacement
 #: at its start, and its coefficients.
 PIECE = np.dtype(
     [

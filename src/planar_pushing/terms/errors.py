@@ -32,7 +32,7 @@ class InvalidValue(PlanarPushingError, ValueError):
     Parameters
     ----------
     name : str
-        The parameter, in the words of the public interface.
+        Name of the parameter in the public interface.
     given : object
         What was given.
     allowed : str

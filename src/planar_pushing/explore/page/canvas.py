@@ -28,7 +28,7 @@ CODES = 1 << len(ContactMode)
 #: Room around the map, pixels: more than its labels take, so that its place does not depend on them.
 BORDERS = {"left": 76, "right": 12, "top": 8, "bottom": 56}
 FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif"
-#: Colours of the energies, which differ in brightness too, so that they can be told apart in grey.
+#: Colours of the energies. Their brightness differs too, for pictures in grey.
 ENERGIES = {
     "work": DARK,
     "support friction": "#D55E00",

@@ -10,7 +10,7 @@ import numpy.typing as npt
 import xarray as xr
 
 EPS = float(np.finfo(float).eps)
-#: Errors of at most so many units in the last place count as none to speak of.
+#: Errors of at most this many units in the last place count as rounding.
 FEW_ULP = 4
 #: Place of the hard cases in which two slips meet.
 PAINLEVE = 7

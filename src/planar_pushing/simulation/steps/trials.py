@@ -16,7 +16,7 @@ from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.shapes.base import Pose
 
-#: Relative to the speeds of a step: what rounding leaves of a slip.
+#: Rounding error of a slip, relative to the speeds of a step.
 SLACK = 1e-12
 #: Parts into which the range of a slip's impulse is cut; two roots in one part go unseen.
 PARTS = 6

@@ -221,7 +221,7 @@ def rates(system, mode, time, state, found):
     """Write down the derivative of the state."""
     now = motion(system, mode, time, state)
     found[ALONG], found[GAP], found[ANGLE] = now.slip, now.rise, now.spin
-    # A rest or a flight over the fence is no slip of the contact.
+    # The contact does not slip while the slider rests or flies over the fence.
     found[SLIP] = now.slip if contact_mode(mode.kind) != SEPARATE else 0.0
     found[LOST] = -now.f_x * now.slip - now.f_y * now.rise
     found[WORK] = now.f_x * now.fence_x + now.f_y * now.fence_y

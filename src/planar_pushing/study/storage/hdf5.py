@@ -1,6 +1,6 @@
 """Files of HDF5 that can be read: whole, of their own, and no larger than what they hold.
 
-What a damaged or a foreign file declares is looked at before it is read.
+The sizes that a file declares are checked before it is read: it may be damaged or foreign.
 """
 
 from __future__ import annotations
