@@ -77,10 +77,27 @@ class Locator(UserProvidedCacheLocator):  # type: ignore[misc]
 
 def compiled(function: Function) -> Function:
     """Compile a function of numbers, without fast mathematics: every run gives the same results."""
+    return _cached(function)
+
+
+def reading(function: Function) -> Function:
+    """Compile a function that reads arrays and makes none: it counts no references to them."""
+    return _cached(function, _nrt=False)
+
+
+def summing(function: Function) -> Function:
+    """Compile a sum over an array as a part of its callers; it adds several terms at once.
+
+    The processor decides how many, and so in which order they are added: the same on every run.
+    """
+    return _cached(function, _nrt=False, forceinline=True, fastmath={"reassoc"})
+
+
+def _cached(function: Function, **options: Any) -> Function:
     before = numba.config.CACHE_LOCATOR_CLASSES
     numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{Locator.__name__}"
     try:
-        made = numba.njit(cache=True, **OPTIONS)(function)
+        made = numba.njit(cache=True, **OPTIONS, **options)(function)
     finally:
         numba.config.CACHE_LOCATOR_CLASSES = before
     return made  # type: ignore[no-any-return]

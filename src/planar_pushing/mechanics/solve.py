@@ -18,7 +18,6 @@ from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.modes import MOST, contact_modes
 from planar_pushing.mechanics.numerics.arrays import (
     Output,
-    dataset,
     elementwise,
     is_labelled,
     mapped,
@@ -207,9 +206,11 @@ def _solutions(solutions: Any, mode: Any, **values: Array) -> Solutions:
 
 
 def _dataset(found: list[Any]) -> Any:
-    merged = dataset(found)
-    merged["consistent"] = merged.mode >= 0
-    merged["outcome"] = np.minimum(merged.solutions, Outcome.AMBIGUOUS).astype(np.int8)
+    # The results of one call have the same coordinates: variables need not be aligned.
+    variables = {each.name: each.variable for each in found}
+    variables["consistent"] = variables["mode"] >= 0
+    variables["outcome"] = np.minimum(variables["solutions"], Outcome.AMBIGUOUS).astype(np.int8)
     for name in ("consistent", "outcome"):
-        merged[name].attrs = attributes(MECHANICS, name)
+        variables[name].attrs = attributes(MECHANICS, name)
+    merged = found[0].to_dataset().assign(variables)
     return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import contextvars
+import threading
+
 import numba
 import numpy as np
 import pytest
@@ -33,6 +36,21 @@ def test_blocks_cover_every_row_once(size, threads, monkeypatch):
     assert parts.shape == (size, 2)
     assert parts.dtype == np.float32
     assert np.array_equal(parts[:, 1], np.full(size, 2.0))
+
+
+@pytest.mark.parametrize("cores", [1, 2])
+def test_a_call_uses_the_cores_that_its_caller_gives_it(cores):
+    threads = set()
+
+    def noting(kinds, rows, sums):
+        threads.add(threading.get_ident())
+
+    def call():
+        arrays.CORES.set(cores)
+        mapped(noting, (), [np.arange(8.0 * BLOCK)], OUTPUTS[:1])
+
+    contextvars.copy_context().run(call)
+    assert (threads == {threading.get_ident()}) == (cores == 1)
 
 
 def test_rows_of_broadcast_columns():

@@ -120,6 +120,31 @@ def test_an_atom_that_is_hit_is_named_and_gives_no_force(i):
     assert moments(record, place[0] + 1e-13, place[1]).atom == -1
 
 
+@pytest.mark.parametrize("count", range(1, 20))
+def test_any_number_of_points_adds_up(count):
+    """The compiler adds several points at once, and those that are left one by one."""
+    random_of = np.random.default_rng(count)
+    places, loads = random_of.normal(size=(count, 2)), random_of.uniform(0.1, 1.0, count)
+    support, shares = Points(places, loads), loads / loads.sum()
+    for i, c in enumerate([*places, np.array([0.3, 0.2])]):
+        found, offset = at(support, c), places - c
+        distance = np.hypot(*offset.T)
+        apart = distance > 0
+        unit = (shares[:, None] * offset)[apart] / distance[apart, None]
+        torque = ((places - shares @ places)[apart] * unit).sum()
+        assert found.atom == (i if i < count else -1)
+        assert found.distance == pytest.approx(shares @ distance, abs=1e-15 * count)
+        assert found[1:4] == pytest.approx((*unit.sum(axis=0), torque), abs=1e-15 * count)
+
+
+def test_calls_keep_no_reference_to_the_arrays():
+    record = SUPPORTS["composite"][0].record(1.0)
+    before = [sys.getrefcount(each) for each in (record.rows, record.multipoles)]
+    for c in [(0.3, 0.2), (4.0, 3.0)] * 20:
+        moments(record, *c)
+    assert [sys.getrefcount(each) for each in (record.rows, record.multipoles)] == before
+
+
 def test_atoms_at_one_place_are_one():
     double = Points([(1.0, 0.0), (0.0, 0.0), (1.0, 0.0)], [1.0, 2.0, 3.0])
     assert double.record(1.0).rows[:, :3].tolist() == [[1.0, 0.0, 4 / 6], [0.0, 0.0, 2 / 6]]

@@ -1,10 +1,13 @@
 """A dataset that is written block by block is the one that is written whole."""
 
+import threading
+
 import h5py
 import numpy as np
 import pytest
 import xarray as xr
 
+from planar_pushing.mechanics.numerics.arrays import CORES
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import SPLIT
 from planar_pushing.study.grids.streaming import stream_dataset
@@ -66,6 +69,19 @@ def test_the_bytes_do_not_depend_on_the_threads(tmp_path):
     for threads in (1, 3):
         stream("contact_modes", tmp_path / f"{threads}.nc", threads=threads)
     assert (tmp_path / "1.nc").read_bytes() == (tmp_path / "3.nc").read_bytes()
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_each_thread_uses_one_core(tmp_path, threads):
+    cores = {}
+
+    def noting(part):
+        cores[threading.current_thread()] = CORES.get(None)
+        return grid(part)
+
+    stream_dataset(noting, {"a": 70, "b": 90}, tmp_path / "a.nc", most=500, threads=threads)
+    assert cores.pop(threading.main_thread()) is None
+    assert set(cores.values()) == {1}
 
 
 def grid(part):

@@ -10,6 +10,7 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextvars import ContextVar
 from dataclasses import fields
 from typing import Any, NamedTuple
 
@@ -23,6 +24,8 @@ from planar_pushing.terms.quantities import MECHANICS, attributes
 
 #: Rows of a block: a millisecond to a hundred of work, so that Ctrl-C is heard and threads cost little.
 BLOCK = 32768
+#: Cores that calls may use, where the caller has a say; otherwise all.
+CORES: ContextVar[int] = ContextVar("CORES")
 
 
 class Output(NamedTuple):
@@ -82,11 +85,12 @@ def _flat(array: Array, shape: tuple[int, ...]) -> Array:
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
     """Call a function for each start on all cores; Ctrl-C ends it after the calls under way."""
-    if numba.config.NUMBA_NUM_THREADS == 1:
+    cores = CORES.get(numba.config.NUMBA_NUM_THREADS)
+    if cores == 1:
         for start in starts:
             block(start)
         return
-    with ThreadPoolExecutor(numba.config.NUMBA_NUM_THREADS) as pool:
+    with ThreadPoolExecutor(cores) as pool:
         try:
             for _ in pool.map(block, starts):
                 pass

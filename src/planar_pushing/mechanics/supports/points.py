@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import inlined
+from planar_pushing.mechanics.compiled import summing
 from planar_pushing.mechanics.supports.base import Position, positions, weights
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pieces, Pressure
@@ -61,7 +61,7 @@ class Points:
         return assembled(self.pieces(), radius)
 
 
-@inlined
+@summing
 def of_atoms(pressure, x, y):
     """Sum over the atoms, its torque about p, and which is at (x, y), or -1; that one gives no force."""
     rows, first, hit = pressure.rows, pressure.starts[ATOMS], -1
@@ -71,9 +71,9 @@ def of_atoms(pressure, x, y):
         r_x, r_y = q_x - x, q_y - y
         square = r_x * r_x + r_y * r_y
         apart = square > rows[i, 3]
-        hit = hit if apart else i - first
+        hit = max(hit, -1 if apart else i - first)
         # The square root and the division do not wait for one another.
-        away, bend = sqrt(square), 1.0 / square if apart else 0.0
+        away, bend = sqrt(square), (1.0 if apart else 0.0) / (square if apart else 1.0)
         f_x, f_y = share * (away * bend) * r_x, share * (away * bend) * r_y
         distance += share * away
         unit_x += f_x

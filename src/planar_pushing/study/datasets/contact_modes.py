@@ -62,14 +62,15 @@ def _extremes(found: xr.Dataset, radius: float) -> dict[str, npt.NDArray[Any]]:
     NaN where there is none; zero at rest, which has no force. Shape S + (modes,).
     """
     filled = found.isel(solution=slice(max(int(found.solutions.max()), 1)))
-    filled = filled.transpose("solution", ...)
-    v_x, v_y, spin = np.moveaxis(filled.twist.values, -1, 0)
-    speed = np.sqrt(v_x**2 + v_y**2 + (radius * spin) ** 2)
-    values = {
-        "spin_ratio": filled.spin_ratio.values,
-        "force_angle": angles_of(filled.force.values),
-    }
-    modes = [_of_mode(filled.mode.values == int(mode), speed, values) for mode in ContactMode]
+    filled = filled.transpose("xy", "twist_component", "solution", ...)
+    # One after another in memory: they are read many times.
+    mode, twist, force, spin_ratio = (
+        np.ascontiguousarray(filled[name].values)
+        for name in ("mode", "twist", "force", "spin_ratio")
+    )
+    speed = np.sqrt(twist[0] ** 2 + twist[1] ** 2 + (radius * twist[2]) ** 2)
+    values = {"spin_ratio": spin_ratio, "force_angle": angles_of(np.moveaxis(force, 0, -1))}
+    modes = [_of_mode(mode == int(each), speed, values) for each in ContactMode]
     rest = np.where(modes[ContactMode.SEPARATE]["consistent"] > 0, 0.0, np.nan)
     modes[ContactMode.SEPARATE] |= dict.fromkeys(VALUES, rest)
     return {name: np.stack([each[name] for each in modes], axis=-1) for name in modes[0]}

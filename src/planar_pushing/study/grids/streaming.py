@@ -19,6 +19,7 @@ import h5py
 import numpy as np
 import xarray as xr
 
+from planar_pushing.mechanics.numerics.arrays import CORES
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.study.storage.parts import Part, blocks
 from planar_pushing.study.storage.store import LEVEL, stored_chunks, write_dataset
@@ -63,13 +64,14 @@ def stream_dataset(
         first = make(parts[0])
         _stretch(first, lengths, temporary)
         with h5py.File(temporary, "r+") as file:
-            layout = {name: each.chunks for name, each in file.items()}
+            variables = dict(file)  # opened once: that takes longer than to store a piece
+            layout = {name: each.chunks for name, each in variables.items()}
             jobs = (lambda part=part: list(pieces(make(part), part, layout)) for part in parts[1:])
             for found in itertools.chain(
                 [pieces(first, parts[0], layout)], _in_order(jobs, threads)
             ):
                 for piece in found:
-                    _store(file[piece.name], piece)
+                    _store(variables[piece.name], piece)
 
 
 def _stretch(first: xr.Dataset, lengths: Mapping[str, int], path: Path) -> None:
@@ -143,9 +145,9 @@ def _store(variable: h5py.Dataset, piece: Piece) -> None:
 
 
 def _in_order(jobs: Iterable[Callable[[], Any]], threads: int) -> Iterator[Any]:
-    """Results in order, computed by threads, and no more ahead than there are threads."""
+    """Results in order, computed by threads with a core each; no more are ahead than there are threads."""
     ahead: deque[Future[Any]] = deque()
-    with ThreadPoolExecutor(threads) as pool:
+    with ThreadPoolExecutor(threads, initializer=CORES.set, initargs=(1,)) as pool:
         try:
             for job in jobs:
                 ahead.append(pool.submit(job))
