@@ -86,11 +86,12 @@ def reading(function: Function) -> Function:
 
 
 def summing(function: Function) -> Function:
-    """Compile a sum over an array as a part of its callers; it adds several terms at once.
+    """Compile a sum over an array as a part of its callers.
 
-    The processor decides how many, and so in which order they are added: the same on every run.
+    It adds several terms at once, and multiplies and adds in one step, as the processor can: its last digit
+    depends on the processor, but not on the run.
     """
-    return _cached(function, _nrt=False, forceinline=True, fastmath={"reassoc"})
+    return _cached(function, _nrt=False, forceinline=True, fastmath={"reassoc", "contract"})
 
 
 def _cached(function: Function, **options: Any) -> Function:

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, reading
+from planar_pushing.mechanics.compiled import compiled, reading, summing
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.supports.pressure.record import Array
@@ -140,7 +140,7 @@ def far(multipoles, i, x, y, radius):
     return distance * one, unit_x, unit_y, distance * n1, mean + half, xy, mean - half
 
 
-@reading
+@summing
 def _sums(multipoles, i, ratio, cosine, sine):
     """Sums of the terms' real parts times 1, n, n^2; imaginary times m, m n; and real times m^2."""
     order = min(ORDER, int(DIGITS / -log(ratio)) + 2)
@@ -161,7 +161,7 @@ def _sums(multipoles, i, ratio, cosine, sine):
     return one, first, second, slide, shear, turn
 
 
-@reading
+@summing
 def _row(multipoles, i, start, m, count, y):
     """Sums over k at one m, times 1, n and n^2, real and imaginary."""
     a, b, n_a, n_b, nn_a, nn_b, power = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0
