@@ -81,7 +81,10 @@ def compiled(function: Function) -> Function:
 
 
 def reading(function: Function) -> Function:
-    """Compile a function that reads arrays and makes none: it counts no references to them."""
+    """Compile a function that reads arrays, but makes none and is given none back by what it calls.
+
+    It counts no references to arrays, which takes longer than many a formula.
+    """
     return _cached(function, _nrt=False)
 
 
@@ -134,7 +137,15 @@ def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
 
     The kind of a named tuple is its class, that of a plain tuple the tuple of its entries' kinds.
     """
+    return _generic(choose, **OPTIONS)
 
+
+def generic_reading(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
+    """Make a function as `generic` does, whose bodies are compiled as `reading` has it."""
+    return _generic(choose, **OPTIONS, _nrt=False)
+
+
+def _generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Callable[..., Any]:
     @functools.wraps(choose)
     def function(first: Any, *rest: Any) -> Any:
         return choose(_kind(first))(first, *rest)
@@ -144,7 +155,7 @@ def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
         body = choose(_kind_of_type(first))
         return getattr(body, "py_func", body)
 
-    overload(function, jit_options=OPTIONS, strict=False)(typed)
+    overload(function, jit_options=options, strict=False)(typed)
     return function
 
 

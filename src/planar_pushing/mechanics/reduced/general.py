@@ -13,7 +13,7 @@ from __future__ import annotations
 from math import inf, pi, tan
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, reading
 from planar_pushing.mechanics.effects.base import fastest, gradient, rough
 from planar_pushing.mechanics.numerics.bracket import bracketed
 from planar_pushing.mechanics.numerics.root import (
@@ -78,7 +78,7 @@ class SlopeAcross(NamedTuple):
     line: Line
 
 
-@compiled
+@reading
 def felt(effects, length, motion):
     """What a motion of the contact takes."""
     x, y, spin = motion
@@ -88,7 +88,7 @@ def felt(effects, length, motion):
     return Felt(f_x, f_y, torque + length * f_y, xx, xy, yy, across, turn, bend)
 
 
-@compiled
+@reading
 def _torque_of_spin(of, spin):
     now = felt(of.effects, of.length, Motion(of.x, of.y, spin))
     return now.torque, now.ss
@@ -97,7 +97,7 @@ def _torque_of_spin(of, spin):
 EQUATIONS[TorqueOfSpin] = _torque_of_spin
 
 
-@compiled
+@reading
 def _as_of_a_mass(effect, length, x, y):
     """Of the mass that an effect roughly acts like: rotation times moment, and moment about the contact."""
     c_x, c_y, gyration = rough(effect)
@@ -105,7 +105,7 @@ def _as_of_a_mass(effect, length, x, y):
     return x * c_y - y * arm, arm * arm + c_y * c_y + gyration
 
 
-@compiled
+@reading
 def spin_of(effects, length, x, y):
     """Rotation of a contact that moves by (x, y), at which the torque about it vanishes."""
     start = rough_spin(effects, length, x, y)
@@ -119,7 +119,7 @@ def spin_of(effects, length, x, y):
     return root(TorqueOfSpin(effects, length, x, y), low, high, min(max(start, low), high))[0]
 
 
-@compiled
+@reading
 def rough_spin(effects, length, x, y):
     """A first guess of `spin_of`; exact for a mass."""
     pull, moment = _as_of_a_mass(effects[0], length, x, y)
@@ -130,7 +130,7 @@ def rough_spin(effects, length, x, y):
     return pull / moment
 
 
-@compiled
+@reading
 def rough_motion(line):
     """The motion under a line of force, as if the first effect were a mass."""
     c_x, c_y, gyration = rough(line.effects[0])
@@ -141,14 +141,14 @@ def rough_motion(line):
     return _composed(line, across, spin)
 
 
-@compiled
+@reading
 def _composed(line, across, spin):
     """The motion with a part across the line and a rotation."""
     x, y = line.along * line.x - across * line.y, line.along * line.y + across * line.x
     return Motion(x, y, spin)
 
 
-@compiled
+@reading
 def _slopes(line, motion):
     """Slopes of the potential across the line and over the rotation, and its second derivatives."""
     now, t_x, t_y = felt(line.effects, line.length, motion), line.x, line.y
@@ -157,7 +157,7 @@ def _slopes(line, motion):
     return now.f_y * t_x - now.f_x * t_y, now.torque, bend, turn, now.ss
 
 
-@compiled
+@reading
 def _slope_across(of, angle):
     line = of.line
     x, y, _ = _composed(line, line.along * tan(angle), 0.0)
@@ -168,7 +168,7 @@ def _slope_across(of, angle):
 EQUATIONS[SlopeAcross] = _slope_across
 
 
-@compiled
+@reading
 def _between(line):
     """The motion under a line of force: a root for the rotation in one for the direction."""
     angle = bracketed(SlopeAcross(line), -pi / 2.0, pi / 2.0, -1.0, 1.0)
@@ -176,7 +176,7 @@ def _between(line):
     return Motion(x, y, spin_of(line.effects, line.length, x, y))
 
 
-@compiled
+@reading
 def _newton(line, start):
     """The motion by Newton's method, across the line and in rotation, and whether it has settled.
 
@@ -221,7 +221,7 @@ def _is_last(size, before):
     return size <= SETTLED or (quadratic and size**3 <= EPSILON * before**2)
 
 
-@compiled
+@reading
 def motion_under(line, start):
     """The motion under a line of force, from a first guess."""
     motion, settled = _newton(line, start)

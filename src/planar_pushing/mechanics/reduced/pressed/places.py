@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, reading
 from planar_pushing.mechanics.effects.base import count_points, point
 from planar_pushing.mechanics.plane import Direction, Rod
 from planar_pushing.mechanics.reduced.general import Motion, felt, rough_spin, spin_of
@@ -44,14 +44,14 @@ class Place(NamedTuple):
     swing: float
 
 
-@compiled
+@reading
 def _contact(slide, x):
     """Motion of the contact in the body frame."""
     own, normal = slide.own, slide.normal
     return x * own.x + normal * own.y, normal * own.x - x * own.y
 
 
-@compiled
+@reading
 def place_at(slide, x, near):
     """The place at x: by Newton's method from a near one, or where that is not near by a bracketed root."""
     length, (u_x, u_y) = slide.own.length, _contact(slide, x)
@@ -69,7 +69,7 @@ def place_at(slide, x, near):
     return _felt_at(slide, x, spin, 0.0, felt(slide.effects, length, Motion(u_x, u_y, spin)))
 
 
-@compiled
+@reading
 def _felt_at(slide, x, spin, step, now):
     """The place at x, from what is felt at a rotation and the step that is left of it."""
     own, edge = slide.own, slide.edge
@@ -81,12 +81,12 @@ def _felt_at(slide, x, spin, step, now):
     return Place(x, across, slope, spin + step, swing)
 
 
-@compiled
+@reading
 def _across_edge(edge, f_x, f_y):
     return edge.along * f_y + edge.aside * f_x
 
 
-@compiled
+@reading
 def first_place(slide, x):
     """The place at x, without another one."""
     u_x, u_y = _contact(slide, x)
