@@ -104,7 +104,7 @@ def test_the_force_lies_on_the_limit_curve_and_the_motion_is_its_normal(name, ma
         each for each in scene.found(state).solutions if each.mode == pp.ContactMode.STICK
     )
     size = curve.level(state.scene, solution)
-    found = curve.curve_at(state.file, size)
+    found = curve.curve_at(state.scene, size)
     angle = np.arctan2(*solution.force[::-1]) % (2 * np.pi)
     there = np.interp(angle, found.force_angle, found.magnitude)
     if len(state.scene.kinds) > 1:

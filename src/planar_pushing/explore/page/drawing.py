@@ -17,6 +17,8 @@ from planar_pushing.explore.words import outcome
 AHEAD = 2
 #: Seconds after which a page that did not say that it took a picture is sent the next one all the same.
 PATIENCE = 0.25
+#: Seconds that the page's loop waits for a picture: longer than nearly all take.
+SOON = 0.02
 #: Seconds after which a picture takes long.
 LONG = 0.4
 
@@ -52,7 +54,7 @@ class Painter:
 
     def __init__(self, document: Any, view: View, show: Callable[[Order, Any], None]) -> None:
         self.view = view
-        self.worker = Worker(document, pictures, show, lambda: self.has_room)
+        self.worker = Worker(document, pictures, show, lambda: self.has_room, SOON)
         self.sent = self.taken = 0
         self.sent_at = self.asked_at = 0.0
 

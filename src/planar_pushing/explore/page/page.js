@@ -1,36 +1,28 @@
 // What the page tells of itself once it is there: pointers and keys on its pictures, and the size of these.
 
-// Where a pointer is on a picture, in pixels from the picture's corner: once for each image of the screen.
+// Where a pointer is on a picture, in pixels from the picture's corner. Browsers tell of moves once for each image of
+// the screen. A move must not ask for an image: while one is asked for and the pointer is pressed or released,
+// Chromium holds back all messages of the server until the image is made.
 function listen(element, picture, source) {
-  let held = false, waiting = null, number = 0
-  const place = (event) => {
+  let held = false, number = 0
+  const tell = (kind, event) => {
     const box = picture.getBoundingClientRect()
-    return [event.clientX - box.x, event.clientY - box.y]
-  }
-  const tell = (kind, [x, y]) => {
-    source.data = {kind: [kind], x: [x], y: [y], number: [++number]}
-  }
-  const flush = () => {
-    if (waiting) tell("drag", waiting)
-    waiting = null
+    source.data = {kind: [kind], x: [event.clientX - box.x], y: [event.clientY - box.y], number: [++number]}
   }
   element.addEventListener("pointerdown", (event) => {
     if (!event.isPrimary || event.button) return
     element.setPointerCapture(event.pointerId)
     held = true
-    tell("grab", place(event))
+    tell("grab", event)
   })
   element.addEventListener("pointermove", (event) => {
-    if (!held || !event.isPrimary) return
-    if (!waiting) requestAnimationFrame(flush)
-    waiting = place(event)
+    if (held && event.isPrimary) tell("drag", event)
   })
   for (const end of ["pointerup", "pointercancel"]) {
     element.addEventListener(end, (event) => {
       if (!held || !event.isPrimary) return
-      flush()
       held = false
-      tell("drop", place(event))
+      tell("drop", event)
     })
   }
 }

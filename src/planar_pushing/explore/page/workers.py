@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from functools import partial
 from typing import Any
 
@@ -12,7 +12,8 @@ class Worker:
     """Runs a function in a thread on the newest argument; those that came in between are dropped.
 
     `show` takes the argument and the result, or the exception, on the page's own loop. Nothing more is
-    started until `ready` says that the page has room for it.
+    started until `ready` says that the page has room for it. The loop waits for a result for some seconds,
+    so that one that is soon there is shown at once, and looks after other things where it takes longer.
     """
 
     def __init__(
@@ -21,8 +22,10 @@ class Worker:
         compute: Callable[[Any], Any],
         show: Callable[[Any, Any], None],
         ready: Callable[[], bool] = lambda: True,
+        soon: float = 0.0,
     ) -> None:
         self.document, self.compute, self.show, self.ready = document, compute, show, ready
+        self.soon = soon
         self.pool = ThreadPoolExecutor(1)
         self.wanted: list[Any] = []
         self.busy = False
@@ -38,7 +41,10 @@ class Worker:
             return
         argument, self.busy = self.wanted.pop(), True
         future = self.pool.submit(self.compute, argument)
-        future.add_done_callback(partial(self._done, argument))
+        if wait([future], self.soon).done:
+            self._finish(argument, future)
+        else:
+            future.add_done_callback(partial(self._done, argument))
 
     def _done(self, argument: Any, future: Future[Any]) -> None:
         """In the worker's thread: hand the result to the page's loop."""

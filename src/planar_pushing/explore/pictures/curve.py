@@ -11,7 +11,7 @@ import numpy as np
 from planar_pushing.explore.pictures.arrows import cone, force_arrow, motion_arrow
 from planar_pushing.explore.pictures.columns import Marks
 from planar_pushing.explore.pictures.scene import PALE, Found, letter
-from planar_pushing.explore.state import State, build
+from planar_pushing.explore.state import State
 from planar_pushing.figures.parts.forces import flats
 from planar_pushing.figures.style import CENTER, DARK, FORCE, LIGHT
 from planar_pushing.mechanics.contact import ContactMode
@@ -19,7 +19,6 @@ from planar_pushing.mechanics.limit_curve import LimitCurve, limit_curve
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solution
-from planar_pushing.study.files.scene_model import SceneFile
 
 #: Force angles of the curve, radians: fewer with friction and inertia, where each takes longer.
 ANGLES = {1: np.linspace(0.0, 2 * np.pi, 241), 2: np.linspace(0.0, 2 * np.pi, 97)}
@@ -47,9 +46,8 @@ def level(scene: Scene, solution: Solution | None) -> float:
 
 
 @lru_cache(maxsize=8)
-def curve_at(file: SceneFile, size: float) -> LimitCurve:
+def curve_at(scene: Scene, size: float) -> LimitCurve:
     """The limit curve of motions of a size, in the unit of the solutions' forces."""
-    scene = build(file)
     heavier = [replace(each, mass=size * each.mass) for each in scene.masses]
     found: LimitCurve = limit_curve(
         replace(scene, effects=(*scene.friction, *heavier)), ANGLES[len(scene.kinds)]
@@ -60,7 +58,7 @@ def curve_at(file: SceneFile, size: float) -> LimitCurve:
 def picture(state: State, given: Found) -> dict[str, Any]:
     """Columns of the picture, by the kind of mark; the longest force of the curve has length 1."""
     marks = Marks()
-    curve = curve_at(state.file, level(state.scene, given.solution))
+    curve = curve_at(state.scene, level(state.scene, given.solution))
     points = curve.force / np.max(curve.magnitude)
     cone(marks, given.friction.right, given.friction.left, 1.25, FORCE, 0.12)
     for axis in np.eye(2):

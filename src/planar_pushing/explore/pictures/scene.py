@@ -12,7 +12,7 @@ from planar_pushing.explore.handles import Frame, Handle, arrow_length, frame_of
 from planar_pushing.explore.pictures.arrows import arrow, cone, force_arrow, motion_arrow
 from planar_pushing.explore.pictures.columns import Marks
 from planar_pushing.explore.pictures.supports import add_centers, add_support
-from planar_pushing.explore.state import State, build
+from planar_pushing.explore.state import State
 from planar_pushing.explore.words import best
 from planar_pushing.figures.parts.drawing import hatching, tint
 from planar_pushing.figures.parts.sketch import CONE, Sketch
@@ -22,9 +22,9 @@ from planar_pushing.mechanics.angles import AngleInterval
 from planar_pushing.mechanics.cones import friction_cone, motion_cone
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solution, Solutions
 from planar_pushing.mechanics.solve import solve
-from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.terms.options import Shape
 
 #: How much of their colour the solutions have that are not the one in full.
@@ -59,12 +59,11 @@ def found(state: State) -> Found:
     solutions = solve(scene, angle, state.magnitude)
     shown = best(tuple(solutions), state.shown)
     pusher = state.magnitude * np.asarray(direction(angle))
-    return Found(solutions, shown, *_cones(state.file), pusher)
+    return Found(solutions, shown, *_cones(scene), pusher)
 
 
 @lru_cache(maxsize=8)
-def _cones(file: SceneFile) -> tuple[AngleInterval, AngleInterval]:
-    scene = build(file)
+def _cones(scene: Scene) -> tuple[AngleInterval, AngleInterval]:
     return friction_cone(scene), motion_cone(scene)
 
 
