@@ -123,7 +123,7 @@ def test_an_absent_effect_is_not_evaluated():
 
 # --- With and without the compiler -------------------------------------------------------------------
 
-#: Tests of the formulas, in parts of a minute or so; the others test what surrounds them.
+#: Tests of the formulas, in parts that can run beside one another; the others test what surrounds them.
 FORMULAS = {
     "effects": ("effects", "supports/test_ring.py", "numerics", "test_plane.py", "test_wrench.py"),
     "reduced": ("reduced",),

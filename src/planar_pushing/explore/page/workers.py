@@ -12,8 +12,8 @@ class Worker:
     """Runs a function in a thread on the newest argument; those that came in between are dropped.
 
     `show` takes the argument and the result, or the exception, on the page's own loop. Nothing more is
-    started until `ready` says that the page has room for it. The loop waits for a result for some seconds,
-    so that one that is soon there is shown at once, and looks after other things where it takes longer.
+    started until `ready` says that the page has room for it. The loop waits `soon` seconds for a result, so
+    that one which is there by then is shown at once; it looks after other things where that takes longer.
     """
 
     def __init__(
