@@ -134,6 +134,10 @@ class Cluster:
         daemon.send_signal(signal.SIGKILL)
         daemon.wait()
 
+    def remembers(self, name: str) -> bool:
+        """Whether jobs of this name outlive the controller, which writes its state seconds late."""
+        return name.encode() in (self.folder / "state/job_state").read_bytes()
+
     def stop(self) -> None:
         """Cancel what runs, stop the daemons, and remove the configuration."""
         try:

@@ -58,7 +58,7 @@ class Run:
         return (self.root / "said").read_text(encoding="utf-8")
 
     def ends(self, process):
-        assert process.wait(timeout=1800) == 0, self.said
+        assert process.wait(timeout=900) == 0, self.said
 
     def done(self):
         """How often each rule ended."""
@@ -143,6 +143,8 @@ def test_a_drained_node_goes_on_when_it_is_resumed(cluster, run, local):
 def test_the_controller_may_be_killed_and_started_again(cluster, run, local):
     process = run.submit(TARGET)
     wait_until_one_computes(cluster)
+    name = slurm("squeue", "--noheader", "--format=%j").split()[0]
+    cluster.wait_for(lambda: cluster.remembers(name))
     cluster.kill("slurmctld")
     time.sleep(5)
     cluster.start_controller()
