@@ -178,14 +178,24 @@ def test_element_of_a_support(ratio, name):
     )
 
 
-BOX, STOOL = pp.Polygon(around(4)), pp.Points(around(3), np.ones(3))
+SOLVED = {
+    "square": pp.Polygon(around(4)),
+    "tripod": pp.Points(around(3), np.ones(3)),
+    "disc": pp.Disc(1.0, (0.2, 0.1)),
+    "L": pp.Polygon(
+        [(-0.7, -0.7), (0.7, -0.7), (0.7, -0.2), (-0.2, -0.2), (-0.2, 0.7), (-0.7, 0.7)]
+    ),
+    "hexagon without symmetry": pp.Polygon(
+        [(1.0, 0.1), (0.4, 0.8), (-0.6, 0.9), (-0.9, -0.2), (-0.3, -0.8), (0.5, -0.6)]
+    ),
+}
 
 
-@pytest.mark.parametrize("support", [BOX, STOOL], ids=["square", "tripod"])
+@pytest.mark.parametrize("name", SOLVED)
 @pytest.mark.parametrize("effects", ANY_SUPPORT)
-def test_modes_with_any_support(ratio, effects, support):
+def test_modes_with_any_support(ratio, effects, name):
     """The time as a multiple of the ring's."""
-    count = COUNT // 100
+    count, support = COUNT // 100, SOLVED[name]
     every = scenes(EFFECT_SETS[effects], count)
     friction = pp.SupportFriction(support=support, weight=every.effects[0].weight)
     slider = pp.Slider(

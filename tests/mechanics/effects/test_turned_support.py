@@ -19,7 +19,7 @@ from planar_pushing.mechanics.effects.base import (
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.turned_support import aligned
 from planar_pushing.mechanics.reduced.corners import corner_under
-from planar_pushing.mechanics.reduced.general import Line
+from planar_pushing.mechanics.reduced.line_of_force import Line
 from planar_pushing.mechanics.supports.pressure.table import table_of
 
 ANGLE = 0.7

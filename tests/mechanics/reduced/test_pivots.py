@@ -7,7 +7,7 @@ import planar_pushing as pp
 from planar_pushing.mechanics.effects.any_mass import MassAt
 from planar_pushing.mechanics.effects.any_support import Supports
 from planar_pushing.mechanics.effects.base import made
-from planar_pushing.mechanics.reduced.general import Line
+from planar_pushing.mechanics.reduced.line_of_force import Line
 from planar_pushing.mechanics.reduced.pivots import NOWHERE, pivot_of, pivot_under
 from planar_pushing.mechanics.supports.pressure.table import table_of
 

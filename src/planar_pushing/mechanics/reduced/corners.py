@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import outward
 from planar_pushing.mechanics.effects.turned_support import PRESSED
-from planar_pushing.mechanics.reduced.general import Motion
 from planar_pushing.mechanics.reduced.pivots import DIRECTION
+from planar_pushing.mechanics.reduced.rotation import Motion
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, EDGES, RINGS, SEGMENTS
 
 #: In the place of a support point's number: the motion is an end of an interval of motions.

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import count_points, point, wrench_about
 from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.numerics.root import EPSILON
-from planar_pushing.mechanics.reduced.general import Motion
+from planar_pushing.mechanics.reduced.rotation import Motion
 
 #: Rounding of a direction, and of a force against the share of a point.
 DIRECTION, SHARE = 16.0 * EPSILON, 1e-13

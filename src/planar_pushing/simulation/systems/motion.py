@@ -12,7 +12,7 @@ from planar_pushing.mechanics.effects.base import fastest, gradient, response, r
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.plane import Direction, Rod
-from planar_pushing.mechanics.reduced.general import Line
+from planar_pushing.mechanics.reduced.line_of_force import Line
 from planar_pushing.mechanics.reduced.pivots import kink_under
 
 #: The kinds of inertia.

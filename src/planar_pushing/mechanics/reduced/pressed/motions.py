@@ -9,15 +9,9 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.plane import Direction, Rod
 from planar_pushing.mechanics.reduced.corners import CONTINUUM, corner_under
-from planar_pushing.mechanics.reduced.general import (
-    Line,
-    Motion,
-    felt,
-    motion_under,
-    rough_motion,
-    spin_of,
-)
+from planar_pushing.mechanics.reduced.line_of_force import Line, motion_under, rough_motion
 from planar_pushing.mechanics.reduced.pivots import NOWHERE, pivot_of, pivot_under
+from planar_pushing.mechanics.reduced.rotation import SETTLED, Motion, felt, rough_spin, turned
 from planar_pushing.mechanics.reduced.sticking import Sustained
 
 #: Range of the logarithm of a motion's part along its line of force, in units in which friction and inertia
@@ -60,9 +54,10 @@ def stick(effects, own, towards):
     if pivot.atom != NOWHERE:
         _, motion, f_x, f_y, free_x, free_y = pivot
         return sustained(own, motion, f_x, f_y, free_x, free_y, pivot.atom)
-    motion = Motion(x, y, spin_of(effects, length, x, y))
-    now = felt(effects, length, motion)
-    return sustained(own, motion, now.f_x, now.f_y, 0.0, 0.0, NOWHERE)
+    guess = rough_spin(effects, length, x, y)
+    spin, step, now = turned(effects, length, x, y, guess, SETTLED)
+    f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
+    return sustained(own, Motion(x, y, spin + step), f_x, f_y, 0.0, 0.0, NOWHERE)
 
 
 @compiled

@@ -6,7 +6,7 @@ fence, but for a step at each pivot about a support point.
 
 from __future__ import annotations
 
-from math import copysign, inf, nan
+from math import copysign, nan
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,13 +14,13 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, reading
 from planar_pushing.mechanics.effects.base import count_points, point
 from planar_pushing.mechanics.plane import Direction, Rod
-from planar_pushing.mechanics.reduced.general import Motion, felt, rough_spin, spin_of
 from planar_pushing.mechanics.reduced.pivots import SHARE, held
 from planar_pushing.mechanics.reduced.pressed.motions import line_of, of_line, sustained
+from planar_pushing.mechanics.reduced.rotation import SETTLED, Motion, rough_spin, turned
 
-#: Newton steps to a rotation at most, what one may leave of the last, and the change of the slider's motion
-#: by one, in parts of that motion, whose square is rounding.
-STEPS, SHRINK, SETTLED = 8, 0.3, 1e-8
+#: Part of the slider's motion to which a place between slips is found, and part of the force that is
+#: beyond its errors.
+ROUGH, CLEAR = 1e-3, 1e-2
 #: A force that has a sign and no size.
 TINY = 1e-300
 
@@ -53,20 +53,26 @@ def _contact(slide, x):
 
 @reading
 def place_at(slide, x, near):
-    """The place at x: by Newton's method from a near one, or where that is not near by a bracketed root."""
-    length, (u_x, u_y) = slide.own.length, _contact(slide, x)
-    spin, last = near.spin + near.swing * (x - near.x), inf
-    for _ in range(STEPS):
-        now = felt(slide.effects, length, Motion(u_x, u_y, spin))
-        step = -now.torque / now.ss
-        speed = abs(u_x) + abs(u_y + length * spin) + abs(spin)
-        if abs(step) * (1.0 + length) <= SETTLED * speed:
-            return _felt_at(slide, x, spin, step, now)
-        if not abs(step) <= SHRINK * last:
-            break
-        spin, last = spin + step, abs(step)
-    spin = spin_of(slide.effects, length, u_x, u_y)
-    return _felt_at(slide, x, spin, 0.0, felt(slide.effects, length, Motion(u_x, u_y, spin)))
+    """The place at x, from a near one."""
+    return _found(slide, x, near, SETTLED)[0]
+
+
+@reading
+def rough_place(slide, x, near):
+    """The place at x to about `ROUGH`, but with the right sign of the force across the edge."""
+    place, now = _found(slide, x, near, ROUGH)
+    if abs(place.across) > CLEAR * (abs(now.f_x) + abs(now.f_y)):
+        return place
+    return place_at(slide, x, place)
+
+
+@reading
+def _found(slide, x, near, enough):
+    """The place at x, and what is felt there."""
+    u_x, u_y = _contact(slide, x)
+    guess = near.spin + near.swing * (x - near.x)
+    spin, step, now = turned(slide.effects, slide.own.length, u_x, u_y, guess, enough)
+    return _felt_at(slide, x, spin, step, now), now
 
 
 @reading
@@ -91,7 +97,7 @@ def first_place(slide, x):
     """The place at x, without another one."""
     u_x, u_y = _contact(slide, x)
     spin = rough_spin(slide.effects, slide.own.length, u_x, u_y)
-    return place_at(slide, x, Place(x, 0.0, 0.0, spin, 0.0))
+    return rough_place(slide, x, Place(x, 0.0, 0.0, spin, 0.0))
 
 
 @compiled

@@ -21,6 +21,7 @@ from planar_pushing.mechanics.reduced.pressed.places import (
     pivot_at,
     pivots_between,
     place_at,
+    rough_place,
     sides_of,
 )
 
@@ -79,7 +80,7 @@ def _on_to(slide, here, x, pivots, found, count):
         count = _write(pivot_at(slide, pivots[i], i)[1], found, count)
         here, pivots[i] = after, nan
         i = _nearest(pivots, here.x, x)
-    place = place_at(slide, x, here)
+    place = rough_place(slide, x, here)
     return place, _between(slide, here, place, found, count)
 
 

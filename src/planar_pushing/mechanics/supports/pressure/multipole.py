@@ -163,16 +163,16 @@ def _sums(multipoles, i, ratio, cosine, sine):
 
 @summing
 def _row(multipoles, i, start, m, count, y):
-    """Sums over k at one m, times 1, n and n^2, real and imaginary."""
-    a, b, n_a, n_b, nn_a, nn_b, power = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0
+    """Sums over k at one m, times 1, n and n^2, real and imaginary: polynomials in y and derivatives."""
+    a, b, first_a, first_b, second_a, second_b = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for k in range(count):
-        n = m + 2.0 * k
-        real, imaginary = multipoles[i, start + k, 0] * power, multipoles[i, start + k, 1] * power
-        a += real
-        b += imaginary
-        n_a += n * real
-        n_b += n * imaginary
-        nn_a += n * (n * real)
-        nn_b += n * (n * imaginary)
-        power *= y
+        place = start + count - 1 - k
+        second_a, second_b = second_a * y + first_a, second_b * y + first_b
+        first_a, first_b = first_a * y + a, first_b * y + b
+        a, b = a * y + multipoles[i, place, 0], b * y + multipoles[i, place, 1]
+    # With the factors k and k^2.
+    k_a, k_b = y * first_a, y * first_b
+    kk_a, kk_b = k_a + 2.0 * y * y * second_a, k_b + 2.0 * y * y * second_b
+    n_a, n_b = m * a + 2.0 * k_a, m * b + 2.0 * k_b
+    nn_a, nn_b = m * (n_a + 2.0 * k_a) + 4.0 * kk_a, m * (n_b + 2.0 * k_b) + 4.0 * kk_b
     return a, b, n_a, n_b, nn_a, nn_b

@@ -1,11 +1,10 @@
-"""The reduced potential of any support and any centre of mass; no symmetry is presumed.
+"""The motion of any support and any centre of mass under a line of force; no symmetry is presumed.
 
-All is seen in the body frame: x along the rod and away from the contact, y to its left, lengths in radii. A
-motion is that of the contact, (x, y), with the rotation `spin`. Psi is what is left of the potential at the
-rotation of no torque. The motion under a line of force of direction t that has ``t . u`` given is the one
-of least potential: its force has no part across t and no torque about the contact. The potential is
-convex, with kinks where the centre of rotation is a support point; those are tried first (`pivots`). It is
-flat where a support on one line turns about a place on that line; there a root of its slope is bracketed.
+Frame and letters are those of `rotation`. The motion under a line of force of direction t that has
+``t . u`` given is the one of least potential: its force has no part across t and no torque about the
+contact. The potential is convex, with kinks where the centre of rotation is a support point; those are
+tried first (`pivots`). It is flat where a support on one line turns about a place on that line; there a
+root of its slope is bracketed.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from math import inf, pi, tan
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, reading
-from planar_pushing.mechanics.effects.base import fastest, gradient, rough
+from planar_pushing.mechanics.effects.base import rough
 from planar_pushing.mechanics.numerics.bracket import bracketed
 from planar_pushing.mechanics.numerics.root import (
     EPSILON,
@@ -22,44 +21,13 @@ from planar_pushing.mechanics.numerics.root import (
     NEAR,
     QUADRATIC,
     SETTLED,
-    root,
 )
+from planar_pushing.mechanics.reduced.rotation import Motion, felt, spin_of
 
 #: Newton steps at most, and trials of one; and what a step has to leave of the slope at most.
 STEPS, CUTS, ENOUGH = 100, 12, 0.5
 #: Part of the curvature in one direction that is left in every direction where Newton's method is sure.
 CURVED = 1e-14
-
-
-class Felt(NamedTuple):
-    """Force and torque at the contact, and their derivatives by the contact's motion and the spin."""
-
-    f_x: float
-    f_y: float
-    torque: float
-    xx: float
-    xy: float
-    yy: float
-    xs: float
-    ys: float
-    ss: float
-
-
-class Motion(NamedTuple):
-    """Motion of the contact and rotation."""
-
-    x: float
-    y: float
-    spin: float
-
-
-class TorqueOfSpin(NamedTuple):
-    """Torque about the contact over the rotation, in a motion of the contact."""
-
-    effects: tuple[Any, ...]
-    length: float
-    x: float
-    y: float
 
 
 class Line(NamedTuple):
@@ -76,58 +44,6 @@ class SlopeAcross(NamedTuple):
     """Slope of the reduced potential across a line, over the angle from it to the contact's motion."""
 
     line: Line
-
-
-@reading
-def felt(effects, length, motion):
-    """What a motion of the contact takes."""
-    x, y, spin = motion
-    f_x, f_y, torque, xx, xy, yy, xs, ys, ss = gradient(effects, x, y + length * spin, spin)
-    across, turn = xs + length * xy, ys + length * yy
-    bend = ss + length * (ys + turn)
-    return Felt(f_x, f_y, torque + length * f_y, xx, xy, yy, across, turn, bend)
-
-
-@reading
-def _torque_of_spin(of, spin):
-    now = felt(of.effects, of.length, Motion(of.x, of.y, spin))
-    return now.torque, now.ss
-
-
-EQUATIONS[TorqueOfSpin] = _torque_of_spin
-
-
-@reading
-def _as_of_a_mass(effect, length, x, y):
-    """Of the mass that an effect roughly acts like: rotation times moment, and moment about the contact."""
-    c_x, c_y, gyration = rough(effect)
-    arm = c_x + length
-    return x * c_y - y * arm, arm * arm + c_y * c_y + gyration
-
-
-@reading
-def spin_of(effects, length, x, y):
-    """Rotation of a contact that moves by (x, y), at which the torque about it vanishes."""
-    start = rough_spin(effects, length, x, y)
-    most = fastest(effects[0], length) * (x * x + y * y) ** 0.5
-    low, high = -most, most
-    if len(effects) > 1:
-        pull, moment = _as_of_a_mass(effects[1], length, x, y)
-        low, high = min(low, pull / moment), max(high, pull / moment)
-    elif most == 0.0:
-        return start
-    return root(TorqueOfSpin(effects, length, x, y), low, high, min(max(start, low), high))[0]
-
-
-@reading
-def rough_spin(effects, length, x, y):
-    """A first guess of `spin_of`; exact for a mass."""
-    pull, moment = _as_of_a_mass(effects[0], length, x, y)
-    if len(effects) > 1:
-        one, other = effects[0].weight, effects[1].mass * (x * x + y * y) ** 0.5
-        more_pull, more_moment = _as_of_a_mass(effects[1], length, x, y)
-        pull, moment = one * pull + other * more_pull, one * moment + other * more_moment
-    return pull / moment
 
 
 @reading
