@@ -157,7 +157,7 @@ class Cluster:
             try:
                 if reached():
                     return
-            except subprocess.SubprocessError:
-                pass
+            except (subprocess.SubprocessError, FileNotFoundError):
+                pass  # Slurm does not answer, or is about to put a file in the place of another
             time.sleep(0.2)
         raise TimeoutError("\n".join(p.read_text()[-2000:] for p in self.folder.glob("*.out")))
