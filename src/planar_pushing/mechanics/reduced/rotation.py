@@ -117,10 +117,9 @@ def turned(effects, length, x, y, spin, enough):
 
     Returns
     -------
-    spin, step : float
-        A rotation, and the step that is left.
+    spin : float
     now : Felt
-        What the rotation `spin` takes.
+        The force there, to the square of the last step; torque and derivatives of before that step.
     """
     last = inf
     for _ in range(STEPS):
@@ -128,9 +127,16 @@ def turned(effects, length, x, y, spin, enough):
         step = -now.torque / now.ss if now.ss > 0.0 else inf
         size = abs(step) * (1.0 + length) / (abs(x) + abs(y + length * spin) + abs(spin))
         if size <= enough:
-            return spin, step, now
+            return spin + step, _moved(now, step)
         if not size <= SHRINK * last:
             break
         spin, last = spin + step, size
     spin = spin_of(effects, length, x, y)
-    return spin, 0.0, felt(effects, length, Motion(x, y, spin))
+    return spin, felt(effects, length, Motion(x, y, spin))
+
+
+@reading
+def _moved(now, step):
+    """What is felt, with the force a step of the rotation further."""
+    f_x, f_y, torque, xx, xy, yy, xs, ys, ss = now
+    return Felt(f_x + step * xs, f_y + step * ys, torque, xx, xy, yy, xs, ys, ss)

@@ -40,9 +40,8 @@ def slides(support, count):
         x = rng.normal()
         u_x, u_y = x * own.x + normal * own.y, normal * own.x - x * own.y
         guess = rough_spin(effects, own.length, u_x, u_y)
-        _, step, now = turned(effects, own.length, u_x, u_y, guess, SETTLED)
-        f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
-        angle = np.arctan2(f_x * own.y + f_y * own.x, f_x * own.x - f_y * own.y)
+        now = turned(effects, own.length, u_x, u_y, guess, SETTLED)[1]
+        angle = np.arctan2(now.f_x * own.y + now.f_y * own.x, now.f_x * own.x - now.f_y * own.y)
         yield Slide(effects, own, toward(own, angle), normal), x
 
 
@@ -66,8 +65,8 @@ def test_a_rotation_leaves_no_torque(name, masses):
         length, angle = rng.uniform(0.1, 5.0), rng.uniform(-np.pi, np.pi)
         u_x, u_y = np.cos(angle), np.sin(angle)
         guess = rough_spin(effects, length, u_x, u_y)
-        spin, step, _ = turned(effects, length, u_x, u_y, guess, SETTLED)
-        left = felt(effects, length, Motion(u_x, u_y, spin + step))
+        spin, _ = turned(effects, length, u_x, u_y, guess, SETTLED)
+        left = felt(effects, length, Motion(u_x, u_y, spin))
         speed = 1.0 + abs(u_y + length * spin) + abs(spin)
         noise = left.ss * speed + (1.0 + length) * np.hypot(left.f_x, left.f_y)
         assert abs(left.torque) <= 2e-15 * noise

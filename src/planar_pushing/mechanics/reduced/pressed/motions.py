@@ -55,9 +55,8 @@ def stick(effects, own, towards):
         _, motion, f_x, f_y, free_x, free_y = pivot
         return sustained(own, motion, f_x, f_y, free_x, free_y, pivot.atom)
     guess = rough_spin(effects, length, x, y)
-    spin, step, now = turned(effects, length, x, y, guess, SETTLED)
-    f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
-    return sustained(own, Motion(x, y, spin + step), f_x, f_y, 0.0, 0.0, NOWHERE)
+    spin, now = turned(effects, length, x, y, guess, SETTLED)
+    return sustained(own, Motion(x, y, spin), now.f_x, now.f_y, 0.0, 0.0, NOWHERE)
 
 
 @compiled

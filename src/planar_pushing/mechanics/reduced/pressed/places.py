@@ -69,22 +69,14 @@ def rough_place(slide, x, near):
 @reading
 def _found(slide, x, near, enough):
     """The place at x, and what is felt there."""
-    u_x, u_y = _contact(slide, x)
+    own, edge, (u_x, u_y) = slide.own, slide.edge, _contact(slide, x)
     guess = near.spin + near.swing * (x - near.x)
-    spin, step, now = turned(slide.effects, slide.own.length, u_x, u_y, guess, enough)
-    return _felt_at(slide, x, spin, step, now), now
-
-
-@reading
-def _felt_at(slide, x, spin, step, now):
-    """The place at x, from what is felt at a rotation and the step that is left of it."""
-    own, edge = slide.own, slide.edge
+    spin, now = turned(slide.effects, own.length, u_x, u_y, guess, enough)
     swing = (now.ys * own.y - now.xs * own.x) / now.ss
     change_x = now.xx * own.x - now.xy * own.y + now.xs * swing
     change_y = now.xy * own.x - now.yy * own.y + now.ys * swing
-    f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
-    across, slope = _across_edge(edge, f_x, f_y), _across_edge(edge, change_x, change_y)
-    return Place(x, across, slope, spin + step, swing)
+    across, slope = _across_edge(edge, now.f_x, now.f_y), _across_edge(edge, change_x, change_y)
+    return Place(x, across, slope, spin, swing), now
 
 
 @reading
