@@ -9,7 +9,7 @@ from typing import Any
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import interval
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, owning
 from planar_pushing.mechanics.cones import (
     ANGLE,
     FIRST,
@@ -47,7 +47,7 @@ CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
 
-@compiled
+@owning
 def _centers(kinds, rows, centers):
     for i in range(len(rows)):
         row = rows[i]

@@ -28,8 +28,9 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 #: Packages whose sources are compiled. Numba's cache sees changes in a function's own file only; the
 #: digest of all these files keeps stale callees out.
 SOURCES = ("mechanics", "simulation")
-#: How every function is compiled: to run beside others, to divide as numpy does, and exactly.
-OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
+#: How every function is compiled: to run beside others, to divide as numpy does, exactly, and to count no
+#: references to arrays, which takes longer than many a formula.
+OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
 LOG = logging.getLogger("planar_pushing")
 PACKAGE = Path(__file__).parents[1]
 
@@ -76,16 +77,20 @@ class Locator(UserProvidedCacheLocator):  # type: ignore[misc]
 
 
 def compiled(function: Function) -> Function:
-    """Compile a function of numbers, without fast mathematics: every run gives the same results."""
+    """Compile a function of numbers, without fast mathematics: every run gives the same results.
+
+    It may read and write arrays and hand them on, but makes none.
+    """
     return _cached(function)
 
 
-def reading(function: Function) -> Function:
-    """Compile a function that reads arrays, but makes none and is given none back by what it calls.
+def owning(function: Function) -> Function:
+    """Compile a function that makes arrays, or calls one that is `owning` and gives arrays back.
 
-    It counts no references to arrays, which takes longer than many a formula.
+    It counts references, so what it is given back has to be counted: it calls no `compiled` function that
+    gives arrays back.
     """
-    return _cached(function, _nrt=False)
+    return _cached(function, _nrt=True)
 
 
 def summing(function: Function) -> Function:
@@ -94,14 +99,14 @@ def summing(function: Function) -> Function:
     It adds several terms at once, and multiplies and adds in one step, as the processor can: its last digit
     depends on the processor, but not on the run.
     """
-    return _cached(function, _nrt=False, forceinline=True, fastmath={"reassoc", "contract"})
+    return _cached(function, forceinline=True, fastmath={"reassoc", "contract"})
 
 
 def _cached(function: Function, **options: Any) -> Function:
     before = numba.config.CACHE_LOCATOR_CLASSES
     numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{Locator.__name__}"
     try:
-        made = numba.njit(cache=True, **OPTIONS, **options)(function)
+        made = numba.njit(cache=True, **(OPTIONS | options))(function)
     finally:
         numba.config.CACHE_LOCATOR_CLASSES = before
     return made  # type: ignore[no-any-return]
@@ -137,12 +142,12 @@ def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
 
     The kind of a named tuple is its class, that of a plain tuple the tuple of its entries' kinds.
     """
-    return _generic(choose, **OPTIONS)
+    return _generic(choose)
 
 
-def generic_reading(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
-    """Make a function as `generic` does, whose bodies are compiled as `reading` has it."""
-    return _generic(choose, **OPTIONS, _nrt=False)
+def generic_owning(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
+    """Make a function as `generic` does, whose bodies are `owning`."""
+    return _generic(choose, _nrt=True)
 
 
 def _generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Callable[..., Any]:
@@ -155,7 +160,7 @@ def _generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Cal
         body = choose(_kind_of_type(first))
         return getattr(body, "py_func", body)
 
-    overload(function, jit_options=options, strict=False)(typed)
+    overload(function, jit_options=OPTIONS | options, strict=False)(typed)
     return function
 
 

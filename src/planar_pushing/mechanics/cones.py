@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import owning
 from planar_pushing.mechanics.effects.base import COLUMNS, made
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.plane import rod, toward
@@ -65,7 +65,7 @@ def require_share(scene: Scene, inertia_share: Number | None) -> Number:
     return required("inertia_share", inertia_share)
 
 
-@compiled
+@owning
 def _spin_ratios(kinds, rows, ratios):
     for i in range(len(rows)):
         row = rows[i]
@@ -74,7 +74,7 @@ def _spin_ratios(kinds, rows, ratios):
         ratios[i] = base.spin_ratio(made(kinds, row), own, force)
 
 
-@compiled
+@owning
 def _motion_angles(kinds, rows, angles):
     for i in range(len(rows)):
         row = rows[i]
@@ -144,7 +144,7 @@ def motion_angle(
     return _under_forces(_motion_angles, "motion_angle", scene, force_angle, inertia_share)
 
 
-@compiled
+@owning
 def _motion_cones(kinds, rows, right, left, reached):
     for i in range(len(rows)):
         row = rows[i]

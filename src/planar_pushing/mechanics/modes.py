@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from math import sqrt
 
-import numpy as np
-
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.mechanics.plane import QUARTER_TURN, contact_motion, toward
-from planar_pushing.mechanics.reduced.base import MOTION, held_on_edge, slips, stick
+from planar_pushing.mechanics.reduced.base import held_on_edge, slips, stick
 from planar_pushing.mechanics.reduced.corners import CONTINUUM
 from planar_pushing.mechanics.reduced.sticking import Sustained
 from planar_pushing.mechanics.reduced.turning import SLIPS
@@ -138,13 +137,14 @@ def _slipping(effects, own, law, pusher, moved, mode, modes, motions, count):
     edge, at_edge, corner = toward(own, angle), False, False
     if not _may_slip(edge, side, pusher, moved):
         return count, at_edge, corner
-    found, start = np.empty((SLIPS, MOTION)), pusher.x - side * BEFORE
-    for i in range(slips(effects, own, edge, pusher.y, start, found)):
-        slip = contact_motion(own, found[i, 0], found[i, 1], found[i, 2])[0] - pusher.x
+    start, first = pusher.x - side * BEFORE, count
+    for i in range(first, first + slips(effects, own, edge, pusher.y, start, motions[first:])):
+        slip = contact_motion(own, motions[i, 0], motions[i, 1], motions[i, 2])[0] - pusher.x
         if side * slip > COINCIDENCE:
-            modes[count], motions[count] = mode, found[i]
+            modes[count] = mode
+            copy(motions[count], motions[i])
             count += 1
-        at_edge, corner = at_edge or abs(slip) <= COINCIDENCE, found[i, 7] == CONTINUUM
+        at_edge, corner = at_edge or abs(slip) <= COINCIDENCE, motions[i, 7] == CONTINUUM
     return count, at_edge, corner
 
 
@@ -203,6 +203,7 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     if held or (reached and not slides):
         _stick(own, _kept_inside(effects, own, law, moved, right, left), modes, motions, place)
         return count
-    modes[place : count - 1] = modes[place + 1 : count]
-    motions[place : count - 1] = motions[place + 1 : count]
+    for i in range(place, count - 1):
+        modes[i] = modes[i + 1]
+        copy(motions[i], motions[i + 1])
     return count - 1

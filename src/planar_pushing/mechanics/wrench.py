@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, owning
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.effects.base import COLUMNS, made, wrench_of
@@ -22,7 +22,7 @@ V_X, V_Y, SPIN = range(COLUMNS, COLUMNS + 3)
 WRENCH = (Output("wrench", (("wrench_component", 3),)),)
 
 
-@compiled
+@owning
 def _wrenches(kinds, rows, wrenches):
     """The subgradient nearest zero at rest."""
     for i in range(len(rows)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import copysign, sqrt
 from typing import NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled, reading
+from planar_pushing.mechanics.compiled import compiled, owning
 from planar_pushing.mechanics.effects.base import SCALE, SUPPORT, WEIGHT
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pressure
@@ -32,12 +32,12 @@ class Support(NamedTuple):
     pressure: Pressure
 
 
-@compiled
+@owning
 def made(effect, row):
     return Support(row[WEIGHT], row[SCALE], pressure_of(effect.table, int(row[SUPPORT])))
 
 
-@reading
+@compiled
 def gradient(effect, x, y, spin):
     weight, extent, pressure = effect
     p_x, p_y, rate = pressure.center_x, pressure.center_y, spin * extent
@@ -66,31 +66,31 @@ def gradient(effect, x, y, spin):
     return f_x, f_y, extent * torque, xx, xy, yy, xs, ys, extent * extent * bend
 
 
-@reading
+@compiled
 def _spread_along(pressure, x, y):
     """Mean square of the places' parts in a direction: what a translation resists a rotation with."""
     xx, xy, yy = pressure.spread
     return xx * x * x + 2.0 * xy * x * y + yy * y * y
 
 
-@reading
+@compiled
 def _atom(pressure, i):
     """Place of an atom, and its share."""
     row = pressure.starts[ATOMS] + i
     return pressure.rows[row, 0], pressure.rows[row, 1], pressure.rows[row, 2]
 
 
-@reading
+@compiled
 def outward(effect, x, y):
     return x, y
 
 
-@reading
+@compiled
 def count_points(effect):
     return effect.pressure.starts[SEGMENTS] - effect.pressure.starts[ATOMS]
 
 
-@reading
+@compiled
 def wrench_about(effect, i, spin, c_x, c_y):
     weight, extent, pressure = effect
     _, g_x, g_y, torque, _, _, _, _ = moments(pressure, *_atom(pressure, i)[:2])
@@ -100,20 +100,20 @@ def wrench_about(effect, i, spin, c_x, c_y):
     return f_x, f_y, extent * (sign * torque + arm)
 
 
-@reading
+@compiled
 def rough(effect):
     extent, pressure = effect.extent, effect.pressure
     xx, _, yy = pressure.spread
     return extent * pressure.center_x, extent * pressure.center_y, (xx + yy) * extent * extent
 
 
-@reading
+@compiled
 def fastest(effect, length):
     # A faster rotation costs more than the whole translation without one.
     return 2.0 / (effect.extent * moments(effect.pressure, -length / effect.extent, 0.0)[0])
 
 
-@reading
+@compiled
 def point(effect, i):
     x, y, share = _atom(effect.pressure, i)
     return effect.extent * x, effect.extent * y, effect.weight * share

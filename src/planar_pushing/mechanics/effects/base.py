@@ -12,7 +12,7 @@ from collections.abc import Callable
 from math import hypot
 from typing import Any, Protocol
 
-from planar_pushing.mechanics.compiled import compiled, generic, generic_reading, reading
+from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, owning
 
 #: Of each kind of effect, its module.
 KINDS: dict[type, Any] = {}
@@ -88,7 +88,7 @@ def _along_motion(effects, x, y, spin):
     return force * (x / speed), force * (y / speed), torque
 
 
-@reading
+@compiled
 def _of_gradient(effects, x, y, spin):
     return gradient(effects, x, y, spin)[:3]
 
@@ -99,7 +99,7 @@ def scaled(kind: Any) -> Callable[..., Any]:
     return member(kind, "scaled")
 
 
-@generic
+@generic_owning
 def made(kind: Any) -> Callable[..., Any]:
     """Effects of the kinds of a tuple, with the numbers of a row of an array of scenes."""
     if isinstance(kind, tuple):
@@ -107,12 +107,12 @@ def made(kind: Any) -> Callable[..., Any]:
     return member(kind, "made")
 
 
-@compiled
+@owning
 def _made_single(effects, row):
     return (made(effects[0], row),)
 
 
-@compiled
+@owning
 def _made_all(effects, row):
     return (made(effects[0], row), *made(effects[1:], row))
 
@@ -135,7 +135,7 @@ def rough_leverage(kind: Any) -> Callable[..., Any]:
     return member(kind, "rough_leverage")
 
 
-@generic_reading
+@generic
 def gradient(kind: Any) -> Callable[..., Any]:
     """Gradient and second derivative of the potential at a motion (v_x, v_y, s) of the origin, body frame.
 
@@ -156,19 +156,19 @@ def gradient(kind: Any) -> Callable[..., Any]:
     return member(kind, "gradient")
 
 
-@reading
+@compiled
 def _single_gradient(effects, x, y, spin):
     return gradient(effects[0], x, y, spin)
 
 
-@reading
+@compiled
 def _sum_of_gradients(effects, x, y, spin):
     a, b, c, xx, xy, yy, xs, ys, ss = gradient(effects[0], x, y, spin)
     d, e, f, uu, uv, vv, us, vs, tt = gradient(effects[1:], x, y, spin)
     return a + d, b + e, c + f, xx + uu, xy + uv, yy + vv, xs + us, ys + vs, ss + tt
 
 
-@generic_reading
+@generic
 def wrench_about(kind: Any) -> Callable[..., Any]:
     """Force and torque about the origin of a rotation about a support point, whose own force is left out.
 
@@ -179,25 +179,25 @@ def wrench_about(kind: Any) -> Callable[..., Any]:
     return member(kind, "wrench_about")
 
 
-@reading
+@compiled
 def _single_wrench(effects, i, spin, c_x, c_y):
     return wrench_about(effects[0], i, spin, c_x, c_y)
 
 
-@reading
+@compiled
 def _sum_of_wrenches(effects, i, spin, c_x, c_y):
     a, b, c = wrench_about(effects[0], i, spin, c_x, c_y)
     d, e, f = wrench_about(effects[1:], i, spin, c_x, c_y)
     return a + d, b + e, c + f
 
 
-@generic_reading
+@generic
 def rough(kind: Any) -> Callable[..., Any]:
     """Centre, and square of the radius of gyration, of the mass that an effect roughly acts like."""
     return member(kind, "rough")
 
 
-@generic_reading
+@generic
 def fastest(kind: Any) -> Callable[..., Any]:
     """Greatest rotation that an effect alone may have, of a contact of unit speed; 0 for a mass.
 
@@ -206,19 +206,19 @@ def fastest(kind: Any) -> Callable[..., Any]:
     return member(kind, "fastest")
 
 
-@generic_reading
+@generic
 def outward(kind: Any) -> Callable[..., Any]:
     """A vector of the support's body frame in the frame of the rod: effect, x, y."""
     return member(kind, "outward")
 
 
-@generic_reading
+@generic
 def count_points(kind: Any) -> Callable[..., Any]:
     """How many support points there are: effect."""
     return member(kind, "count_points")
 
 
-@generic_reading
+@generic
 def point(kind: Any) -> Callable[..., Any]:
     """Place of a support point, in radii, and the friction that it can take: effect, its number."""
     return member(kind, "point")

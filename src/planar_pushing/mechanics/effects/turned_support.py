@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled, generic, reading
+from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects import any_support
 from planar_pushing.mechanics.effects.any_mass import MassAt
 from planar_pushing.mechanics.effects.any_support import Support
@@ -31,17 +31,17 @@ class TurnedSupport(NamedTuple):
 PRESSED = (Support, TurnedSupport)
 
 
-@reading
+@compiled
 def _plain(effect):
     return Support(effect.weight, effect.extent, effect.pressure)
 
 
-@reading
+@compiled
 def outward(effect, x, y):
     return effect.x * x - effect.y * y, effect.y * x + effect.x * y
 
 
-@reading
+@compiled
 def gradient(effect, x, y, spin):
     c, s = effect.x, effect.y
     own = any_support.gradient(_plain(effect), c * x + s * y, c * y - s * x, spin)
@@ -54,33 +54,33 @@ def gradient(effect, x, y, spin):
     return f_x, f_y, torque, one, across, other, xs, ys, ss
 
 
-@reading
+@compiled
 def wrench_about(effect, i, spin, c_x, c_y):
     f_x, f_y, torque = any_support.wrench_about(_plain(effect), i, spin, c_x, c_y)
     f_x, f_y = outward(effect, f_x, f_y)
     return f_x, f_y, torque
 
 
-@reading
+@compiled
 def rough(effect):
     x, y, gyration = any_support.rough(_plain(effect))
     x, y = outward(effect, x, y)
     return x, y, gyration
 
 
-@reading
+@compiled
 def fastest(effect, length):
     reach = length / effect.extent
     mean = moments(effect.pressure, -reach * effect.x, reach * effect.y)[0]
     return 2.0 / (effect.extent * mean)
 
 
-@reading
+@compiled
 def count_points(effect):
     return any_support.count_points(_plain(effect))
 
 
-@reading
+@compiled
 def point(effect, i):
     x, y, most = any_support.point(_plain(effect), i)
     x, y = outward(effect, x, y)

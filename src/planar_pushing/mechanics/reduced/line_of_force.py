@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import inf, pi, tan
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled, reading
+from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import rough
 from planar_pushing.mechanics.numerics.bracket import bracketed
 from planar_pushing.mechanics.numerics.root import (
@@ -46,7 +46,7 @@ class SlopeAcross(NamedTuple):
     line: Line
 
 
-@reading
+@compiled
 def rough_motion(line):
     """The motion under a line of force, as if the first effect were a mass."""
     c_x, c_y, gyration = rough(line.effects[0])
@@ -57,14 +57,14 @@ def rough_motion(line):
     return _composed(line, across, spin)
 
 
-@reading
+@compiled
 def _composed(line, across, spin):
     """The motion with a part across the line and a rotation."""
     x, y = line.along * line.x - across * line.y, line.along * line.y + across * line.x
     return Motion(x, y, spin)
 
 
-@reading
+@compiled
 def _slopes(line, motion):
     """Slopes of the potential across the line and over the rotation, and its second derivatives."""
     now, t_x, t_y = felt(line.effects, line.length, motion), line.x, line.y
@@ -73,7 +73,7 @@ def _slopes(line, motion):
     return now.f_y * t_x - now.f_x * t_y, now.torque, bend, turn, now.ss
 
 
-@reading
+@compiled
 def _slope_across(of, angle):
     line = of.line
     x, y, _ = _composed(line, line.along * tan(angle), 0.0)
@@ -84,7 +84,7 @@ def _slope_across(of, angle):
 EQUATIONS[SlopeAcross] = _slope_across
 
 
-@reading
+@compiled
 def _between(line):
     """The motion under a line of force: a root for the rotation in one for the direction."""
     angle = bracketed(SlopeAcross(line), -pi / 2.0, pi / 2.0, -1.0, 1.0)
@@ -92,7 +92,7 @@ def _between(line):
     return Motion(x, y, spin_of(line.effects, line.length, x, y))
 
 
-@reading
+@compiled
 def _newton(line, start):
     """The motion by Newton's method, across the line and in rotation, and whether it has settled.
 
@@ -137,7 +137,7 @@ def _is_last(size, before):
     return size <= SETTLED or (quadratic and size**3 <= EPSILON * before**2)
 
 
-@reading
+@compiled
 def motion_under(line, start):
     """The motion under a line of force, from a first guess."""
     motion, settled = _newton(line, start)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import inf
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import reading
+from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import fastest, gradient, rough
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 
@@ -51,7 +51,7 @@ class TorqueOfSpin(NamedTuple):
     y: float
 
 
-@reading
+@compiled
 def felt(effects, length, motion):
     """What a motion of the contact takes."""
     x, y, spin = motion
@@ -61,7 +61,7 @@ def felt(effects, length, motion):
     return Felt(f_x, f_y, torque + length * f_y, xx, xy, yy, across, turn, bend)
 
 
-@reading
+@compiled
 def _torque_of_spin(of, spin):
     now = felt(of.effects, of.length, Motion(of.x, of.y, spin))
     return now.torque, now.ss
@@ -70,7 +70,7 @@ def _torque_of_spin(of, spin):
 EQUATIONS[TorqueOfSpin] = _torque_of_spin
 
 
-@reading
+@compiled
 def _as_of_a_mass(effect, length, x, y):
     """Of the mass that an effect roughly acts like: rotation times moment, and moment about the contact."""
     c_x, c_y, gyration = rough(effect)
@@ -78,7 +78,7 @@ def _as_of_a_mass(effect, length, x, y):
     return x * c_y - y * arm, arm * arm + c_y * c_y + gyration
 
 
-@reading
+@compiled
 def spin_of(effects, length, x, y):
     """Rotation of a contact that moves by (x, y), at which the torque about it vanishes."""
     start = rough_spin(effects, length, x, y)
@@ -92,7 +92,7 @@ def spin_of(effects, length, x, y):
     return root(TorqueOfSpin(effects, length, x, y), low, high, min(max(start, low), high))[0]
 
 
-@reading
+@compiled
 def rough_spin(effects, length, x, y):
     """A first guess of `spin_of`; exact for a mass."""
     pull, moment = _as_of_a_mass(effects[0], length, x, y)
@@ -103,7 +103,7 @@ def rough_spin(effects, length, x, y):
     return pull / moment
 
 
-@reading
+@compiled
 def turned(effects, length, x, y, spin, enough):
     """The rotation of no torque: by Newton's method from a first guess, or bracketed if that fails.
 
@@ -135,7 +135,7 @@ def turned(effects, length, x, y, spin, enough):
     return spin, felt(effects, length, Motion(x, y, spin))
 
 
-@reading
+@compiled
 def _moved(now, step):
     """What is felt, with the force a step of the rotation further."""
     f_x, f_y, torque, xx, xy, yy, xs, ys, ss = now

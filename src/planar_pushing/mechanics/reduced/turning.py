@@ -16,10 +16,8 @@ from __future__ import annotations
 from math import copysign, inf, sqrt
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, owning
 from planar_pushing.mechanics.effects.base import response, spin_ratio_alone
 from planar_pushing.mechanics.numerics.root import EPSILON, EQUATIONS, root
 from planar_pushing.mechanics.plane import moment_arm
@@ -138,9 +136,9 @@ def _cut(low, high):
     return sqrt(low) * sqrt(high) if high > 4.0 * low else low + (high - low) / 2
 
 
-@compiled
+@owning
 def _roots(effects, edge, normal, low, high, roots):
-    """Spin ratios between low and high at which Phi is zero; how many there are.
+    """Write down the spin ratios between low and high at which Phi is zero; how many there are.
 
     A root at an end is the limit of rest, or of a motion without bound, and no motion: Phi counts as
     positive where it is zero inside, and as without a sign at an end.
@@ -191,16 +189,19 @@ def slips(effects, own, towards, normal, start, found):
     fast = spin_ratio_alone(effects[1], edge.arm)
     if abs(fast - slow) <= RESOLUTION * max(slow, fast):
         return isotropic.steady_slips(effects, own, towards, normal, start, found)
-    roots = np.empty(SLIPS)
     low, high = _ends(effects, edge, slow, fast)
+    roots = found[:, 2]  # where their rotations will be
     if normal != 0.0:
         least = copysign(max(abs(normal), LEAST), normal)
         count = _roots(effects, edge, least, low, high, roots)
     else:  # along the fence, with any speed but rest
         roots[0] = edge.normal / edge.lever if edge.lever != 0.0 else -1.0
         count = 1 if low.k * (1.0 + RESOLUTION) < roots[0] < high.k * (1.0 - RESOLUTION) else 0
+    if fast < slow:
+        for i in range(count // 2):
+            roots[i], roots[count - 1 - i] = roots[count - 1 - i], roots[i]
     for i in range(count):
-        k = roots[i] if slow < fast else roots[count - 1 - i]
+        k = roots[i]
         speed = _speed(effects, edge, normal, k)
         isotropic.write_slip(effects, towards, speed, copysign(k, arm), found[i])
     return count

@@ -32,7 +32,8 @@ def holds(system, mode, time, state, run):
     during = mode.during
     ahead = AHEAD * min(during.end - during.start, base.pace(system, during, time))
     base.rates(system, mode, time, state, trial)
-    trial[:] = state + ahead * trial
+    for k in range(len(state)):
+        trial[k] = state[k] + ahead * trial[k]
     base.guards(system, mode, time + ahead, trial, later)
     for cause in range(base.CAUSES):
         margin = not base.WATCHES[cause] and now[cause] <= NEAR
@@ -46,7 +47,7 @@ def choose(system, run, policy, excluded):
     """Take a consistent mode by the policy, `excluded` apart; whether there is one."""
     state, before = run.vectors[at.STATE], run.kind
     run.count = base.modes(
-        system, span(system.fence, run.span), run.time, state, run.kinds, run.starts
+        system, span(system.fence, run.span), run.time, state, run.kinds[:], run.starts[:]
     )
     run.solutions, run.chosen, run.kind = 0, -1, NO_KIND
     for i in range(run.count):

@@ -8,6 +8,7 @@ it can hand on its rows, and go on, at any time.
 from __future__ import annotations
 
 from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.simulation.events import choice, step, watch
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.explicit import interpolate
@@ -194,7 +195,7 @@ def _happen(system, task, run):
     """Go to an event, and to the state just after it."""
     mode, state = at.candidate(system, run, run.chosen), run.vectors[at.STATE]
     interpolate(system, mode, run, run.event, run.vectors[at.PASSING])
-    state[:] = run.vectors[at.PASSING]
+    copy(state, run.vectors[at.PASSING])
     run.time, reason = run.event, GOES_ON
     if _parts(system, run.cause, state[base.ALONG]):
         system.body.parted = True

@@ -12,6 +12,9 @@ from planar_pushing.simulation.systems import base
 
 #: Order of the error of a step.
 ORDER = 8.0
+#: Stage about the middle of a step, with a state near that of the motion, and its part of the step.
+MIDDLE = 9
+PART = float(C[MIDDLE])
 
 
 @compiled
@@ -49,7 +52,7 @@ def _part(run, time):
 
 @compiled
 def _stage(system, mode, run, i):
-    """Change of the state at the rate in a stage of the step."""
+    """Change of the state at the rate in a stage of the step, and the guards about the middle."""
     slopes, state, trial = (
         run.vectors[at.SLOPES : at.DENSE],
         run.vectors[at.STATE],
@@ -59,23 +62,35 @@ def _stage(system, mode, run, i):
     time, rate = clock(run, C[i])
     for k in range(len(state)):
         trial[k] += state[k]
-    base.rates(system, mode, time, trial, slopes[i])
+    if i == MIDDLE:
+        base.rates_and_guards(system, mode, time, trial, slopes[i], run.guards[at.ABOUT])
+    else:
+        base.rates(system, mode, time, trial, slopes[i])
     for k in range(len(state)):
         slopes[i, k] *= rate
 
 
 @compiled
 def attempt(system, mode, run, rtol):
-    """Try a step; the estimate of its error in units of the tolerance (Sec. II.10)."""
+    """Try a step; the estimate of its error in units of the tolerance (Sec. II.10).
+
+    Guards are written down about its middle and at its end.
+    """
     slopes, trial = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.TRIAL]
     state, reached, scales = run.vectors[at.STATE], run.vectors[at.REACHED], run.vectors[at.SCALES]
-    slopes[0] = clock(run, 0.0)[1] * run.vectors[at.FIRST]
+    rate = clock(run, 0.0)[1]
+    for k in range(len(state)):
+        slopes[0, k] = rate * run.vectors[at.FIRST, k]
     for i in range(1, STEP):
         _stage(system, mode, run, i)
     _sum(A[STEP], STEP, slopes, reached)
-    reached += state
-    base.rates(system, mode, run.until, reached, run.vectors[at.LAST])
-    slopes[STEP] = clock(run, 1.0)[1] * run.vectors[at.LAST]
+    for k in range(len(state)):
+        reached[k] += state[k]
+    last, end = run.vectors[at.LAST], run.guards[at.END]
+    base.rates_and_guards(system, mode, run.until, reached, last, end)
+    rate = clock(run, 1.0)[1]
+    for k in range(len(state)):
+        slopes[STEP, k] = rate * last[k]
     _sum(ERRORS[0], STEP + 1, slopes, trial)
     fifth = norm(trial, state, reached, rtol, scales) ** 2
     _sum(ERRORS[1], STEP + 1, slopes, trial)
@@ -89,9 +104,11 @@ def _prepare(system, mode, run):
     for i in range(STEP + 1, STAGES):
         _stage(system, mode, run, i)
     slopes, dense = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.DENSE : at.IMPLICIT]
-    dense[0] = run.vectors[at.REACHED] - run.vectors[at.STATE]
-    dense[1] = slopes[0] - dense[0]
-    dense[2] = dense[0] - slopes[STEP] - dense[1]
+    reached, state = run.vectors[at.REACHED], run.vectors[at.STATE]
+    for k in range(len(state)):
+        dense[0, k] = reached[k] - state[k]
+        dense[1, k] = slopes[0, k] - dense[0, k]
+        dense[2, k] = dense[0, k] - slopes[STEP, k] - dense[1, k]
     for i in range(len(WEIGHTS)):
         _sum(WEIGHTS[i], STAGES, slopes, dense[3 + i])
     run.prepared = True
@@ -102,22 +119,11 @@ def stiffness(run):
     """Step times Jacobian, from the two stages at the end of the step (Hairer and Wanner II, Sec. IV.2)."""
     slopes, trial = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.TRIAL]
     _sum(A[STEP - 1], STEP - 1, slopes, trial)
-    apart = run.vectors[at.REACHED] - run.vectors[at.STATE] - trial
-    change = slopes[STEP] - slopes[STEP - 1]
-    distance = (apart * apart).sum()
-    return sqrt((change * change).sum() / distance) if distance > 0.0 else 0.0
-
-
-@compiled
-def near_middle(run, found):
-    """State about the middle of the step, which needs no dense output: that of a cubic."""
-    slopes, state, reached = (
-        run.vectors[at.SLOPES : at.DENSE],
-        run.vectors[at.STATE],
-        run.vectors[at.REACHED],
-    )
-    for k in range(len(found)):
-        found[k] = (state[k] + reached[k]) / 2.0 + (slopes[0, k] - slopes[STEP, k]) / 8.0
+    apart, change = 0.0, 0.0
+    for k in range(len(trial)):
+        apart += (run.vectors[at.REACHED, k] - run.vectors[at.STATE, k] - trial[k]) ** 2
+        change += (slopes[STEP, k] - slopes[STEP - 1, k]) ** 2
+    return sqrt(change / apart) if apart > 0.0 else 0.0
 
 
 @compiled

@@ -34,10 +34,10 @@ DENSE = SLOPES + STAGES
 IMPLICIT = DENSE + 7
 VECTORS = IMPLICIT + 3 * RADAU
 #: Guards of a run by cause: their signs, zero until a guard was away from zero; values at the start of the
-#: step and at its nodes, and two sets on which functions work.
+#: step and at its nodes, about its middle, and two sets on which functions work.
 SIGNS, VALUES = range(2)
 END = VALUES + len(NODES)
-NOW, LATER = END + 1, END + 2
+ABOUT, NOW, LATER = range(END + 1, END + 4)
 
 
 def _dtype(entries: int) -> np.dtype[Any]:

@@ -44,9 +44,11 @@ def first_size(system, mode, run, end, rtol, order):
     slope_size = norm(slope, state, state, rtol, scales)
     small = state_size < 1e-5 or slope_size < 1e-5
     size = min(1e-6 if small else 0.01 * state_size / slope_size, end - run.time)
-    trial[:] = state + size * slope
+    for k in range(len(state)):
+        trial[k] = state[k] + size * slope[k]
     base.rates(system, mode, run.time + size, trial, other)
-    trial[:] = other - slope
+    for k in range(len(state)):
+        trial[k] = other[k] - slope[k]
     bend = max(slope_size, norm(trial, state, state, rtol, scales) / size)
     better = max(1e-6, 1e-3 * size) if bend <= 1e-15 else (0.01 / bend) ** (1.0 / order)
     most = TREND * run.last_size if run.last_size > 0.0 else inf

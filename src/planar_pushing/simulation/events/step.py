@@ -6,7 +6,8 @@ from collections.abc import Callable
 from math import inf
 from typing import Any
 
-from planar_pushing.mechanics.compiled import compiled, generic, inlined
+from planar_pushing.mechanics.compiled import compiled, generic_owning, inlined
+from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.simulation.events import explicit, sizes, stiff, watch
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.fence import span
@@ -20,27 +21,15 @@ WILD = 1e5
 AGREE = 15
 
 
-@generic
-def _attempt(kinds: Any) -> Callable[..., Any]:
-    """Try a step of the method of the run; only friction with inertia calls for the stiff one."""
-    return _either if len(kinds) > 1 else _explicit
+@generic_owning
+def _stiff(kinds: Any) -> Callable[..., Any]:
+    """Try a step of the stiff method, for which only friction with inertia calls; as `stiff.attempt`."""
+    return stiff.attempt if len(kinds) > 1 else _never
 
 
 @compiled
-def _explicit(effects, system, mode, run, size, rtol, again):
-    return explicit.attempt(system, mode, run, rtol)
-
-
-@compiled
-def _either(effects, system, mode, run, size, rtol, again):
-    if run.explicit:
-        return explicit.attempt(system, mode, run, rtol)
-    if not again:
-        stiff.differentiate(system, mode, run, rtol)
-    error = stiff.attempt(system, mode, run, size, rtol, again)
-    if error < 1.0:
-        stiff.prepare(run)
-    return error
+def _never(effects, system, mode, run, size, rtol, again):
+    return inf
 
 
 @inlined
@@ -54,7 +43,7 @@ def begin(run):
 def _first_slope(system, mode, run, end, rtol, order):
     """Slope at the start of a step, and the size of a first one."""
     if run.explicit and not run.fresh:
-        run.vectors[at.FIRST] = run.vectors[at.LAST]
+        copy(run.vectors[at.FIRST], run.vectors[at.LAST])
     else:
         base.rates(system, mode, run.time, run.vectors[at.STATE], run.vectors[at.FIRST])
     if run.fresh:
@@ -75,7 +64,10 @@ def take(system, mode, run, end, rtol):
         bound = min(end, run.pivot) if run.side < 0.0 else end
         run.until, run.prepared = min(run.time + size, bound), False
         size = run.until - run.time
-        error = _attempt(system.effects, system, mode, run, size, rtol, tried > 0.0)
+        if run.explicit:
+            error = explicit.attempt(system, mode, run, rtol)
+        else:
+            error = _stiff(system.effects, system, mode, run, size, rtol, tried > 0.0)
         if error < 1.0:
             planned = sizes.next_size(run, size, error, order)
             run.planned = min(planned, size) if tried > 0.0 else planned
@@ -99,7 +91,7 @@ def move_on(system, run):
         changes = bound > 0.0 and explicit.stiffness(run) > STIFF
     run.agree = run.agree + 1 if changes else 0
     run.time = run.until
-    run.vectors[at.STATE] = run.vectors[at.REACHED]
+    copy(run.vectors[at.STATE], run.vectors[at.REACHED])
     if run.agree == AGREE:
         run.explicit, run.stable = not run.explicit, bound
         run.agree, run.fresh, run.last_size = 0, True, 0.0

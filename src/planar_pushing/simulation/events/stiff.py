@@ -9,7 +9,7 @@ from math import inf, sqrt
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.compiled import inlined, owning
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.sizes import norm
 from planar_pushing.simulation.systems import base
@@ -38,8 +38,8 @@ DIFFERENCE = 1.5e-8
 CHANGES, THERE, UNKNOWN = at.IMPLICIT, at.IMPLICIT + at.RADAU, at.IMPLICIT + 2 * at.RADAU
 
 
-@compiled
-def differentiate(system, mode, run, rtol):
+@inlined
+def _differentiate(system, mode, run, rtol):
     """Derivative of the rates by the state, by differences; the first slope is known."""
     state, trial, moved = run.vectors[at.STATE], run.vectors[at.TRIAL], run.vectors[UNKNOWN]
     trial[:] = state
@@ -51,13 +51,21 @@ def differentiate(system, mode, run, rtol):
         trial[j] = state[j]
 
 
-@inlined
-def attempt(system, mode, run, size, rtol, again):
-    """Try a step; the estimate of its error in units of the tolerance, infinite without a solution."""
+@owning
+def attempt(effects, system, mode, run, size, rtol, again):
+    """Try a step; the estimate of its error in units of the tolerance, infinite without a solution.
+
+    In a trial again, from the same state, the derivative is known.
+    """
+    if not again:
+        _differentiate(system, mode, run, rtol)
     if not _collocate(system, mode, run, size, rtol):
         return inf
     run.vectors[at.REACHED] = run.vectors[at.STATE] + run.vectors[CHANGES + at.RADAU - 1]
-    return _error(system, mode, run, size, rtol, again)
+    error = _error(system, mode, run, size, rtol, again)
+    if error < 1.0:
+        _prepare(run)
+    return error
 
 
 @inlined
@@ -123,7 +131,7 @@ def _error(system, mode, run, size, rtol, again):
 
 
 @inlined
-def prepare(run):
+def _prepare(run):
     """Coefficients of the dense output."""
     run.vectors[at.DENSE : at.DENSE + at.RADAU] = np.dot(CUBIC, run.vectors[CHANGES:THERE])
     run.prepared = True

@@ -7,9 +7,10 @@ from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.numerics.bracket import RESOLUTION, bracketed
+from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.mechanics.numerics.root import EQUATIONS
 from planar_pushing.simulation.events import run as at
-from planar_pushing.simulation.events.explicit import clock, interpolate, near_middle
+from planar_pushing.simulation.events.explicit import PART, interpolate
 from planar_pushing.simulation.systems import base
 
 #: Halvings that look for the moment in which a margin that starts at zero is positive.
@@ -47,11 +48,12 @@ def first_event(system, mode, run):
 
     A mode is misjudged where a margin is negative from its start on.
     """
-    base.guards(system, mode, run.until, run.vectors[at.REACHED], run.guards[at.END])
+    if not run.explicit:
+        base.guards(system, mode, run.until, run.vectors[at.REACHED], run.guards[at.END])
     run.event, found = run.until, NOTHING
-    if not run.explicit or _may_end(system, mode, run):
+    if not run.explicit or _may_end(run):
         found = _search(system, mode, run)
-    run.guards[at.VALUES] = run.guards[at.END]
+    copy(run.guards[at.VALUES], run.guards[at.END])
     return found
 
 
@@ -59,7 +61,6 @@ def first_event(system, mode, run):
 def look_for_pivot(system, mode, run):
     """Where the motion is not smooth within a step that was tried, steps are graded towards that time."""
     sign, end = run.guards[at.SIGNS, base.KINK], run.guards[at.END]
-    base.guards(system, mode, run.until, run.vectors[at.REACHED], end)
     if sign * end[base.KINK] < -base.SLACK:
         equation, slack = Guarded(system, mode, run, base.KINK), BEHIND * (run.until - run.time)
         at_start, at_end = abs(run.guards[at.VALUES, base.KINK]), -abs(end[base.KINK])
@@ -69,27 +70,26 @@ def look_for_pivot(system, mode, run):
 
 
 @inlined
-def _may_end(system, mode, run):
+def _may_end(run):
     """Whether an event may lie in a step, by its guards at the ends and about the middle."""
-    near_middle(run, run.vectors[at.TRIAL])
-    now = run.guards[at.NOW]
-    base.guards(system, mode, clock(run, 0.5)[0], run.vectors[at.TRIAL], now)
     for cause in range(base.CAUSES):
-        sign, middle, end = run.guards[at.SIGNS, cause], now[cause], run.guards[at.END, cause]
+        sign, end = run.guards[at.SIGNS, cause], run.guards[at.END, cause]
+        middle = run.guards[at.ABOUT, cause]
         if sign == 0.0 and (abs(middle) > base.SLACK or abs(end) > base.SLACK):
             return True
         if sign * middle < -base.SLACK or sign * end < -base.SLACK:
             return True
-        if not base.WATCHES[cause] and _dips(run.guards[at.VALUES, cause], middle, end):
+        if not base.WATCHES[cause] and _dips(run.guards[at.VALUES, cause], middle, end, PART):
             return True
     return False
 
 
 @compiled
-def _dips(a, b, c):
-    """Whether the parabola through three values falls, between them, to a fifth of the least one."""
-    bend = a - 2.0 * b + c
-    return abs(c - a) < 2.0 * bend and b - (c - a) * (c - a) / (8.0 * bend) < DIP * min(a, b, c)
+def _dips(a, b, c, part):
+    """Whether the parabola through values at 0, a part, and 1 falls to a fifth of the least of them."""
+    bend = ((c - a) - (b - a) / part) / (1.0 - part)
+    slope = (c - a) - bend
+    return 0.0 < -slope < 2.0 * bend and a - slope * slope / (4.0 * bend) < DIP * min(a, b, c)
 
 
 @compiled
@@ -159,7 +159,7 @@ def _dip(system, mode, run, cause):
     for j in range(1, len(at.NODES)):
         a, b = run.guards[at.VALUES + j - 1, cause], run.guards[at.VALUES + j, cause]
         c = run.guards[at.VALUES + j + 1, cause]
-        if min(a, b, c) > 0.0 and _dips(a, b, c):
+        if min(a, b, c) > 0.0 and _dips(a, b, c, 0.5):
             low = _node(run, j - 1)
             time = _below(system, mode, run, cause, low, _node(run, j + 1))
             if time < inf:
@@ -219,7 +219,7 @@ def _crossing(system, mode, run, cause, low, high, at_low, at_high):
     """Time at which a guard vanishes between two times; where it jumps, beyond the jump."""
     if at_low <= 0.0:
         return low
-    time = bracketed(Guarded(system, mode, run, cause), low, high, at_low, at_high)
+    time = bracketed(Guarded(system, mode, run, cause), low, high, at_low, at_high, RESOLUTION)
     step = RESOLUTION * time
     while step > 0.0 and time < high and _value(system, mode, run, cause, time) > base.SLACK:
         time, step = min(time + step, high), 2.0 * step

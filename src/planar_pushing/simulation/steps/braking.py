@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.compiled import compiled, generic, owning
 from planar_pushing.mechanics.effects.base import gradient
 
 #: Newton steps at most, and trials of one; what a step has to leave of the slope at most; and relative size
@@ -53,6 +53,11 @@ def _friction(effects, now, slopes, bend):
     bend[2, 0], bend[2, 1], bend[2, 2] = bend[0, 2], bend[1, 2], turn
 
 
+@compiled
+def _product(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
 @generic
 def _slopes(kind: Any) -> Callable[..., Any]:
     """Slopes of a potential at a motion, and its second derivatives: potential, motion, and both."""
@@ -72,7 +77,9 @@ def _of_slowing(of, now, slopes, bend):
 @compiled
 def _of_leaving(of, now, slopes, bend):
     _friction(of.effects, now, slopes, bend)
-    power, scale = (slopes * now).sum(), (of.masses * now * now).sum()
+    power, scale = _product(slopes, now), 0.0
+    for i in range(3):
+        scale += of.masses[i] * now[i] * now[i]
     for i in range(3):
         for j in range(3):
             bend[i, j] = slopes[i] * slopes[j] + power * bend[i, j]
@@ -81,7 +88,7 @@ def _of_leaving(of, now, slopes, bend):
         slopes[i] = power * slopes[i] - of.masses[i] * of.before[i]
 
 
-@compiled
+@owning
 def _least(of, now):
     """Take a motion to the least of a potential: Newton's method.
 
@@ -91,11 +98,11 @@ def _least(of, now):
     _slopes(of, now, slopes, bend)
     for _ in range(STEPS):
         step = np.linalg.solve(bend, -slopes)
-        slope, part, start = (slopes * step).sum(), 1.0, now.copy()
+        slope, part, start = _product(slopes, step), 1.0, now.copy()
         for _ in range(CUTS):
             now[:] = start + part * step
             _slopes(of, now, slopes, bend)
-            last = (slopes * step).sum()
+            last = _product(slopes, step)
             if abs(last) <= ENOUGH * abs(slope):
                 break
             part *= slope / (slope - last) if last > 0.0 else 2.0
@@ -103,7 +110,7 @@ def _least(of, now):
             break
 
 
-@compiled
+@owning
 def _left(of, now):
     """Part of a motion that has the least potential of the step on its line; below 0 it is rest."""
     slopes, bend = np.empty(3), np.empty((3, 3))
@@ -112,7 +119,7 @@ def _left(of, now):
     return power / (of.masses * now * now).sum()
 
 
-@compiled
+@owning
 def slowed(effects, own, v_x, v_y, spin, size):
     """As `slowing.slowed`."""
     if v_x == 0.0 and v_y == 0.0 and spin == 0.0:

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.mechanics.plane import Array, contact_motion
 from planar_pushing.mechanics.reduced.base import MOTION
 from planar_pushing.simulation.fence import span, velocity
@@ -111,7 +112,7 @@ def _choose(system, plan, run):
     policy, h = system.fence[plan.pieces[run.mark]].policy, run.until - run.time
     best = contact.preferred(policy, kind, run.kinds, count)
     run.kind = run.kinds[best]
-    run.trials[0] = run.trials[best]
+    copy(run.trials[0], run.trials[best])
     shape, angle, found = system.shape, run.state[base.ANGLE], run.trials[0]
     run.force[0], run.force[1] = shapes.shown(shape, angle, found[3] / h, found[4] / h)
     if system.body.mass == 0.0:
@@ -170,7 +171,8 @@ def _move(system, run):
         state[base.ALONG] += along - way_x
         state[base.GAP] += across - way_y
     _turn(system, run, v_x, v_y, spin)
-    run.fence += run.way
+    run.fence[0] += run.way[0]
+    run.fence[1] += run.way[1]
     run.time = run.until
     _part(system, run)
 
@@ -215,7 +217,8 @@ def _log(system, run, rows, count):
     row.slip, row.gap = state[base.SLIP], state[base.GAP]
     row.dissipated, row.work = state[base.RUBBED], state[base.WORK]
     row.contact_dissipated = state[base.LOST]
-    row.fence[:], row.force[:] = run.fence, run.force
+    copy(row.fence, run.fence)
+    copy(row.force, run.force)
     row.mode, row.solutions, row.stopped = run.kind, run.solutions, run.stopped
     v_x, v_y = shapes.seen(system.shape, state[base.ANGLE], run.twist[0], run.twist[1])
     put(system, state, v_x, v_y, run.twist[2], row)

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from math import atan, atan2, copysign, cos, sin, sqrt
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.compiled import compiled, generic_owning
 from planar_pushing.mechanics.effects.base import response
 from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
@@ -47,7 +47,7 @@ def _braked(of, angle):
 EQUATIONS[Braked] = _braked
 
 
-@generic
+@generic_owning
 def slowed(kinds: Any) -> Callable[..., Any]:
     """Motion of the centre of mass, and rotation, that friction leaves of those before.
 

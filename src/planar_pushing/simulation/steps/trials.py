@@ -12,6 +12,7 @@ from math import sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import by_kind, compiled
+from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.shapes.base import Pose
@@ -81,6 +82,6 @@ def _slipping(system, step, kind, slack, kinds, trials, count):
         found = trials[first + i]
         slip = contact_motion(step.now.own, found[0], found[1], found[2])[0] - step.x
         if contact.side_of(kind) * slip > slack:
-            trials[count], kinds[count] = found, kind
-            count += 1
+            copy(trials[count], found)
+            kinds[count], count = kind, count + 1
     return count

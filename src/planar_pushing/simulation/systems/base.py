@@ -13,7 +13,9 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import by_kind, compiled
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.modes import MOST
 from planar_pushing.mechanics.plane import contact_motion
+from planar_pushing.mechanics.reduced.base import MOTION
 from planar_pushing.simulation import fence
 from planar_pushing.simulation.fence import Span
 from planar_pushing.simulation.systems.motion import rod_of, size_of
@@ -58,14 +60,16 @@ WATCHES = tuple(cause in WATCHED for cause in range(CAUSES))
 #: and what the law allows there; weight, mass and moment m (rho / R)^2, zero where there is no such
 #: effect; centre of mass in the body frame, its distance from the contact, and cosine and sine of the
 #: angle of the line there to the rod; typical speed and force, to which slacks are relative; initial gap.
-#: And what does change: how often the motion was evaluated, and whether the contact has ended for good.
+#: And what does change: how often the motion was evaluated, and whether the contact has ended for good;
+#: and room for modes, their motions and starts, and rates, on which functions work.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
         ("left_angle", "f8"), ("slips", "b1"), ("closed", "b1"), ("rough", "b1"),
         ("weight", "f8"), ("mass", "f8"), ("moment", "f8"), ("center", "f8", (2,)), ("reach", "f8"),
         ("lean", "f8", (2,)), ("speed", "f8"), ("force", "f8"), ("gap", "f8"), ("evaluations", "i8"),
-        ("parted", "b1"),
+        ("parted", "b1"), ("modes", "i1", (MOST,)), ("motions", "f8", (MOST, MOTION)),
+        ("kinds", "i8", (MOST,)), ("starts", "f8", (MOST, 3)), ("rates", "f8", (MOVING,)),
     ],
     align=True,
 )  # fmt: skip
@@ -219,7 +223,25 @@ def rank(policy, previous, kind):
 @compiled
 def rates(system, mode, time, state, found):
     """Write down the derivative of the state."""
+    _rates(mode, motion(system, mode, time, state), found)
+
+
+@compiled
+def guards(system, mode, time, state, found):
+    """Write down margins and watches by cause, NaN where there is none."""
+    _guards(system, mode, state, motion(system, mode, time, state), found)
+
+
+@compiled
+def rates_and_guards(system, mode, time, state, found, guarded):
+    """Write down both, of one motion."""
     now = motion(system, mode, time, state)
+    _rates(mode, now, found)
+    _guards(system, mode, state, now, guarded)
+
+
+@compiled
+def _rates(mode, now, found):
     found[ALONG], found[GAP], found[ANGLE] = now.slip, now.rise, now.spin
     # The contact does not slip while the slider rests or flies over the fence.
     found[SLIP] = now.slip if contact_mode(mode.kind) != SEPARATE else 0.0
@@ -231,9 +253,8 @@ def rates(system, mode, time, state, found):
 
 
 @compiled
-def guards(system, mode, time, state, found):
-    """Write down margins and watches by cause, NaN where there is none."""
-    body, now = system.body, motion(system, mode, time, state)
+def _guards(system, mode, state, now, found):
+    body = system.body
     found[:] = nan
     if mode.kind == HELD:
         found[STARTS] = PUSHES - now.fence_y / body.speed

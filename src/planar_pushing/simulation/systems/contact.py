@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from math import atan2
 
-import numpy as np
-
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.contact.laws import Law
@@ -122,14 +120,15 @@ def impact(system, during, time, state, kind, policy):
         state[base.OVER], state[base.RISE] = 0.0, 0.0
         return 0
     own = base.pose(system, state).arm
-    kinds, count = np.empty(MODES, np.int64), 0
+    chosen, least, before = -1, 0, base.contact_mode(kind)
     for each in range(MODES):
         if _consistent(body, own, each, x, y):
-            kinds[count], count = each, count + 1
-    chosen = preferred(policy, base.contact_mode(kind), kinds, count)
+            place = base.rank(policy, before, each)
+            if chosen < 0 or place < least:
+                chosen, least = each, place
     if chosen < 0:
         return NO_IMPULSE
-    p_x, p_y, after_x, after_y = pushed_in(body, own, kinds[chosen], x, y)
+    p_x, p_y, after_x, after_y = pushed_in(body, own, chosen, x, y)
     state[base.OVER], state[base.RISE] = after_x, after_y
     state[base.SPIN] += moment_of(own, p_x, p_y) / body.moment
     fence_x, fence_y = base.velocity(system, during, time, state)

@@ -64,7 +64,7 @@ def modes(system, during, time, state, kinds, starts):
 def _in_motion(system, during, time, state, kinds):
     """Modes of a contact on the fence whose slider moves."""
     body, slip, count = system.body, state[base.OVER], 0
-    flight = motion(system, base.Mode(base.SEPARATE, 0.0, 0.0, 0.0, during), time, state)
+    flight = base.motion(system, base.Mode(base.SEPARATE, 0.0, 0.0, 0.0, during), time, state)
     for kind in range(contact.MODES):
         may = body.slips and contact.side_of(kind) * slip >= -base.SLACK * body.speed
         if kind == base.SEPARATE:

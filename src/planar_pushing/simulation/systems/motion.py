@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import cos, nan, sin, sqrt
+from math import cos, log, nan, sin, sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
@@ -178,4 +178,6 @@ def _kink_at_points(effects, own, force, spin, speed):
 @compiled
 def _kink_on_ring(effects, own, force, spin, speed):
     total = abs(spin) + speed
-    return (abs(spin) - speed) / total if total > 0.0 else 0.0
+    part = (abs(spin) - speed) / total if total > 0.0 else 0.0
+    # As even in time as the moment arm, of which the spin ratio is a function like x / log(x) there.
+    return part * (2.0 - log(abs(part))) if part != 0.0 else 0.0

@@ -6,13 +6,11 @@ from collections.abc import Callable
 from math import atan2, copysign, inf, sqrt
 from typing import Any
 
-import numpy as np
-
 from planar_pushing.mechanics.compiled import compiled, generic, inlined
 from planar_pushing.mechanics.effects.base import scaled
-from planar_pushing.mechanics.modes import MOST, contact_modes
+from planar_pushing.mechanics.modes import contact_modes
 from planar_pushing.mechanics.plane import contact_motion, rod, toward
-from planar_pushing.mechanics.reduced.base import MOTION, slips
+from planar_pushing.mechanics.reduced.base import slips
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.motion import MASSES, kinetic_energy
 
@@ -42,7 +40,7 @@ def _starting(effects, system, during, time, state, kinds, starts):
     # The pusher's motion is the unit of `contact_modes`, so the mass counts in units of its acceleration.
     body, now = system.body, _exact_pose(system, state)
     driven, own = (now.effects[0], scaled(now.effects[1], size)), now.own
-    found, motions = np.empty(MOST, np.int8), np.empty((MOST, MOTION))
+    found, motions = body.modes[:], body.motions[:]
     if abs(state[base.OVER]) > base.AT_REST * body.speed:
         slip, normal = state[base.OVER], turn_y / size
         count = _slipping_starts(driven, body, own, normal, slip, found, motions)
@@ -96,7 +94,8 @@ def set_off(system, mode, time, state, policy):
     """Let a slider at rest keep up with a fence that has just begun to push it; 0, or a `Stop`."""
     state[base.GAP] = 0.0
     during = mode.during
-    kinds, starts = np.empty(MOST, np.int64), np.zeros((MOST, 3))
+    kinds, starts = system.body.kinds[:], system.body.starts[:]
+    starts[:] = 0.0
     count = starting(system.effects, system, during, time, state, kinds, starts)
     chosen = contact.preferred(policy, base.contact_mode(mode.kind), kinds, count)
     if chosen < 0 or kinds[chosen] == base.HELD:
@@ -117,7 +116,7 @@ def stopped(system, mode, time, state):
 
     The energy then falls with its square, and everything moves on at half its present rate.
     """
-    during, body, found = mode.during, system.body, np.empty(base.MOVING)
+    during, body, found = mode.during, system.body, system.body.rates[:]
     base.rates(system, mode, time, state, found)
     lost = found[base.LOST] + found[base.RUBBED] - found[base.WORK]
     if lost <= 0.0:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, owning
 from planar_pushing.mechanics.numerics.bracket import dip
 from planar_pushing.mechanics.numerics.root import EQUATIONS, excess
 from planar_pushing.mechanics.reduced.pressed.motions import Amount, contact_of, motion_of
@@ -55,7 +55,7 @@ def _turn(of, z):
 EQUATIONS[Turn] = _turn
 
 
-@compiled
+@owning
 def between(amount):
     """How far to the right and to the left of the force the contact moves at the most."""
     aside = np.empty(2 * NODES + 1)
@@ -69,7 +69,7 @@ def _node(i):
     return sinh((i - NODES) * APART)
 
 
-@compiled
+@owning
 def _least(turn, asides):
     """The least angle of all magnitudes: in the dips about nodes, and at the ends of level stretches."""
     found = min(asides[0], asides[-1])

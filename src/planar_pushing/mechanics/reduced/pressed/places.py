@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, reading
+from planar_pushing.mechanics.compiled import compiled, owning
 from planar_pushing.mechanics.effects.base import count_points, point
 from planar_pushing.mechanics.plane import Direction, Rod
 from planar_pushing.mechanics.reduced.pivots import SHARE, held
@@ -44,20 +44,20 @@ class Place(NamedTuple):
     swing: float
 
 
-@reading
+@compiled
 def _contact(slide, x):
     """Motion of the contact in the body frame."""
     own, normal = slide.own, slide.normal
     return x * own.x + normal * own.y, normal * own.x - x * own.y
 
 
-@reading
+@compiled
 def place_at(slide, x, near):
     """The place at x, from a near one."""
     return _found(slide, x, near, SETTLED)[0]
 
 
-@reading
+@compiled
 def rough_place(slide, x, near):
     """The place at x to about `ROUGH`, but with the right sign of the force across the edge."""
     place, now = _found(slide, x, near, ROUGH)
@@ -66,7 +66,7 @@ def rough_place(slide, x, near):
     return place_at(slide, x, place)
 
 
-@reading
+@compiled
 def _found(slide, x, near, enough):
     """The place at x, and what is felt there."""
     own, edge, (u_x, u_y) = slide.own, slide.edge, _contact(slide, x)
@@ -79,12 +79,12 @@ def _found(slide, x, near, enough):
     return Place(x, across, slope, spin, swing), now
 
 
-@reading
+@compiled
 def _across_edge(edge, f_x, f_y):
     return edge.along * f_y + edge.aside * f_x
 
 
-@reading
+@compiled
 def first_place(slide, x):
     """The place at x, without another one."""
     u_x, u_y = _contact(slide, x)
@@ -107,7 +107,7 @@ def moved_at(slide, place):
     return of_line(slide.effects, slide.own, _line(slide, place.x), motion)
 
 
-@compiled
+@owning
 def pivots_between(slide, end, start):
     """Of each support point, the place of the slip about it; NaN where there is none."""
     places, own = np.full(count_points(slide.effects[0]), nan), slide.own

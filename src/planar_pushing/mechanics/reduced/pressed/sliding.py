@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import asinh, ceil, copysign, exp, nan, sinh
 from typing import NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, owning
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 from planar_pushing.mechanics.reduced.pressed.motions import RANGE, write
 from planar_pushing.mechanics.reduced.pressed.places import (
@@ -52,7 +52,7 @@ def _across(of, x):
 EQUATIONS[Across] = _across
 
 
-@compiled
+@owning
 def slips_along(slide, start, found):
     """Write down the slips from the slowest to one that moves by `start` along the fence; their number."""
     edge, normal = slide.edge, slide.normal

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, reading, summing
+from planar_pushing.mechanics.compiled import compiled, owning, summing
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.supports.pressure.record import Array
@@ -54,14 +54,14 @@ def of_all(rows: Array, plates: Any) -> Array:
     return found
 
 
-@compiled
+@owning
 def _expand(rows, plates, found):
     for i in range(len(plates)):
         row = rows[plates[i]]
         found[i] = multipoles(rows[int(row[4]) : int(row[5])], row[2])
 
 
-@compiled
+@owning
 def multipoles(edges, radius):
     """Terms of a plate, real and imaginary; shape (ROWS, 2)."""
     sums = np.zeros((ORDER + 1, ORDER // 2 + 1), dtype=np.complex128)
@@ -74,7 +74,7 @@ def multipoles(edges, radius):
     return _terms(sums)
 
 
-@compiled
+@owning
 def _add_edge(sums, start, end, area):
     """Add an edge's part of the moments, over the triangle of the edge and the centre.
 
@@ -97,7 +97,7 @@ def _add_edge(sums, start, end, area):
             sums[m, k] += whole * means[m, k]
 
 
-@compiled
+@owning
 def _powers(z):
     found = np.ones(ORDER + 1, dtype=np.complex128)
     for n in range(ORDER):
@@ -105,7 +105,7 @@ def _powers(z):
     return found
 
 
-@compiled
+@owning
 def _terms(sums):
     """Coefficients of the series from the moments; those of power 1 are zero about the centre."""
     found, place = np.zeros((ROWS, 2)), 0
@@ -124,7 +124,7 @@ def _terms(sums):
     return found
 
 
-@reading
+@compiled
 def far(multipoles, i, x, y, radius):
     """The piece of plate i for a centre of rotation far from it."""
     distance = sqrt(x * x + y * y)

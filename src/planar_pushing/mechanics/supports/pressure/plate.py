@@ -7,14 +7,14 @@ multipoles take over.
 
 from __future__ import annotations
 
-from planar_pushing.mechanics.compiled import compiled, reading
+from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.supports.pressure.edges import ends, mean_distance, mean_inverse
 
 #: From this distance on, in radii of the plate, `multipole.far` is used.
 FAR = 1.7
 
 
-@reading
+@compiled
 def near(edges, begin, stop, x, y):
     """The piece of a plate, edges `begin` to `stop`, for a centre of rotation (x, y) from its centre."""
     distance, g_x, g_y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import owning
 from planar_pushing.mechanics.supports.pressure.assembly import Gathered, gathered, stacked
 from planar_pushing.mechanics.supports.pressure.record import Array, Pressure
 from planar_pushing.terms.errors import InvalidValue
@@ -70,7 +70,7 @@ def table_of(supports: Sequence[Any]) -> Table:
     return Table(found.centers / size, found.spreads / size**2, starts, rows, multipoles)
 
 
-@compiled
+@owning
 def pressure_of(table, i):
     """One of the pressures."""
     x, y, at = table.centers[i, 0], table.centers[i, 1], table.starts[i]
