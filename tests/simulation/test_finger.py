@@ -1,16 +1,18 @@
 """A finger against a flat side: against `solve`, the fence, scipy, and its own symmetry and energy."""
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
-import numba
 import numpy as np
 import pytest
 
 import planar_pushing as pp
-from simulation.runs import check, final, heading, run
+from simulation.runs import (
+    UNCOMPILED,
+    check,
+    final,
+    heading,
+    run,
+    run_uncompiled,
+    starts_uncompiled,
+)
 from simulation.straight import Pushed
 
 POINTS, SHARES = [(1, 0), (-0.5, np.sqrt(0.75)), (-0.4, -np.sqrt(0.75))], [0.2, 0.5, 0.3]
@@ -22,9 +24,7 @@ FRICTION = {"ring": (pp.RingFriction(),), "tripod": (TRIPOD,)}
 EVERY = FRICTION | {
     "inertia": (HEAVY,), "both": (pp.RingFriction(), HEAVY), "tripod, aside": (TRIPOD, ASIDE),
 }  # fmt: skip
-#: The compiler takes a minute for a finger with a set of effects, and a run without it a second: one set
-#: without inertia and one with it are compiled; the others are tested without the compiler alone.
-UNCOMPILED = bool(numba.config.DISABLE_JIT)
+#: One set without inertia and one with it are compiled; the others are run without the compiler alone.
 EFFECTS = {name: EVERY[name] for name in (EVERY if UNCOMPILED else ("ring", "inertia"))}
 SLIPPING = heading(68)
 
@@ -47,15 +47,10 @@ def pushed(pushed_scene, velocity, duration=0.7, *, shape="finger", samples=5, *
     return run(pushed_scene, pusher, duration, samples=samples, **options)
 
 
-@pytest.mark.skipif(UNCOMPILED, reason="starts the tests without the compiler")
+@starts_uncompiled
 def test_every_effect_without_the_compiler():
-    found = subprocess.run(
-        [sys.executable, "-m", "pytest", "-vv", "-p", "no:cacheprovider", __file__],
-        capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2],
-        env=os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)},
-    )  # fmt: skip
-    assert found.returncode == 0, found.stdout[-3000:]
-    assert all(f"[jerk-{name}]" in found.stdout for name in EVERY), found.stdout
+    said = run_uncompiled(__file__)
+    assert all(f"[jerk-{name}] PASSED" in said for name in EVERY)
 
 
 @pytest.mark.parametrize("name", [name for name in FRICTION if name in EFFECTS])
