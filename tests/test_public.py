@@ -1,6 +1,7 @@
 """The library as its users see it: names, version, types, and what its documentation says of angles."""
 
 import inspect
+import os
 import re
 import subprocess
 import sys
@@ -84,7 +85,7 @@ pp.Slider(rod_length=1.0)
 def test_a_type_checker_knows_the_public_names(tmp_path):
     (tmp_path / "use.py").write_text(USE, encoding="utf-8")
     ended = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--config-file=", "--cache-dir", str(tmp_path),
+        [sys.executable, "-m", "mypy", "--strict", "--config-file=", "--cache-dir", os.devnull,
          "--follow-imports=silent", str(tmp_path / "use.py")],
         capture_output=True, text=True, check=False,
     )  # fmt: skip

@@ -2,9 +2,31 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numba
 import numpy as np
+import pytest
 
 import planar_pushing as pp
+
+#: The compiler takes up to two minutes for the events of a set of effects, and a run without it a second.
+UNCOMPILED = bool(numba.config.DISABLE_JIT)
+starts_uncompiled = pytest.mark.skipif(UNCOMPILED, reason="starts the tests without the compiler")
+
+
+def run_uncompiled(file):
+    """Run all tests of a file without the compiler; what pytest said of each."""
+    found = subprocess.run(
+        [sys.executable, "-m", "pytest", "-vv", "-p", "no:cacheprovider", file],
+        capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2],
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)},
+    )  # fmt: skip
+    assert found.returncode == 0, found.stdout[-3000:]
+    return found.stdout
 
 
 def heading(degrees, speed=1.0):

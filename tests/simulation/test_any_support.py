@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
-from simulation.runs import check, final, run
+from simulation.runs import UNCOMPILED, check, final, run, run_uncompiled, starts_uncompiled
 
 #: A ring that takes the general route.
 RING = pp.Composite([(1.0, pp.Ring(1.0))])
@@ -17,7 +17,25 @@ METHODS = {
     "time-stepping": {"method": "time-stepping", "step": 0.02},
 }
 
-every_method = pytest.mark.parametrize("options", METHODS.values(), ids=METHODS)
+MASSES = {"friction": (), "both": (HEAVY,), "offset": (ASIDE,)}
+
+
+def runs(*names):
+    """Masses and a method; events with inertia are run without the compiler alone."""
+    return pytest.mark.parametrize(
+        ("masses", "options"),
+        [
+            pytest.param(MASSES[name], options, id=f"{name}-{method}")
+            for name in names for method, options in METHODS.items()
+            if UNCOMPILED or name == "friction" or method == "time-stepping"
+        ],
+    )  # fmt: skip
+
+
+@starts_uncompiled
+def test_events_with_inertia_without_the_compiler():
+    said = run_uncompiled(__file__)
+    assert all(f"{name}-event-driven] PASSED" in said for name in MASSES)
 
 
 def simulated(friction, masses, **options):
@@ -29,8 +47,7 @@ def simulated(friction, masses, **options):
     return run(scene, (0.3, 1.0), 0.8, samples=5, **options)
 
 
-@every_method
-@pytest.mark.parametrize("masses", [(), (HEAVY,)], ids=["friction", "both"])
+@runs("friction", "both")
 def test_a_ring_moves_as_the_ring(masses, options):
     ring = simulated(pp.RingFriction(), masses, **options)
     other = simulated(pp.SupportFriction(support=RING), masses, **options)
@@ -41,8 +58,7 @@ def test_a_ring_moves_as_the_ring(masses, options):
         assert np.allclose(other[name], ring[name], rtol=1e-8, atol=1e-8), name
 
 
-@every_method
-@pytest.mark.parametrize("masses", [(), (HEAVY,), (ASIDE,)], ids=["friction", "both", "offset"])
+@runs("friction", "both", "offset")
 @pytest.mark.parametrize("support", [SQUARE, TRIPOD], ids=["square", "tripod"])
 def test_the_work_of_the_fence_is_stored_or_dissipated(support, masses, options):
     log = check(simulated(pp.SupportFriction(support=support), masses, **options))
@@ -50,9 +66,9 @@ def test_the_work_of_the_fence_is_stored_or_dissipated(support, masses, options)
     assert final(log, "work") > 0.1
 
 
-@pytest.mark.parametrize("masses", [(), (ASIDE,)], ids=["friction", "offset"])
-def test_steps_converge_to_the_event_driven_motion(masses):
-    friction = pp.SupportFriction(support=SQUARE)
+@pytest.mark.parametrize("name", ["friction", "offset"] if UNCOMPILED else ["friction"])
+def test_steps_converge_to_the_event_driven_motion(name):
+    friction, masses = pp.SupportFriction(support=SQUARE), MASSES[name]
     exact = final(simulated(friction, masses), "rod_angle")
     errors = [
         abs(final(simulated(friction, masses, method="time-stepping", step=step), "rod_angle") - exact)

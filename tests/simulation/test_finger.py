@@ -4,7 +4,15 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from simulation.runs import check, final, heading, run
+from simulation.runs import (
+    UNCOMPILED,
+    check,
+    final,
+    heading,
+    run,
+    run_uncompiled,
+    starts_uncompiled,
+)
 from simulation.straight import Pushed
 
 POINTS, SHARES = [(1, 0), (-0.5, np.sqrt(0.75)), (-0.4, -np.sqrt(0.75))], [0.2, 0.5, 0.3]
@@ -13,11 +21,16 @@ TRIPOD = pp.SupportFriction(support=pp.Points(POINTS, SHARES))
 RIM = [(np.cos(angle), np.sin(angle)) for angle in 2 * np.pi * np.arange(400) / 400]
 HEAVY, ASIDE = (pp.Inertia(mass=0.7, gyration_radius=0.9, center=c) for c in ((0, 0), (0.2, 0.1)))
 FRICTION = {"ring": (pp.RingFriction(),), "tripod": (TRIPOD,)}
-EFFECTS = FRICTION | {
+EVERY = FRICTION | {
     "inertia": (HEAVY,), "both": (pp.RingFriction(), HEAVY), "tripod, aside": (TRIPOD, ASIDE),
 }  # fmt: skip
+#: One set without inertia and one with it are compiled; the others are run without the compiler alone.
+EFFECTS = {name: EVERY[name] for name in (EVERY if UNCOMPILED else ("ring", "inertia"))}
 SLIPPING = heading(68)
 
+without_compiler = pytest.mark.skipif(
+    not UNCOMPILED, reason="test_every_effect_without_the_compiler runs it"
+)
 every_effect = pytest.mark.parametrize("effects", EFFECTS.values(), ids=EFFECTS)
 
 
@@ -34,9 +47,16 @@ def pushed(pushed_scene, velocity, duration=0.7, *, shape="finger", samples=5, *
     return run(pushed_scene, pusher, duration, samples=samples, **options)
 
 
-@pytest.mark.parametrize("effects", FRICTION.values(), ids=FRICTION)
+@starts_uncompiled
+def test_every_effect_without_the_compiler():
+    said = run_uncompiled(__file__)
+    assert all(f"[jerk-{name}] PASSED" in said for name in EVERY)
+
+
+@pytest.mark.parametrize("name", [name for name in FRICTION if name in EFFECTS])
 @pytest.mark.parametrize("degrees", [68, 90, 165])
-def test_the_first_instant_is_a_solution_from_rest(effects, degrees):
+def test_the_first_instant_is_a_solution_from_rest(name, degrees):
+    effects = FRICTION[name]
     found = pushed(scene(effects, pp.Coulomb(0.3)), heading(degrees), 1e-3).isel(time=0)
     (solution,) = pp.solve(scene(effects, pp.Coulomb(0.3)), np.deg2rad(degrees))
     assert int(found.mode) == solution.mode
@@ -114,7 +134,7 @@ def test_the_finger_leaves_the_side_at_its_end(name):
 
 
 def test_a_slider_without_inertia_stays_where_the_finger_leaves_it():
-    log = pushed(scene((TRIPOD,), side=(-1.0, 0.2)), SLIPPING)
+    log = pushed(scene((pp.RingFriction(),), side=(-1.0, 0.2)), SLIPPING)
     after = log.isel(time=log.parted.values)
     assert np.ptp(after.rod_angle.values) == 0
     assert not after.twist.values.any()
@@ -158,6 +178,7 @@ def test_mirrored_scenes_have_mirrored_motions(effects):
     assert np.ptp(one.contact_position.values) > 0.01
 
 
+@without_compiler
 def test_a_ring_of_any_support_is_a_ring():
     general = pp.SupportFriction(support=pp.Composite([(1.0, pp.Ring(1.0))]))
     for masses in ((), (HEAVY,)):
@@ -194,8 +215,9 @@ def check_energy(log):
     check(log.assign(gap=log.gap.where(~log.parted, 0.0)))
 
 
-@pytest.mark.parametrize("effects", [EFFECTS["ring"], EFFECTS["both"]], ids=["ring", "both"])
-def test_a_batch_has_the_numbers_of_simulate(effects):
+@pytest.mark.parametrize("name", [name for name in ("ring", "both") if name in EFFECTS])
+def test_a_batch_has_the_numbers_of_simulate(name):
+    effects = EFFECTS[name]
     angles, ends = np.array([60.0, 68.0, 120.0]), np.array([0.1, 0.3, np.inf])
     velocity = np.stack([np.cos(np.deg2rad(angles)), np.sin(np.deg2rad(angles))], axis=-1)
     batch = pp.simulate_batch(

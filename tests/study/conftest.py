@@ -5,14 +5,15 @@ from pathlib import Path
 
 import pytest
 
+import planar_pushing as pp
 from planar_pushing.study.builders import build_dataset
-from planar_pushing.study.catalog import DATASETS, SLIDERS
+from planar_pushing.study.catalog import AXES, DATASETS, SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.storage.store import group_names, write_dataset
 from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 
@@ -31,6 +32,13 @@ def results(tmp_path_factory):
     log = simulate_file(load_scene_file(study.simulations["figure_15"]))
     write_dataset(of_study(log, "figure_15", marks), folder / "data/simulations/figure_15.nc")
     return folder
+
+
+@pytest.fixture(scope="session")
+def every(results):
+    """Every dataset of a grid, and every scene, by its name; none may be changed."""
+    scenes = [f"scenes/{group}" for group in group_names(results / "data/scenes.nc")]
+    return [(name, pp.open_dataset(name, results)) for name in (*AXES, *scenes)]
 
 
 @pytest.fixture(scope="session")

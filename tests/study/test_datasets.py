@@ -24,13 +24,6 @@ NAMED = {
 }  # fmt: skip
 
 
-def every(results):
-    for name in AXES:
-        yield name, pp.open_dataset(name, results)
-    for group in group_names(results / "data/scenes.nc"):
-        yield f"scenes/{group}", pp.open_dataset(f"scenes/{group}", results)
-
-
 @pytest.mark.parametrize("name", AXES)
 def test_axes_and_variables(results, name):
     dataset = pp.open_dataset(name, results)
@@ -47,8 +40,8 @@ def test_scenes_have_a_group_each(results):
 OF_A_MODE = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
 
 
-def test_no_nan(results):
-    for name, dataset in every(results):
+def test_no_nan(every):
+    for name, dataset in every:
         for key, variable in dataset.data_vars.items():
             if variable.dtype.kind == "f" and (name, key) not in {
                 ("contact_modes", each) for each in OF_A_MODE

@@ -8,21 +8,14 @@ import xarray as xr
 import planar_pushing as pp
 from planar_pushing.study.catalog import AXES, SLIDERS
 from planar_pushing.study.describe import of_study
-from planar_pushing.study.storage.store import group_names, read_attributes
+from planar_pushing.study.storage.store import read_attributes
 from planar_pushing.study.studies import provenance
 from planar_pushing.terms import quantities
 from planar_pushing.terms.quantities import DATASET, unit_of
 
 
-def every(results):
-    for name in AXES:
-        yield name, pp.open_dataset(name, results)
-    for group in group_names(results / "data/scenes.nc"):
-        yield f"scenes/{group}", pp.open_dataset(f"scenes/{group}", results)
-
-
-def test_every_variable_has_its_unit_and_name(results):
-    for name, dataset in every(results):
+def test_every_variable_has_its_unit_and_name(every):
+    for name, dataset in every:
         for key, variable in dataset.variables.items():
             described = unit_of(variable.attrs), variable.attrs["long_name"]
             assert described == DATASET[key], f"{name}: {key}"
@@ -49,20 +42,20 @@ def test_a_study_of_sliders_names_itself_its_supports_and_the_paper(sliders):
         assert json.loads(dataset.attrs["unit_notes"]) == quantities.SLIDERS_NOTES
 
 
-def test_units_are_those_of_udunits(results):
+def test_units_are_those_of_udunits(every):
     """Scaled numbers have none, and say what they are scaled by."""
-    for name, dataset in every(results):
+    for name, dataset in every:
         for key, variable in dataset.variables.items():
             units = variable.attrs["units"]
             assert units in {"1", "degree", "radian-1"}, f"{name}: {key}"
             assert ("quantity" in variable.attrs) == (unit_of(variable.attrs) != units)
 
 
-def test_conventions_paper_licence_and_study(results):
+def test_conventions_paper_licence_and_study(results, every):
     marks = provenance("workflow/config/smoke.yaml")
     simulation = pp.open_dataset("simulations/figure_15", results)
     whole = read_attributes(results / "data/scenes.nc")
-    for attrs in (*(each.attrs for _, each in every(results)), simulation.attrs, whole):
+    for attrs in (*(each.attrs for _, each in every), simulation.attrs, whole):
         assert attrs["Conventions"] == "CF-1.11"
         assert attrs["license"] == "MIT"
         assert "https://doi.org/10.1109/ROBOT.1993.292067" in attrs["references"]
@@ -70,16 +63,16 @@ def test_conventions_paper_licence_and_study(results):
         assert attrs["title"]
 
 
-def test_a_parameter_is_no_axis(results):
-    for name, dataset in every(results):
+def test_a_parameter_is_no_axis(every):
+    for name, dataset in every:
         if name in AXES:
             given = json.loads(dataset.attrs["parameters"])
             assert not set(given["slider"]) & set(dataset.dims), name
             assert ("rod_angle" in given["slider"]) != ("rod_angle" in dataset.dims), name
 
 
-def test_angles_past_a_turn_say_that_they_are_unwrapped(results):
-    for name, dataset in every(results):
+def test_angles_past_a_turn_say_that_they_are_unwrapped(every):
+    for name, dataset in every:
         for key, variable in dataset.data_vars.items():
             if variable.attrs["units"] == "degree" and np.abs(variable).max() > 360:
                 assert "unwrapped" in variable.attrs["long_name"], f"{name}: {key}"
@@ -93,8 +86,8 @@ def test_groups_are_named_below_a_whole():
     assert all(each.attrs["study"] == "s" for each in built.values())
 
 
-def test_provenance(results):
-    for name, dataset in every(results):
+def test_provenance(every):
+    for name, dataset in every:
         assert set(dataset.attrs) >= {"title", "source", "parameters", "versions"}, name
         assert "Sec" in dataset.attrs["source"]
         assert json.loads(dataset.attrs["parameters"])
