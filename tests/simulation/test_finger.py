@@ -24,8 +24,8 @@ FRICTION = {"ring": (pp.RingFriction(),), "tripod": (TRIPOD,)}
 EVERY = FRICTION | {
     "inertia": (HEAVY,), "both": (pp.RingFriction(), HEAVY), "tripod, aside": (TRIPOD, ASIDE),
 }  # fmt: skip
-#: One set without inertia and one with it are compiled; the others are run without the compiler alone.
-EFFECTS = {name: EVERY[name] for name in (EVERY if UNCOMPILED else ("ring", "inertia"))}
+#: The least and the most of it are compiled; the others are run without the compiler alone.
+EFFECTS = {name: EVERY[name] for name in (EVERY if UNCOMPILED else ("ring", "tripod, aside"))}
 SLIPPING = heading(68)
 
 without_compiler = pytest.mark.skipif(
