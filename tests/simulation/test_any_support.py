@@ -1,5 +1,7 @@
 """Motion over time of any support and any centre of mass: against the ring, and by its energy."""
 
+import sys
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -107,3 +109,21 @@ def test_a_pivot_starts_at_an_event(psi, mu, velocity, duration):
     for span in ((0.0, event), (event, duration)):
         state = solve_ivp(turns, span, state, **rtol).y[:, -1]
     assert final(log, "rod_angle") == pytest.approx(np.rad2deg(state[0]), abs=1e-8)
+
+
+@runs("friction", "offset")
+def test_runs_neither_keep_nor_drop_references_to_the_arrays_of_a_support(masses, options):
+    friction = pp.SupportFriction(support=TRIPOD)
+    simulated(friction, masses, **options)
+    before = [sys.getrefcount(array) for array in arrays_of(friction)]
+    for _ in range(3):
+        simulated(friction, masses, **options)
+    assert [sys.getrefcount(array) for array in arrays_of(friction)] == before
+    assert len(before) > 1
+
+
+def arrays_of(friction):
+    """The arrays that the core has of a support, which are the same ones in every scene."""
+    slider = pp.Slider(rod_length=1.0, rod_angle=1.0, radius=1.0)
+    (kind,) = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(friction,)).kinds
+    return [each for each in kind.table if isinstance(each, np.ndarray)]
