@@ -23,8 +23,8 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-slurm test-failures test-browser test-drags lint bench golden images dictionary schemas lock report manual \
-	clean help
+.PHONY: all test test-kinds test-slurm test-failures test-browser test-drags lint bench golden images dictionary \
+	schemas lock report manual clean help
 .DELETE_ON_ERROR:
 
 all: $(COMPILED)
@@ -32,6 +32,9 @@ all: $(COMPILED)
 
 test: $(COMPILED) lint
 	$(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
+
+test-kinds: $(COMPILED) ## compile what make test runs without the compiler, and test it; some minutes
+	EVERY_KIND=1 $(BIN)/pytest --numprocesses=auto tests/simulation/test_any_support.py tests/simulation/test_finger.py
 
 test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
 	$(BIN)/pytest tests/workflow/slurm.py

@@ -13,9 +13,11 @@ import pytest
 
 import planar_pushing as pp
 
-#: The compiler takes up to two minutes for the events of a set of effects, and a run without it a second.
 UNCOMPILED = bool(numba.config.DISABLE_JIT)
-starts_uncompiled = pytest.mark.skipif(UNCOMPILED, reason="starts the tests without the compiler")
+#: The compiler takes up to two minutes for the events of a set of effects, and a run without it a second.
+#: So all sets are run without it, and compiled by `make test-kinds` alone.
+EVERY_KIND = UNCOMPILED or "EVERY_KIND" in os.environ
+starts_uncompiled = pytest.mark.skipif(EVERY_KIND, reason="runs the sets that are run here")
 
 
 def run_uncompiled(file):

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
-from simulation.runs import UNCOMPILED, check, final, run, run_uncompiled, starts_uncompiled
+from simulation.runs import EVERY_KIND, check, final, run, run_uncompiled, starts_uncompiled
 
 #: A ring that takes the general route.
 RING = pp.Composite([(1.0, pp.Ring(1.0))])
@@ -23,13 +23,13 @@ MASSES = {"friction": (), "both": (HEAVY,), "offset": (ASIDE,)}
 
 
 def runs(*names):
-    """Masses and a method; events with inertia are run without the compiler alone."""
+    """Masses and a method; events with inertia are run where every kind is."""
     return pytest.mark.parametrize(
         ("masses", "options"),
         [
             pytest.param(MASSES[name], options, id=f"{name}-{method}")
             for name in names for method, options in METHODS.items()
-            if UNCOMPILED or name == "friction" or method == "time-stepping"
+            if EVERY_KIND or name == "friction" or method == "time-stepping"
         ],
     )  # fmt: skip
 
@@ -68,7 +68,7 @@ def test_the_work_of_the_fence_is_stored_or_dissipated(support, masses, options)
     assert final(log, "work") > 0.1
 
 
-@pytest.mark.parametrize("name", ["friction", "offset"] if UNCOMPILED else ["friction"])
+@pytest.mark.parametrize("name", ["friction", "offset"] if EVERY_KIND else ["friction"])
 def test_steps_converge_to_the_event_driven_motion(name):
     friction, masses = pp.SupportFriction(support=SQUARE), MASSES[name]
     exact = final(simulated(friction, masses), "rod_angle")
