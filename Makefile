@@ -8,6 +8,7 @@ endif
 
 VENV := .venv
 BIN := $(VENV)/bin
+LIBRARY := $(VENV)/library
 READY := $(VENV)/ready
 COMPILED := $(VENV)/compiled
 CORE := $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py')
@@ -77,10 +78,11 @@ manual: $(COMPILED) ## write the manual to results/manual/index.html, from resul
 report: all ## write results/report.html, Snakemake's report of the last run
 	$(BIN)/snakemake --report results/report.html
 
+LOCK := uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
+	--no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make lock"
 lock: ## resolve the dependencies anew (needs uv)
-	uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --all-extras \
-		--generate-hashes --no-emit-index-url --no-emit-find-links --no-annotate --upgrade \
-		--custom-compile-command "make lock" --output-file requirements.lock pyproject.toml requirements.build
+	$(LOCK) --upgrade --all-extras --output-file requirements.lock pyproject.toml requirements.build
+	$(LOCK) --constraint requirements.lock --output-file library.lock pyproject.toml requirements.build
 
 clean: ## remove everything that was generated
 	rm -rf $(VENV) .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
@@ -91,22 +93,30 @@ help:
 	@grep -hE '^(# make|[a-z-]+:.*## )' $(MAKEFILE_LIST) | sed -E 's/^# //; s/^([a-z-]+):.*## /make \1\t/' | expand -t 20
 
 ifndef ALONE
-# One at a time: who has waited finds it made.
-$(READY): requirements.lock pyproject.toml
-$(COMPILED): $(READY) $(CORE)
+# One at a time: who has waited finds it made. The core is compiled while the packages are installed.
+$(READY): library.lock requirements.lock pyproject.toml
+$(COMPILED): $(CORE) | $(READY)
 $(READY) $(COMPILED):
 	@test -n "$(PYTHON)" || { echo "make: needs Python 3.11 or newer on the path; or set PYTHON=/path/to/python" >&2; exit 1; }
-	@$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory ALONE=1 PYTHON=$(PYTHON) $@
+	@$(MAKE) --question --no-print-directory ALONE=1 $(READY) $(COMPILED) || \
+		$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory --jobs=2 ALONE=1 PYTHON=$(PYTHON) $(READY) $(COMPILED)
 else
-$(READY): requirements.lock pyproject.toml
+PIP := $(BIN)/python -m pip install --disable-pip-version-check
+
+$(LIBRARY): library.lock requirements.lock pyproject.toml
 	@echo "Setting up $(VENV) with $(PYTHON)"
 	rm -rf $(VENV)
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --disable-pip-version-check --require-hashes -r requirements.lock
-	$(BIN)/python -m pip install --disable-pip-version-check --quiet --no-deps --no-build-isolation --editable .
+	$(PIP) --require-hashes -r library.lock
+	$(PIP) --quiet --no-deps --no-build-isolation --editable .
 	@touch $@
 
-$(COMPILED): $(READY) $(CORE)
+# Python compiles what is used of them.
+$(READY): $(LIBRARY)
+	$(PIP) --no-compile --require-hashes -r requirements.lock
+	@touch $@
+
+$(COMPILED): $(LIBRARY) $(CORE)
 	$(BIN)/planar-pushing compile
 	@touch $@
 endif

@@ -10,7 +10,7 @@ import numba
 import pytest
 
 from planar_pushing.mechanics import compiled as core
-from planar_pushing.mechanics.compiled import announced, compiled, generic, inlined
+from planar_pushing.mechanics.compiled import announced, compiled, generic, inlined, kernel
 
 python_mode = pytest.mark.skipif(
     bool(numba.config.DISABLE_JIT), reason="a test of the compiler, or one that starts this one"
@@ -57,6 +57,7 @@ def in_metres(kind):
     return {Metres: _metres, Feet: _feet}[kind]
 
 
+@kernel
 @compiled
 def measured(lengths, factor):
     return in_metres(lengths, factor)
@@ -104,7 +105,7 @@ def test_the_cache_is_beside_the_sources_or_in_the_users_folder(tmp_path, monkey
 
 def test_other_packages_keep_their_cache_folder():
     before = numba.config.CACHE_LOCATOR_CLASSES
-    compiled(lambda x: x)
+    kernel(compiled(lambda x: x))
     assert before == numba.config.CACHE_LOCATOR_CLASSES
     assert "planar_pushing" not in before
 
@@ -148,6 +149,7 @@ def tripled(x):
     return 3.0 * x
 
 
+@kernel
 @compiled
 def raised(x):
     return tripled(x) + 1.0

@@ -22,7 +22,13 @@ chmod +x .venv/bin/*
 
 @pytest.fixture
 def folder(tmp_path):
-    for name in ("Makefile", "requirements.lock", "pyproject.toml", "workflow/alone.py"):
+    for name in (
+        "Makefile",
+        "library.lock",
+        "requirements.lock",
+        "pyproject.toml",
+        "workflow/alone.py",
+    ):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         shutil.copy(PROJECT / name, tmp_path / name)
     for name in ("mechanics", "simulation"):

@@ -77,6 +77,7 @@ def call_sliders() -> None:
     pp.solve(scene, 1.0)
     pp.limit_curve(scene, 1.0)
     pp.motion_cone(scene)
+    pp.motion_centers(scene, 1.0)
     pp.wrench(friction, (1.0, 0.0, 1.0))
     pp.fit_ellipsoid(tripod)
     pp.simulate(scene, pusher=pp.Pusher(velocity=(0.0, 1.0)), duration=1e-3)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import interval
-from planar_pushing.mechanics.compiled import compiled, owning
+from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.cones import (
     ANGLE,
     FIRST,
@@ -47,6 +47,7 @@ CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
 
+@kernel
 @owning
 def _centers(kinds, rows, centers):
     for i in range(len(rows)):
@@ -134,6 +135,7 @@ def _conservative(own, low, high):
     return right, left
 
 
+@kernel
 @compiled
 def _conservative_cones(kinds, rows, right, left):
     for i in range(len(rows)):

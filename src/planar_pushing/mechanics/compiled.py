@@ -1,8 +1,9 @@
 """The decorators of the compiled core, and where its cache lives.
 
-A formula is a function of numbers. `compiled` hands it to numba; with ``NUMBA_DISABLE_JIT=1`` it stays
-the Python function that it is. `generic` chooses a body by the type of the first argument, in compiled
-code as in Python: what a scene does not list is not compiled into its functions.
+A formula is a function of numbers. `compiled` makes it a part of compiled code, which Python enters by a
+`kernel`; with ``NUMBA_DISABLE_JIT=1`` all stay the Python functions that they are. `generic` chooses a body
+by the type of the first argument, in compiled code as in Python: what a scene does not list is not compiled
+into its functions.
 """
 
 from __future__ import annotations
@@ -32,6 +33,8 @@ SOURCES = ("mechanics", "simulation")
 #: references to arrays, which takes longer than many a formula.
 OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
 LOG = logging.getLogger("planar_pushing")
+#: How each function that is a part of kernels is compiled.
+_PARTS: dict[Any, dict[str, Any]] = {}
 PACKAGE = Path(__file__).parents[1]
 
 
@@ -77,11 +80,13 @@ class Locator(UserProvidedCacheLocator):  # type: ignore[misc]
 
 
 def compiled(function: Function) -> Function:
-    """Compile a function of numbers, without fast mathematics: every run gives the same results.
+    """Compile a function of numbers as a part of the kernels that call it, however deep.
 
-    It may read and write arrays and hand them on, but makes none.
+    There is no fast mathematics: every run gives the same results. It may read and write arrays and hand
+    them on, but makes none. Called from Python it runs as the Python function that it is: what is called
+    often is a `kernel`.
     """
-    return _cached(function)
+    return _part(function)
 
 
 def owning(function: Function) -> Function:
@@ -90,7 +95,7 @@ def owning(function: Function) -> Function:
     It counts references, so what it is given back has to be counted: it calls no `compiled` function that
     gives arrays back.
     """
-    return _cached(function, _nrt=True)
+    return _part(function, _nrt=True)
 
 
 def summing(function: Function) -> Function:
@@ -99,14 +104,24 @@ def summing(function: Function) -> Function:
     It adds several terms at once, and multiplies and adds in one step, as the processor can: its last digit
     depends on the processor, but not on the run.
     """
-    return _cached(function, forceinline=True, fastmath={"reassoc", "contract"})
+    return _part(function, forceinline=True, fastmath={"reassoc", "contract"})
 
 
-def _cached(function: Function, **options: Any) -> Function:
+def _part(function: Function, **options: Any) -> Function:
+    _PARTS[function] = OPTIONS | options
+    overload(function, jit_options=_PARTS[function], strict=False)(lambda *args: function)
+    return function
+
+
+def kernel(function: Function) -> Function:
+    """Let Python call a `compiled` or `owning` function as machine code, which is kept in the cache.
+
+    Only kernels are kept: each holds all that it calls.
+    """
     before = numba.config.CACHE_LOCATOR_CLASSES
     numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{Locator.__name__}"
     try:
-        made = numba.njit(cache=True, **(OPTIONS | options))(function)
+        made = numba.njit(cache=True, **_PARTS[function])(function)
     finally:
         numba.config.CACHE_LOCATOR_CLASSES = before
     return made  # type: ignore[no-any-return]

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
-from planar_pushing.mechanics.compiled import owning
+from planar_pushing.mechanics.compiled import kernel, owning
 from planar_pushing.mechanics.effects.base import COLUMNS, made
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.plane import rod, toward
@@ -65,6 +65,7 @@ def require_share(scene: Scene, inertia_share: Number | None) -> Number:
     return required("inertia_share", inertia_share)
 
 
+@kernel
 @owning
 def _spin_ratios(kinds, rows, ratios):
     for i in range(len(rows)):
@@ -74,6 +75,7 @@ def _spin_ratios(kinds, rows, ratios):
         ratios[i] = base.spin_ratio(made(kinds, row), own, force)
 
 
+@kernel
 @owning
 def _motion_angles(kinds, rows, angles):
     for i in range(len(rows)):
@@ -144,6 +146,7 @@ def motion_angle(
     return _under_forces(_motion_angles, "motion_angle", scene, force_angle, inertia_share)
 
 
+@kernel
 @owning
 def _motion_cones(kinds, rows, right, left, reached):
     for i in range(len(rows)):

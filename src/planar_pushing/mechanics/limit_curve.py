@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import owning
+from planar_pushing.mechanics.compiled import kernel, owning
 from planar_pushing.mechanics.cones import ANGLE, FIRST, LENGTH, rod_columns
 from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.numerics.arrays import (
@@ -72,6 +72,7 @@ class LimitCurve:
         return direction(self.motion_angle)
 
 
+@kernel
 @owning
 def _curve(kinds, rows, angles, magnitudes, ratios, motions):
     for i in range(len(rows)):

@@ -28,7 +28,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, kernel
 
 Array = npt.NDArray[np.float64]
 
@@ -140,6 +140,7 @@ def motion_center(own, force_angle, spin_ratio):
     )
 
 
+@kernel
 @compiled
 def _unit_vectors(angles, vectors):
     for i in range(len(angles)):

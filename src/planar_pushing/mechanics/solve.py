@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import compiled, owning
+from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.mechanics.effects.any_mass import MassAt
@@ -80,6 +80,7 @@ def _write(effects, own, motion, row, force, end, twist, contact, center):
     return spin_ratio(hypot(v_x, v_y), spin)
 
 
+@kernel
 @owning
 def _modes(kinds, rows, counts, modes, forces, ends, twists, contacts, ratios, centers, pivots):
     every, motions = np.empty(MOST, np.int8), np.empty((MOST, MOTION))

@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import compiled, owning
+from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.effects.base import COLUMNS, made, wrench_of
@@ -22,6 +22,7 @@ V_X, V_Y, SPIN = range(COLUMNS, COLUMNS + 3)
 WRENCH = (Output("wrench", (("wrench_component", 3),)),)
 
 
+@kernel
 @owning
 def _wrenches(kinds, rows, wrenches):
     """The subgradient nearest zero at rest."""
@@ -80,6 +81,7 @@ def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None
     return np.asarray((np.asarray(twist, dtype=float) * force).sum(axis=-1) / effect.degree)
 
 
+@kernel
 @compiled
 def _profiles(kinds, rows, forces, torques):
     for i in range(len(rows)):
@@ -96,6 +98,7 @@ def ring_profile(spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
     return force, torque
 
 
+@kernel
 @compiled
 def _spin_ratios(kinds, rows, ratios):
     for i in range(len(rows)):

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import announced, inlined, owning
+from planar_pushing.mechanics.compiled import announced, inlined, kernel, owning
 from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
@@ -49,6 +49,7 @@ def _follow(system, row, task, run, rows, found):
 
 
 # Two kernels and no layer above them: the compiler optimises each layer with all that it calls.
+@kernel
 @owning
 def _quasi_static(
     kinds, shape, scenes, fences, counts, times, rtol, body, run, rows, found, changes
@@ -60,6 +61,7 @@ def _quasi_static(
         changes[i] = _follow(system, row, task, run, rows, found[i])
 
 
+@kernel
 @owning
 def _inertial(kinds, shape, scenes, fences, counts, times, rtol, body, run, rows, found, changes):
     """Run a block of scenes with inertia."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import pytest
 from scipy.optimize import brentq
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, kernel
 from planar_pushing.mechanics.numerics.bracket import bracketed, dip
 from planar_pushing.mechanics.numerics.root import EQUATIONS, excess
 
@@ -60,6 +60,8 @@ def _valley(of, x):
 EQUATIONS.update({Decay: _decay, Leap: _leap, Cube: _cube, Valley: _valley})
 
 
+@kernel
+@compiled
 def between(equation, low, high):
     return bracketed(equation, low, high, excess(equation, low)[0], excess(equation, high)[0])
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.optimize import elementwise
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, kernel
 from planar_pushing.mechanics.numerics.root import EQUATIONS, STEPS, excess, root
 
 RATIOS = 10.0 ** np.random.default_rng(8).uniform(-8, 8, 1000)
@@ -114,18 +114,21 @@ EQUATIONS.update({Power: power, Kepler: kepler, Jump: jump, Kink: kink, Cusp: cu
 EQUATIONS[Tangent] = tangent
 
 
+@kernel
 @compiled
 def roots_of_powers(scales, exponent, found, sure):
     for i in range(len(scales)):
         found[i], sure[i] = root(Power(scales[i], exponent), 1e-9, 1e9, 1.0)
 
 
+@kernel
 @compiled
 def roots_of_kepler(eccentricities, found, sure):
     for i in range(len(eccentricities)):
         found[i], sure[i] = root(Kepler(eccentricities[i], 0.3), 0.0, np.pi, 1.0)
 
 
+@kernel
 @compiled
 def solved(equation, low, high, start):
     return root(equation, low, high, start)
@@ -227,4 +230,4 @@ def test_a_bracket_that_spans_sizes_is_halved_in_sizes(low, high):
 
 def test_an_equation_is_evaluated_in_both_modes():
     assert excess(Power(2.0, 3.0), 2.0) == (0.0, 1.5)
-    assert hasattr(power, "py_func") != numba.config.DISABLE_JIT
+    assert hasattr(solved, "py_func") != numba.config.DISABLE_JIT

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from math import hypot
 from typing import Any, Protocol
 
-from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, owning
+from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, kernel, owning
 
 #: Of each kind of effect, its module.
 KINDS: dict[type, Any] = {}
@@ -107,11 +107,13 @@ def made(kind: Any) -> Callable[..., Any]:
     return member(kind, "made")
 
 
+@kernel
 @owning
 def _made_single(effects, row):
     return (made(effects[0], row),)
 
 
+@kernel
 @owning
 def _made_all(effects, row):
     return (made(effects[0], row), *made(effects[1:], row))

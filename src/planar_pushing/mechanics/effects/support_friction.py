@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,15 +10,10 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import WEIGHT
 from planar_pushing.mechanics.supports import ring
+from planar_pushing.mechanics.supports.base import is_kind
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
-
-
-@lru_cache
-def _is_kind(kind: type) -> bool:
-    """Whether the instances of a class are supports; an instance itself would compute its properties."""
-    return all(hasattr(kind, name) for name in ("center_of_pressure", "extent", "pieces", "record"))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,7 +40,7 @@ class SupportFriction:
     def __post_init__(self) -> None:
         require_fields(self, "weight")
         supports = np.ravel(np.array(self.support, dtype=object))
-        if not len(supports) or not all(map(_is_kind, map(type, supports))):
+        if not len(supports) or not all(map(is_kind, map(type, supports))):
             raise InvalidValue(
                 "support", self.support,
                 "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",

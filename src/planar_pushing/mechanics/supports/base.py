@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -35,6 +36,12 @@ class Support(Protocol):
     def record(self, radius: float) -> Pressure:
         """The record of the compiled core, in units of the slider's radius."""
         ...
+
+
+@lru_cache
+def is_kind(kind: type) -> bool:
+    """Whether the instances of a class are supports; an instance itself would compute its properties."""
+    return all(hasattr(kind, name) for name in ("center_of_pressure", "extent", "pieces", "record"))
 
 
 def array(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from planar_pushing.mechanics.supports.base import Position, Support, weights
+from planar_pushing.mechanics.supports.base import Position, is_kind, weights
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.pressure.assembly import (
     assembled,
@@ -41,7 +41,8 @@ class Composite:
             found = tuple((share, support) for share, support in self.members)
         except (TypeError, ValueError):
             found = ()
-        if not found or not all(isinstance(support, Support) for _, support in found):
+        kinds: list[Any] = [type(support) for _, support in found]
+        if not found or not all(map(is_kind, kinds)):
             raise InvalidValue(
                 "members", self.members, "at least one pair of a share and a support",
                 "give for instance [(0.5, Disc(1.0)), (0.5, Points([(2.0, 0.0)], [1.0]))]",

@@ -7,7 +7,7 @@ from math import pi, sqrt
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, kernel
 from planar_pushing.mechanics.supports.base import Position, Support
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.record import Array
@@ -91,6 +91,7 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
     )
 
 
+@kernel
 @compiled
 def _errors(pressure, constant, force, motion):
     """Angles between the support and the ellipsoid at motions spread over half a sphere.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, kernel
 from planar_pushing.mechanics.supports.disc import of_discs
 from planar_pushing.mechanics.supports.even_ring import of_rings
 from planar_pushing.mechanics.supports.points import of_atoms
@@ -40,6 +40,7 @@ class Moments(NamedTuple):
     atom: int
 
 
+@kernel
 @compiled
 def moments(pressure, c_x, c_y):
     """Moments of a pressure at a centre of rotation in the body frame, per unit weight.

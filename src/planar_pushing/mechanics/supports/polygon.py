@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.compiled import compiled, inlined, kernel
 from planar_pushing.mechanics.supports.base import Position, positions
 from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
 from planar_pushing.mechanics.supports.pressure.multipole import far
@@ -67,6 +67,7 @@ class Polygon:
         return assembled(self.pieces(), radius)
 
 
+@kernel
 @compiled
 def _area(vertices):
     """Area, positive where the vertices turn counter-clockwise."""
@@ -104,6 +105,7 @@ def _edges(vertices: Array, i: int, j: int) -> str:
     return f"edges {i} and {j}, {one} and {other}"
 
 
+@kernel
 @compiled
 def _crossing(vertices):
     """Numbers of two edges that meet elsewhere than at a common vertex, -1 where there are none."""

@@ -7,7 +7,7 @@ it can hand on its rows, and go on, at any time.
 
 from __future__ import annotations
 
-from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.compiled import compiled, inlined, kernel
 from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.simulation.events import choice, step, watch
 from planar_pushing.simulation.events import run as at
@@ -32,6 +32,7 @@ GOES_ON, INCONSISTENT, LAY_DOWN = int(Stop.NO), int(Stop.INCONSISTENT), int(Stop
 SINGULAR, TOO_MANY = int(Stop.SINGULAR), int(Stop.EVENTS)
 
 
+@kernel
 @compiled
 def begin(system, run):
     """Put a run at its beginning; `run.vectors[STATE]` is the state there."""
@@ -43,6 +44,7 @@ def begin(system, run):
     base.scales(system, run.vectors[at.SCALES])
 
 
+@kernel
 @compiled
 def advance(system, task, run, rows):
     """Go on with a run until its rows are full, it has ended, or many steps are done; the rows written."""

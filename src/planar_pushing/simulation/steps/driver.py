@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.compiled import compiled, inlined, kernel
 from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.mechanics.plane import Array, contact_motion
 from planar_pushing.mechanics.reduced.base import MOTION
@@ -62,6 +62,7 @@ def ended(plan, run):
     return run.stopped != 0 or run.mark == len(plan.ends)
 
 
+@kernel
 @compiled
 def advance(system, plan, run, rows):
     """Go on with a run until its rows are full, it has ended, or many steps are done; the rows written."""

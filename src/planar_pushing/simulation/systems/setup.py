@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, kernel
 from planar_pushing.mechanics.effects.base import (
     COLUMNS,
     GYRATION,
@@ -55,6 +55,7 @@ def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
     ]  # fmt: skip
 
 
+@kernel
 @compiled
 def fill(row, fence, body):
     """Write down what of a scene does not change while it moves."""
@@ -76,12 +77,14 @@ def fill(row, fence, body):
     body.gap, body.evaluations, body.parted = row[GAP], 0, False
 
 
+@kernel
 @compiled
 def put(system, row, state):
     """Write down the state at time 0."""
     base.initial(system, row[ANGLE], row[GAP], row[V_X:GAP], state)
 
 
+@kernel
 @compiled
 def shape_of(shape, row):
     """What pushes the scene of a row."""

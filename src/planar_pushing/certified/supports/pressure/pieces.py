@@ -60,6 +60,10 @@ class Pieces:
     discs: tuple[Circle, ...] = ()
     edges: tuple[Line, ...] = ()
 
+    def __hash__(self) -> int:
+        # The hash of every number takes longer than much of what is looked up by it.
+        return hash(tuple(map(len, (self.points, self.segments, self.discs, self.edges))))
+
     @property
     def center(self) -> Place:
         """Centre of pressure."""

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, owning, summing
+from planar_pushing.mechanics.compiled import compiled, kernel, owning, summing
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.supports.pressure.record import Array
@@ -54,6 +54,7 @@ def of_all(rows: Array, plates: Any) -> Array:
     return found
 
 
+@kernel
 @owning
 def _expand(rows, plates, found):
     for i in range(len(plates)):
