@@ -15,8 +15,8 @@ CORE := $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation 
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 
-# What the user has for Python elsewhere stays out, and nothing is written to a home that is not theirs.
-unexport PYTHONPATH PYTHONHOME
+# What the user has for Python elsewhere stays out, byte code is kept, and nothing is written to a home that is not theirs.
+unexport PYTHONPATH PYTHONHOME PYTHONDONTWRITEBYTECODE
 export PYTHONNOUSERSITE := 1
 ifneq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),yes)
 export HOME := $(CURDIR)/.snakemake/home
