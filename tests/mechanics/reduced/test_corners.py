@@ -75,6 +75,21 @@ def test_motions_of_a_corner_stick_under_its_force(angle):
     np.testing.assert_allclose(stick.force, [0, 1], atol=1e-14)
 
 
+@pytest.mark.parametrize("turn", [-0.5, 0.0, 0.5])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_corner_under_one_edge_alone_sticks_and_slips(sign, turn):
+    """The rod lies along the edge; a motion of its corner sticks, and the end beyond it slips."""
+    psi = np.pi / 2 - sign * np.pi / 4
+    stick, slip = pp.solve(scene(ACROSS, pp.Coulomb(1.0), psi), psi + turn)
+    assert stick.mode is pp.ContactMode.STICK
+    assert slip.mode is (pp.ContactMode.SLIP_LEFT if sign > 0 else pp.ContactMode.SLIP_RIGHT)
+    assert (stick.continuum, slip.continuum) == (False, True)
+    for each in (stick, slip):
+        np.testing.assert_allclose(each.force, np.sqrt(0.5) * np.array([sign, 1]), rtol=1e-14)
+    normal = np.sin(psi + turn)
+    np.testing.assert_allclose(slip.contact_motion, [-sign * normal / 3, normal], rtol=1e-13)
+
+
 def test_with_inertia_a_corner_keeps_the_nearest_motion():
     law, mass = pp.Coulomb(0.0), (pp.Inertia(),)
     both = pp.motion_cone(scene(ACROSS, law, extra=mass))
