@@ -40,7 +40,7 @@ test-kinds: $(COMPILED) ## compile what make test runs without the compiler, and
 test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
 	$(BIN)/pytest tests/workflow/slurm.py
 
-test-failures: $(COMPILED) ## kill runs and fill disks (root, for the disks); some minutes
+test-failures: $(COMPILED) ## kill runs, fill disks (root) and build twice; some minutes
 	$(BIN)/pytest tests/workflow/failures.py
 
 test-browser: $(COMPILED) ## test the explorer in headless Chromium (Debian's chromium); some minutes

@@ -1,4 +1,4 @@
-"""Killed runs and full disks: `make test-failures`, which runs this file, some minutes.
+"""Killed runs, full disks, and two builds: `make test-failures`, which runs this file, some minutes.
 
 Afterwards one plain run ends with the same bytes, and nothing is unlocked or deleted by hand.
 """
@@ -43,6 +43,11 @@ def test_twenty_killed_runs_end_with_the_same_bytes(undisturbed, tmp_path):
         run.wait()
     snakemake(root, *TARGETS)
     assert files(root) == expected
+
+
+def test_two_builds_of_the_papers_results_are_identical(built, fresh):
+    fresh.snakemake()
+    assert fresh.digests() == built.digests()
 
 
 @pytest.fixture

@@ -1,8 +1,12 @@
 """The study of sliders in the workflow: beside the paper's, and alone."""
 
+import os
 import re
+import signal
 import subprocess
 import sys
+import time
+from dataclasses import replace
 
 import pytest
 
@@ -37,6 +41,24 @@ def test_everything_is_built_into_a_folder_of_its_own(sliders):
 
 def test_every_output_is_a_target(sliders):
     assert outputs(sliders) == targets(sliders)
+
+
+def test_a_killed_run_resumes_to_the_bytes_of_another_build(sliders, fresh):
+    """Two clean builds, one of them in two runs, which share nothing, are identical."""
+    fresh = replace(fresh, study=STUDY)
+    with subprocess.Popen(
+        fresh.command(), cwd=fresh.root, env=fresh.environment, start_new_session=True,
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+    ) as run:  # fmt: skip
+        figures = fresh.results / "figures"
+        while not any(path.is_file() for path in figures.rglob("*")):  # others come and go
+            assert run.poll() is None, "the run ended before it could be killed"
+            time.sleep(0.05)
+        os.killpg(run.pid, signal.SIGKILL)
+    partial = fresh.digests()
+    assert len(partial) < len(sliders.digests())
+    fresh.snakemake("--rerun-incomplete")
+    assert fresh.digests() == sliders.digests()
 
 
 def test_every_dataset_names_the_study_and_its_digest(sliders):

@@ -3,10 +3,8 @@
 import os
 import re
 import shutil
-import signal
 import subprocess
 import sys
-import time
 from dataclasses import replace
 
 import pytest
@@ -231,27 +229,6 @@ def test_a_folder_with_a_space_is_refused_before_any_job(tmp_path):
     said = copy_project(tmp_path / "a folder").snakemake("--dry-run", code=1)
     assert "a folder: Snakemake runs in no folder with a space; move the project" in said
     assert "Traceback" not in said
-
-
-def test_a_killed_run_resumes_to_the_bytes_of_another_build(built, fresh):
-    """Two clean builds, one of them in two runs, which share nothing, are identical."""
-    with subprocess.Popen(
-        fresh.command(),
-        cwd=fresh.root,
-        env=fresh.environment,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    ) as run:
-        figures = fresh.results / "figures"
-        while not any(path.is_file() for path in figures.rglob("*")):  # others come and go
-            assert run.poll() is None, "the run ended before it could be killed"
-            time.sleep(0.05)
-        os.killpg(run.pid, signal.SIGKILL)
-    partial = fresh.digests()
-    assert len(partial) < len(built.digests())
-    fresh.snakemake("--rerun-incomplete")
-    assert fresh.digests() == built.digests()
 
 
 def test_a_wrong_study_stops_before_any_job(fresh):

@@ -120,14 +120,15 @@ def impact(system, during, time, state, kind, policy):
         state[base.OVER], state[base.RISE] = 0.0, 0.0
         return 0
     own = base.pose(system, state).arm
-    chosen, least, before = -1, 0, base.contact_mode(kind)
+    kinds, count = body.kinds[:], 0
     for each in range(MODES):
         if _consistent(body, own, each, x, y):
-            place = base.rank(policy, before, each)
-            if chosen < 0 or place < least:
-                chosen, least = each, place
-    if chosen < 0:
+            kinds[count] = each
+            count += 1
+    place = preferred(policy, base.contact_mode(kind), kinds, count)
+    if place < 0:
         return NO_IMPULSE
+    chosen = kinds[place]
     p_x, p_y, after_x, after_y = pushed_in(body, own, chosen, x, y)
     state[base.OVER], state[base.RISE] = after_x, after_y
     state[base.SPIN] += moment_of(own, p_x, p_y) / body.moment
