@@ -71,6 +71,29 @@ def test_all_solutions_of_random_pushes_are_those_of_the_rings_route():
     np.testing.assert_allclose(general.force, ring.force, rtol=1e-8, atol=1e-12)
 
 
+def test_slips_without_friction_are_those_of_the_rings_route():
+    """The normal part of the pusher's motion then says which slip it is; there is none in a pull."""
+    angle = np.deg2rad([-150.0, -60.0, 30.0, 60.0, 100.0, 160.0])
+    general, ring = (
+        pp.solve(
+            pp.Scene(
+                slider=pp.Slider(rod_length=2.0, rod_angle=np.pi / 4, radius=1.0),
+                contact=pp.Coulomb(0.0),
+                effects=(pp.SupportFriction(support=support), pp.Inertia()),
+            ),
+            angle,
+        )
+        for support in (RING, pp.Ring())
+    )
+    assert np.array_equal(general.mode, ring.mode)
+    assert set(ring.mode[angle < 0].ravel()) == {pp.ContactMode.SEPARATE, -1}
+    assert {pp.ContactMode.SLIP_RIGHT, pp.ContactMode.SLIP_LEFT} <= set(
+        ring.mode[angle > 0].ravel()
+    )
+    np.testing.assert_allclose(general.twist, ring.twist, rtol=1e-12, atol=1e-14)
+    np.testing.assert_allclose(general.force, ring.force, rtol=1e-12, atol=1e-14)
+
+
 def test_slips_of_long_rods_are_those_of_the_rings_route():
     """A rounding of the inputs moves their small forces by the square of the length."""
     length = 1e5
