@@ -9,6 +9,7 @@ import pytest
 
 from workflow.conftest import PROJECT
 
+LOCKS = ("library.lock", "requirements.lock")
 #: A Python that sets up nothing, and notes that it was asked to.
 PYTHON = """#!/bin/sh
 if [ "$1" = workflow/alone.py ]; then exec {python} "$@"; fi
@@ -22,13 +23,7 @@ chmod +x .venv/bin/*
 
 @pytest.fixture
 def folder(tmp_path):
-    for name in (
-        "Makefile",
-        "library.lock",
-        "requirements.lock",
-        "pyproject.toml",
-        "workflow/alone.py",
-    ):
+    for name in ("Makefile", *LOCKS, "pyproject.toml", "workflow/alone.py"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         shutil.copy(PROJECT / name, tmp_path / name)
     for name in ("mechanics", "simulation"):
@@ -62,6 +57,17 @@ def test_what_python_has_elsewhere_and_a_home_that_is_not_ours_stay_out(folder):
     assert found["XDG_CACHE_HOME"].startswith(found["HOME"])
     mine = start(folder, *show, HOME=str(folder)).communicate()[0]
     assert f"HOME={folder}\n" in mine
+
+
+def pins(name):
+    lines = (PROJECT / name).read_text(encoding="utf-8").splitlines()
+    return {line.removesuffix("\\").strip() for line in lines if "==" in line}
+
+
+def test_what_the_library_needs_is_locked_as_everything_is():
+    library, everything = map(pins, LOCKS)
+    assert {line.split("==")[0] for line in library} >= {"numba", "numpy", "xarray"}
+    assert library < everything
 
 
 def test_a_folder_with_a_space_is_refused_with_one_message(folder):
