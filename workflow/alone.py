@@ -5,6 +5,7 @@ a killed run leaves none.
 """
 
 import fcntl
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -25,4 +26,7 @@ def main(command: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)

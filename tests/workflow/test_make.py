@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -46,6 +47,17 @@ def test_of_two_at_once_the_second_waits_and_finds_it_made(folder):
     assert [run.returncode for run in runs] == [0, 0], said
     assert (folder / "log").read_text() == "set up\n"
     assert any("another make is setting up this folder; waiting for it" in each for each in said)
+
+
+def test_ctrl_c_ends_the_setting_up_without_a_traceback(tmp_path):
+    run = subprocess.Popen(
+        [sys.executable, PROJECT / "workflow/alone.py", "sh", "-c", "echo started; exec sleep 60"],
+        cwd=tmp_path, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    )  # fmt: skip
+    assert run.stdout.readline() == "started\n"
+    run.send_signal(signal.SIGINT)
+    assert run.communicate()[0] == ""
+    assert run.returncode == 130
 
 
 def test_what_python_has_elsewhere_and_a_home_that_is_not_ours_stay_out(folder):
