@@ -17,7 +17,7 @@ UNCOMPILED = bool(numba.config.DISABLE_JIT)
 #: The compiler takes up to two minutes for the events of a set of effects, and a run without it a second.
 #: So all sets are run without it, and compiled by `make test-kinds` alone.
 EVERY_KIND = UNCOMPILED or "EVERY_KIND" in os.environ
-starts_uncompiled = pytest.mark.skipif(EVERY_KIND, reason="runs the sets that are run here")
+starts_uncompiled = pytest.mark.skipif(EVERY_KIND, reason="its sets are run in this process")
 
 
 def run_uncompiled(file):

@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import replace
 
 import pytest
 
@@ -45,7 +44,7 @@ def test_every_output_is_a_target(sliders):
 
 def test_a_killed_run_resumes_to_the_bytes_of_another_build(sliders, fresh):
     """Two clean builds, one of them in two runs, which share nothing, are identical."""
-    fresh = replace(fresh, study=STUDY)
+    fresh = Copy(fresh.root, STUDY)
     with subprocess.Popen(
         fresh.command(), cwd=fresh.root, env=fresh.environment, start_new_session=True,
         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,

@@ -62,7 +62,8 @@ class Pieces:
 
     def __hash__(self) -> int:
         # The hash of every number takes longer than much of what is looked up by it.
-        return hash(tuple(map(len, (self.points, self.segments, self.discs, self.edges))))
+        members = self.points, self.segments, self.rings, self.discs, self.edges
+        return hash(tuple(map(len, members)))
 
     @property
     def center(self) -> Place:
