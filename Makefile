@@ -101,19 +101,19 @@ $(READY) $(COMPILED):
 	@$(MAKE) --question --no-print-directory ALONE=1 $(READY) $(COMPILED) || \
 		$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory --jobs=2 ALONE=1 PYTHON=$(PYTHON) $(READY) $(COMPILED)
 else
-PIP := $(BIN)/python -m pip install --disable-pip-version-check
+# Without byte code: Python writes it for what is used.
+PIP := $(BIN)/python -m pip install --disable-pip-version-check --no-compile --require-hashes
 
 $(LIBRARY): library.lock requirements.lock pyproject.toml
 	@echo "Setting up $(VENV) with $(PYTHON)"
 	rm -rf $(VENV)
 	$(PYTHON) -m venv $(VENV)
-	$(PIP) --require-hashes -r library.lock
-	$(PIP) --quiet --no-deps --no-build-isolation --editable .
+	$(PIP) -r library.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	@touch $@
 
-# Python compiles what is used of them.
 $(READY): $(LIBRARY)
-	$(PIP) --no-compile --require-hashes -r requirements.lock
+	$(PIP) -r requirements.lock
 	@touch $@
 
 $(COMPILED): $(LIBRARY) $(CORE)

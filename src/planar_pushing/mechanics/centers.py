@@ -129,7 +129,7 @@ def _conservative(own, low, high):
             tangent = own.angle - (first + turn)
             if low < tangent < high:
                 force = toward(own, tangent)
-                for size in (0.0, 1.0, inf):
+                for size in (0.0, inf):
                     ratio = copysign(size, force.aside)
                     right, left = _widened(own, force, ratio, right, left)
     return right, left

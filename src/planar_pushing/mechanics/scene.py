@@ -16,7 +16,6 @@ from planar_pushing.mechanics.effects.any_mass import MassAt
 from planar_pushing.mechanics.effects.any_support import Supports
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.support_friction import RingSupport
-from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.pressure.table import Table, extents_of, table_of
 from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
@@ -246,18 +245,13 @@ def _extents(friction: Sequence[Any]) -> Number:
         return 1.0
     support = friction[0].support
     supports = np.array(support, dtype=object)
-    extents = _cached_extents(tuple(supports.ravel())).reshape(supports.shape)
+    extents = extents_of(supports.ravel()).reshape(supports.shape)
     return _alike(support, extents)
 
 
 def _table(support: Any) -> Table:
     """The pressures of a support, or of an array of supports."""
     return _cached_table(tuple(np.ravel(np.array(support, dtype=object))))
-
-
-@lru_cache(maxsize=16)
-def _cached_extents(supports: tuple[Any, ...]) -> Array:
-    return extents_of(supports)
 
 
 @lru_cache(maxsize=16)

@@ -28,9 +28,10 @@ def _wrenches(kinds, rows, wrenches):
     """The subgradient nearest zero at rest."""
     for i in range(len(rows)):
         v_x, v_y, spin = rows[i, V_X], rows[i, V_Y], rows[i, SPIN]
-        wrenches[i] = 0.0
+        found = 0.0, 0.0, 0.0
         if v_x != 0.0 or v_y != 0.0 or spin != 0.0:
-            wrenches[i] = wrench_of(made(kinds, rows[i]), v_x, v_y, spin)
+            found = wrench_of(made(kinds, rows[i]), v_x, v_y, spin)
+        wrenches[i, 0], wrenches[i, 1], wrenches[i, 2] = found
 
 
 def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:

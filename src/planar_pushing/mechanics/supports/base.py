@@ -71,9 +71,9 @@ def require_all(
     name: str, numbers: Array, allows: Callable[[Array], Any], allowed: str, remedy: str
 ) -> None:
     """Refuse numbers that `allows` refuses; the message shows the first and its place."""
-    wrong = np.argwhere(~allows(numbers))
-    if len(wrong):
-        place = tuple(map(int, wrong[0]))
+    right = allows(numbers)
+    if not right.all():
+        place = tuple(map(int, np.argwhere(~right)[0]))
         shown = "".join(f"[{i}]" for i in place)
         raise InvalidValue(name + shown, float(numbers[place]), allowed, remedy)
 

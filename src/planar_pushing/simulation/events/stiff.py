@@ -9,7 +9,8 @@ from math import inf, sqrt
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import inlined, owning
+from planar_pushing.mechanics.compiled import compiled, inlined, owning
+from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.sizes import norm
 from planar_pushing.simulation.systems import base
@@ -42,12 +43,13 @@ CHANGES, THERE, UNKNOWN = at.IMPLICIT, at.IMPLICIT + at.RADAU, at.IMPLICIT + 2 *
 def _differentiate(system, mode, run, rtol):
     """Derivative of the rates by the state, by differences; the first slope is known."""
     state, trial, moved = run.vectors[at.STATE], run.vectors[at.TRIAL], run.vectors[UNKNOWN]
-    trial[:] = state
+    copy(trial, state)
     for j in range(len(state)):
         change = DIFFERENCE * max(abs(state[j]), rtol * run.vectors[at.SCALES, j])
         trial[j] = state[j] + change
         base.rates(system, mode, run.time, trial, moved)
-        run.jacobian[:, j] = (moved - run.vectors[at.FIRST]) / (trial[j] - state[j])
+        for k in range(len(state)):
+            run.jacobian[k, j] = (moved[k] - run.vectors[at.FIRST, k]) / (trial[j] - state[j])
         trial[j] = state[j]
 
 
@@ -61,19 +63,24 @@ def attempt(effects, system, mode, run, size, rtol, again):
         _differentiate(system, mode, run, rtol)
     if not _collocate(system, mode, run, size, rtol):
         return inf
-    run.vectors[at.REACHED] = run.vectors[at.STATE] + run.vectors[CHANGES + at.RADAU - 1]
+    _add(run.vectors[at.STATE], run.vectors[CHANGES + at.RADAU - 1], run.vectors[at.REACHED])
     error = _error(system, mode, run, size, rtol, again)
     if error < 1.0:
         _prepare(run)
     return error
 
 
+@compiled
+def _add(one, other, found):
+    """Write down a sum of vectors."""
+    for k in range(len(found)):
+        found[k] = one[k] + other[k]
+
+
 @inlined
 def _collocate(system, mode, run, size, rtol):
     """Changes of the state in the stages by Newton's method; whether it converges."""
-    entries, last = len(run.vectors[at.STATE]), 0.0
-    matrix = np.eye(at.RADAU * entries) - size * np.kron(A, run.jacobian)
-    inverse = np.linalg.inv(matrix)
+    inverse, last = np.linalg.inv(_matrix(run.jacobian, size)), 0.0
     _extrapolate(run, size)
     for iteration in range(ITERATIONS):
         change = _correct(system, mode, run, size, rtol, inverse)
@@ -88,14 +95,27 @@ def _collocate(system, mode, run, size, rtol):
     return False
 
 
+@owning
+def _matrix(jacobian, size):
+    """The identity less the step times the Kronecker product of A and the derivative."""
+    entries = len(jacobian)
+    found = np.eye(at.RADAU * entries)
+    for i in range(len(found)):
+        for j in range(len(found)):
+            part = A[i // entries, j // entries] * jacobian[i % entries, j % entries]
+            found[i, j] -= size * part
+    return found
+
+
 @inlined
 def _extrapolate(run, size):
     """First guess of the changes: the dense output of the last step goes on."""
     dense, last = run.vectors[at.DENSE : at.DENSE + at.RADAU], run.last_size
     for i in range(at.RADAU):
         x = C[i] * size / last if last > 0.0 else 0.0
-        rise = dense[0] + dense[1] * (2.0 + x) + dense[2] * (3.0 + x * (3.0 + x))
-        run.vectors[CHANGES + i] = x * rise
+        for k in range(len(dense[0])):
+            rise = dense[0, k] + dense[1, k] * (2.0 + x) + dense[2, k] * (3.0 + x * (3.0 + x))
+            run.vectors[CHANGES + i, k] = x * rise
 
 
 @inlined
@@ -104,7 +124,7 @@ def _correct(system, mode, run, size, rtol, inverse):
     state, changes = run.vectors[at.STATE], run.vectors[CHANGES:THERE]
     slopes, total = run.vectors[THERE:UNKNOWN], 0.0
     for i in range(at.RADAU):
-        run.vectors[at.TRIAL] = state + changes[i]
+        _add(state, changes[i], run.vectors[at.TRIAL])
         base.rates(system, mode, run.time + C[i] * size, run.vectors[at.TRIAL], slopes[i])
     missing = size * np.dot(A, slopes) - changes
     corrections = np.dot(inverse, missing.reshape(missing.size)).reshape(missing.shape)
@@ -123,7 +143,7 @@ def _error(system, mode, run, size, rtol, again):
     error = np.dot(inverse, run.vectors[at.FIRST] + weighted)
     total = norm(error, state, reached, rtol, run.vectors[at.SCALES])
     if total >= 1.0 and (again or run.last_size == 0.0):
-        trial[:] = state + error
+        _add(state, error, trial)
         base.rates(system, mode, run.time, trial, run.vectors[UNKNOWN])
         error = np.dot(inverse, run.vectors[UNKNOWN] + weighted)
         total = norm(error, state, reached, rtol, run.vectors[at.SCALES])
@@ -133,5 +153,6 @@ def _error(system, mode, run, size, rtol, again):
 @inlined
 def _prepare(run):
     """Coefficients of the dense output."""
-    run.vectors[at.DENSE : at.DENSE + at.RADAU] = np.dot(CUBIC, run.vectors[CHANGES:THERE])
+    dense = run.vectors[at.DENSE : at.DENSE + at.RADAU]
+    np.dot(CUBIC, run.vectors[CHANGES:THERE], dense)
     run.prepared = True

@@ -42,7 +42,7 @@ BLOCK = 512
 
 def of_all(rows: Array, plates: Any) -> Array:
     """Terms of all plates, which are some of the rows of a record; shape (plates, ROWS, 2)."""
-    found = np.empty((len(plates), ROWS, 2))
+    found = np.zeros((len(plates), ROWS, 2))
 
     def block(start: int) -> None:
         part = slice(start, start + BLOCK)
@@ -59,12 +59,12 @@ def of_all(rows: Array, plates: Any) -> Array:
 def _expand(rows, plates, found):
     for i in range(len(plates)):
         row = rows[plates[i]]
-        found[i] = multipoles(rows[int(row[4]) : int(row[5])], row[2])
+        multipoles(rows[int(row[4]) : int(row[5])], row[2], found[i])
 
 
 @owning
-def multipoles(edges, radius):
-    """Terms of a plate, real and imaginary; shape (ROWS, 2)."""
+def multipoles(edges, radius, found):
+    """Write down the terms of a plate, real and imaginary, where zeros are; shape (ROWS, 2)."""
     sums = np.zeros((ORDER + 1, ORDER // 2 + 1), dtype=np.complex128)
     for i in range(len(edges)):
         x, y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]
@@ -72,7 +72,7 @@ def multipoles(edges, radius):
         middle, along = complex(x, y) / radius, complex(t_x, t_y) * half / radius
         area = (x * t_y - y * t_x) * (2.0 * half) * jump
         _add_edge(sums, middle - along, middle + along, area)
-    return _terms(sums)
+    _terms(sums, found)
 
 
 @owning
@@ -106,11 +106,10 @@ def _powers(z):
     return found
 
 
-@owning
-def _terms(sums):
+@compiled
+def _terms(sums, found):
     """Coefficients of the series from the moments; those of power 1 are zero about the centre."""
-    found, place = np.zeros((ROWS, 2)), 0
-    whole = sums[0, 0].real
+    whole, place = sums[0, 0].real, 0
     sums[1, 0] = 0.0
     for m in range(ORDER + 1):
         for k in range((ORDER - m) // 2 + 1):
@@ -122,7 +121,6 @@ def _terms(sums):
             if size > EPSILON * abs(found[1, 0]):
                 found[TERMS + m, 0] = 1.0
             place += 1
-    return found
 
 
 @compiled

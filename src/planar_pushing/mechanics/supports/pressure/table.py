@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,7 +36,7 @@ class Table(NamedTuple):
     multipoles: Array
 
 
-def extents_of(supports: Sequence[Any]) -> Array:
+def extents_of(supports: Iterable[Any]) -> Array:
     """Largest distances of supports from their centres of pressure.
 
     Raises
@@ -43,7 +44,7 @@ def extents_of(supports: Sequence[Any]) -> Array:
     InvalidValue
         Where a support is one point, which resists no rotation.
     """
-    return _required(supports, gathered([support.pieces() for support in supports])).extents
+    return _gathered(tuple(supports)).extents
 
 
 def extent_of(support: Any) -> float:
@@ -51,8 +52,10 @@ def extent_of(support: Any) -> float:
     return float(extents_of([support])[0])
 
 
-def _required(supports: Sequence[Any], found: Gathered) -> Gathered:
-    """What was gathered, where no support is one point."""
+@lru_cache(maxsize=16)
+def _gathered(supports: tuple[Any, ...]) -> Gathered:
+    """The pieces of supports, none of which is one point."""
+    found = gathered([support.pieces() for support in supports])
     points = np.flatnonzero(found.extents == 0.0)
     if len(points):
         raise InvalidValue(
@@ -62,9 +65,9 @@ def _required(supports: Sequence[Any], found: Gathered) -> Gathered:
     return found
 
 
-def table_of(supports: Sequence[Any]) -> Table:
+def table_of(supports: Iterable[Any]) -> Table:
     """The table of supports."""
-    found = _required(supports, gathered([support.pieces() for support in supports]))
+    found = _gathered(tuple(supports))
     starts, rows, multipoles = stacked(found, found.extents)
     size = found.extents[:, None]
     return Table(found.centers / size, found.spreads / size**2, starts, rows, multipoles)
