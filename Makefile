@@ -53,7 +53,7 @@ lint: $(READY)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual
 	$(BIN)/ruff format --check src tests workflow/scripts paper/manual
 	$(BIN)/snakefmt --check --diff Snakefile workflow
-	$(BIN)/mypy
+	$(BIN)/mypy --num-workers=auto
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 

@@ -23,21 +23,21 @@ MASSES = {"friction": (), "both": (HEAVY,), "offset": (ASIDE,)}
 
 
 def runs(*names):
-    """Masses and a method; events with inertia are run where every kind is."""
+    """Masses and a method; those with inertia are run where every kind is."""
     return pytest.mark.parametrize(
         ("masses", "options"),
         [
             pytest.param(MASSES[name], options, id=f"{name}-{method}")
             for name in names for method, options in METHODS.items()
-            if EVERY_KIND or name == "friction" or method == "time-stepping"
+            if EVERY_KIND or name == "friction"
         ],
     )  # fmt: skip
 
 
 @starts_uncompiled
-def test_events_with_inertia_without_the_compiler():
+def test_inertia_without_the_compiler():
     said = run_uncompiled(__file__)
-    assert all(f"{name}-event-driven] PASSED" in said for name in MASSES)
+    assert all(f"{name}-{method}] PASSED" in said for name in MASSES for method in METHODS)
 
 
 def simulated(friction, masses, **options):
