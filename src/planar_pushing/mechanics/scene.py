@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -251,12 +250,7 @@ def _extents(friction: Sequence[Any]) -> Number:
 
 def _table(support: Any) -> Table:
     """The pressures of a support, or of an array of supports."""
-    return _cached_table(tuple(np.ravel(np.array(support, dtype=object))))
-
-
-@lru_cache(maxsize=16)
-def _cached_table(supports: tuple[Any, ...]) -> Table:
-    return table_of(supports)
+    return table_of(np.ravel(np.array(support, dtype=object)))
 
 
 def required_scene(given: object) -> Scene:

@@ -7,6 +7,10 @@ from planar_pushing.mechanics.compiled import compiled
 
 @compiled
 def copy(target, source):
-    """Write one row into another; an assignment would make an array in between, lest the two overlap."""
+    """Write one row into another.
+
+    An assignment to a slice would make an array in between, lest the two overlap, and compile numba's
+    formatting of text for its message about shapes, which takes seconds.
+    """
     for k in range(len(target)):
         target[k] = source[k]

@@ -5,7 +5,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.mechanics.supports.pressure.table import pressure_of, table_of
+from planar_pushing.mechanics.supports.pressure.table import FEW, pressure_of, table_of
 
 SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 SUPPORTS = [
@@ -26,6 +26,17 @@ def test_each_pressure_is_that_of_its_support(i):
     assert center == pytest.approx(np.array(support.center_of_pressure) / support.extent, rel=1e-15)
     for x, y in ((0.1, 0.3), (-2.0, 0.4), (50.0, 7.0)):
         assert moments(found, x, y) == moments(alone, x, y)
+
+
+def test_tables_of_few_supports_are_kept_and_of_many_the_last_alone():
+    """A plate's multipoles take 12 kB: a table of 100,000 polygons is more than a gigabyte."""
+    few = [table_of([support]) for support in SUPPORTS]
+    many, others = (pp.Segment((0, -1), (0, 1)),) * (FEW + 1), (pp.Annulus(0.5, 1.0),) * (FEW + 1)
+    first = table_of(many)
+    assert table_of(many) is first
+    table_of(others)
+    assert table_of(many) is not first
+    assert all(table_of([each]) is table for each, table in zip(SUPPORTS, few, strict=True))
 
 
 POINT = pp.Points([(1, 2), (1, 2)], [1, 3])

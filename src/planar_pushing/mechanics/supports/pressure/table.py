@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from functools import lru_cache
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterable
+from functools import lru_cache, wraps
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -12,6 +12,10 @@ from planar_pushing.mechanics.compiled import owning
 from planar_pushing.mechanics.supports.pressure.assembly import Gathered, gathered, stacked
 from planar_pushing.mechanics.supports.pressure.record import Array, Pressure
 from planar_pushing.terms.errors import InvalidValue
+
+#: So many supports are few, and what was found of so many tuples of them is kept.
+FEW, KEPT = 1000, 16
+Found = TypeVar("Found")
 
 
 class Table(NamedTuple):
@@ -36,6 +40,18 @@ class Table(NamedTuple):
     multipoles: Array
 
 
+def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
+    """Keep what a function finds of supports; of many, which may take gigabytes, what it found last."""
+    few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
+
+    @wraps(function)
+    def found(supports: Iterable[Any]) -> Found:
+        each = tuple(supports)
+        return (few if len(each) <= FEW else many)(each)
+
+    return found
+
+
 def extents_of(supports: Iterable[Any]) -> Array:
     """Largest distances of supports from their centres of pressure.
 
@@ -44,7 +60,7 @@ def extents_of(supports: Iterable[Any]) -> Array:
     InvalidValue
         Where a support is one point, which resists no rotation.
     """
-    return _gathered(tuple(supports)).extents
+    return _gathered(supports).extents
 
 
 def extent_of(support: Any) -> float:
@@ -52,7 +68,7 @@ def extent_of(support: Any) -> float:
     return float(extents_of([support])[0])
 
 
-@lru_cache(maxsize=16)
+@kept
 def _gathered(supports: tuple[Any, ...]) -> Gathered:
     """The pieces of supports, none of which is one point."""
     found = gathered([support.pieces() for support in supports])
@@ -65,9 +81,10 @@ def _gathered(supports: tuple[Any, ...]) -> Gathered:
     return found
 
 
-def table_of(supports: Iterable[Any]) -> Table:
+@kept
+def table_of(supports: tuple[Any, ...]) -> Table:
     """The table of supports."""
-    found = _gathered(tuple(supports))
+    found = _gathered(supports)
     starts, rows, multipoles = stacked(found, found.extents)
     size = found.extents[:, None]
     return Table(found.centers / size, found.spreads / size**2, starts, rows, multipoles)
