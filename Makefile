@@ -102,18 +102,18 @@ $(READY) $(COMPILED):
 		$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory --jobs=2 ALONE=1 PYTHON=$(PYTHON) $(READY) $(COMPILED)
 else
 # Without byte code: Python writes it for what is used.
-PIP := $(BIN)/python -m pip install --disable-pip-version-check --no-compile --require-hashes
+PIP := $(BIN)/python -m pip install --disable-pip-version-check --no-compile
 
 $(LIBRARY): library.lock requirements.lock pyproject.toml
 	@echo "Setting up $(VENV) with $(PYTHON)"
 	rm -rf $(VENV)
 	$(PYTHON) -m venv $(VENV)
-	$(PIP) -r library.lock
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	$(PIP) --require-hashes -r library.lock
+	$(PIP) --quiet --no-deps --no-build-isolation --editable .
 	@touch $@
 
 $(READY): $(LIBRARY)
-	$(PIP) -r requirements.lock
+	$(PIP) --require-hashes -r requirements.lock
 	@touch $@
 
 $(COMPILED): $(LIBRARY) $(CORE)
