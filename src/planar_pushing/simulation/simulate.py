@@ -109,7 +109,8 @@ def simulate(
     if path is None:
         rows = np.concatenate(list(_shown(run, duration, progress)))
         log = dataset(problem, method, rows)
-        return log.assign_attrs(ending(run.stopped, log.time.values[-1]))
+        log.attrs |= ending(run.stopped, log.time.values[-1])
+        return log
     with streaming(path, problem, method) as stream:
         for rows in _shown(run, duration, progress):
             stream.append(rows)

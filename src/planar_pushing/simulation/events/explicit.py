@@ -20,12 +20,11 @@ PART = float(C[MIDDLE])
 @compiled
 def _sum(weights, count, slopes, found):
     """Write down a weighted sum of slopes."""
-    found[:] = 0.0
-    for j in range(count):
-        weight = weights[j]
-        if weight != 0.0:
-            for k in range(len(found)):
-                found[k] += weight * slopes[j, k]
+    for k in range(len(found)):
+        total = 0.0
+        for j in range(count):
+            total += weights[j] * slopes[j, k]
+        found[k] = total
 
 
 @inlined
