@@ -210,7 +210,7 @@ def test_a_changed_callee_leaves_no_stale_code(copy):
     callee = copy / SOURCES.name / "mechanics/supports/ring.py"
     text = callee.read_text()
     changed = text.replace(
-        "    return force, k * bracket / ends", "    return 2.0 * force, k * bracket / ends"
+        "    return force, bracket / ends", "    return 2.0 * force, bracket / ends"
     )
     assert changed != text
     callee.write_text(changed)

@@ -26,7 +26,7 @@ Function = Callable[..., Any]
 #: Where an effect is evaluated: friction in the one function behind the ring's wrench and its inverse,
 #: inertia at a motion, under a line of force, and where its terms stand in an equation with friction.
 PLACES: tuple[tuple[EffectKind, dict[Any, Any], Any], ...] = (
-    (EffectKind.SUPPORT_FRICTION, vars(ring), "inner"),
+    (EffectKind.SUPPORT_FRICTION, vars(ring), "curves"),
     (EffectKind.INERTIA, vars(inertia), "response"),
     (EffectKind.INERTIA, vars(inertia), "spin_ratio"),
     (EffectKind.INERTIA, vars(inertia), "leverages"),

@@ -132,12 +132,6 @@ def leverages_alone(kind: Any) -> Callable[..., Any]:
 
 
 @generic
-def rough_leverage(kind: Any) -> Callable[..., Any]:
-    """``h / k`` of an effect that is alone, to 1e-4, at the squares of rotation and speed."""
-    return member(kind, "rough_leverage")
-
-
-@generic
 def gradient(kind: Any) -> Callable[..., Any]:
     """Gradient and second derivative of the potential at a motion (v_x, v_y, s) of the origin, body frame.
 

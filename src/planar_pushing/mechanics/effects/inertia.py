@@ -78,10 +78,5 @@ def leverages(effect):
 
 
 @compiled
-def rough_leverage(effect, spinning, moving):
-    return effect.gyration
-
-
-@compiled
 def scaled(effect, factor):
     return Mass(factor * effect.mass, effect.gyration)

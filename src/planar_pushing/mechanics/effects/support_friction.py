@@ -109,8 +109,3 @@ def spin_ratio(effect, arm):
 def leverages(effect):
     """``H(k) / k``: 1/2 for a motion centre far away, 2 for one at the ring's centre."""
     return 0.5, 2.0
-
-
-@compiled
-def rough_leverage(effect, spinning, moving):
-    return ring.rough_leverage(spinning, moving)

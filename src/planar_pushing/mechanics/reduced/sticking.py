@@ -6,13 +6,17 @@ contact, the potential's slope, increases with the rotation.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import copysign, sqrt
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import leverages_alone, response, rough_leverage
+from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.effects.base import leverages_alone, response
+from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 from planar_pushing.mechanics.plane import moment_arm
+from planar_pushing.mechanics.reduced import sticking_ring
 from planar_pushing.mechanics.reduced.isotropic import SpinOfSpeed, spin_ratios
 
 
@@ -93,53 +97,49 @@ def _speed_of_spin(of, speed):
 EQUATIONS.update({ContactTorque: _contact_torque, SpeedOfSpin: _speed_of_spin})
 
 
-@compiled
-def _rough_change(of, leverage):
-    """What the rough h / k of the friction, in a motion with another h / k, differs from that one."""
-    across, turn = leverage * of.aside, of.length * of.aside
-    ahead = (of.length * of.length + leverage) * of.along
-    return rough_leverage(of.effects[0], turn * turn, ahead * ahead + across * across) - leverage
+@generic
+def _held(kinds: Any) -> Callable[..., Any]:
+    """H / k of the motion that sticks, and the force over its centre's speed: effects, length, motion."""
+    alone = {(RingSupport,): _held_ring, (Mass,): _held_mass}
+    return alone.get(kinds, _held_by_both)
 
 
 @compiled
-def _first_guess(of, middle):
-    """A step to the rough h / k, and a secant step; friction and inertia begin in the middle."""
-    if len(of.effects) > 1:
-        return middle
-    change = _rough_change(of, middle)
-    near = middle + change
-    left = _rough_change(of, near)
-    return near + left * change / (change - left) if left != change else near
+def _held_ring(effects, length, along, aside):
+    leverage, force = sticking_ring.held(length, along, aside)
+    return leverage, effects[0].weight * force
 
 
 @compiled
-def _leverage(effects, length, along, aside):
-    """H / k of the motion that sticks."""
-    one = leverages_alone(effects[0])
-    other = leverages_alone(effects[-1])
+def _held_mass(effects, length, along, aside):
+    return leverages_alone(effects[0])[0], response(effects, 1.0, 0.0)[0]
+
+
+@compiled
+def _held_by_both(effects, length, along, aside):
+    one, other = leverages_alone(effects[0]), leverages_alone(effects[1])
     low, high = min(one[0], other[0]), max(one[1], other[1])
-    if low == high:
-        return low
     torque = ContactTorque(effects, length, along, aside)
-    start = min(max(_first_guess(torque, sqrt(low * high)), low), high)
-    return root(torque, low, high, start)[0]
+    leverage = root(torque, low, high, sqrt(low * high))[0]
+    total = length * length + leverage
+    across, spin = leverage / total * aside, length * (aside / total)
+    speed = sqrt(along * along + across * across)
+    return leverage, response(effects, speed, spin)[0] / speed
 
 
 @compiled
 def stick(effects, own, towards):
     """As `base.stick`."""
     along, aside, length = towards.along, towards.aside, own.length
-    leverage = _leverage(effects, length, along, abs(aside))
+    leverage, part = _held(effects, length, along, abs(aside))
     total = length * length + leverage
     carried = leverage / total
-    return _sustained(effects, own, along, carried * aside, length * (aside / total), carried)
+    return _sustained(own, along, carried * aside, length * (aside / total), part, carried)
 
 
 @compiled
-def _sustained(effects, own, along, aside, spin, blur):
-    """The motion whose centre moves by (along, aside) in the rod's axes, with its force."""
-    speed = sqrt(along * along + aside * aside)
-    part = response(effects, speed, spin)[0] / speed
+def _sustained(own, along, aside, spin, part, blur):
+    """The motion whose centre moves by (along, aside) in the rod's axes, with its force over its speed."""
     v_x, v_y = along * own.x + aside * own.y, along * own.y - aside * own.x
     return Sustained(v_x, v_y, spin, part * v_x, part * v_y, along, aside, blur, 0.0, 0.0, -1)
 
@@ -156,6 +156,6 @@ def held_on_edge(effects, own, edge, moved):
     else:
         at_speed = SpinOfSpeed(effects, arm, speed)
         spin = root(at_speed, speed * low, speed * high, speed * sqrt(low * high))[0]
-    return _sustained(
-        effects, own, speed * edge.along, speed * edge.aside, copysign(spin, edge.aside), 0.0
-    )
+    part = response(effects, speed, spin)[0] / speed
+    along, aside = speed * edge.along, speed * edge.aside
+    return _sustained(own, along, aside, copysign(spin, edge.aside), part, 0.0)

@@ -70,9 +70,6 @@ NEAR_GUESS = (
     (-1.89847635, 5.78040765),
     (-1.29486139, 2.40357923),
 )
-#: Moment arm over spin ratio, ``H(k) / k``, to 1.2e-4 for k <= 1: in powers of m = k^2, and x log x with
-#: x = 1 - m.
-ROUGH, ROUGH_LOG = (0.5000569247, 0.7160237600, -0.1583832067, -0.0577030053), 0.5307647117
 #: Below this moment arm the spin ratio is twice the arm to the last place.
 SMALL = 1e-9
 
@@ -92,40 +89,44 @@ def polynomial(coefficients, x):
 
 
 @compiled
-def _far(k):
-    """f, t and t' for 0 <= k < NEAR_RING.
+def _far(m, x):
+    """`curves` for m below NEAR_RING squared.
 
-    ``f = (1 + k') / 2 P``, ``t = k B`` with ``B = ((1 - q/2) Q - q/2 (Q - P) / q^2) / (1 + k')``, and
+    ``f = (1 + k') / 2 P``, ``t / k = B = ((1 - q/2) Q - q/2 (Q - P) / q^2) / (1 + k')``, and
     ``t' = 2 Q / (1 + k') - B``. What is added to the leading terms is small, and so is its rounding.
     """
-    ends = 1.0 + sqrt((1.0 - k) * (1.0 + k))
-    half = k * k / (2.0 * ends * ends)  # q / 2
+    ends = 1.0 + sqrt(x)
+    half = m / (2.0 * ends * ends)  # q / 2
     y = 4.0 * half * half
     first, second = polynomial(FIRST, y), polynomial(SECOND, y)
     bracket = (1.0 - half) + y * (first * (1.0 - half) - half * second)
     force = ends / 2 * (1.0 + y * (first - y * second))
-    return force, k * bracket / ends, (2.0 + 2.0 * y * first - bracket) / ends
+    return force, bracket / ends, (2.0 + 2.0 * y * first - bracket) / ends
 
 
 @compiled
-def _near(small, large):
-    """f, t and t' at ``k = small / large`` from NEAR_RING to 1; at 1, where t' is infinite, it is large."""
-    k, gap = small / large, (large - small) / large
-    x = max(gap * (2.0 - gap), LEAST)
+def _near(m, x):
+    """`curves` for m from NEAR_RING squared to 1; at 1, where t' is infinite, it is large."""
     half_log = -log(x) / 2
     first = half_log * polynomial(FORCE_LOG, x) + polynomial(FORCE_REST, x)
     second = half_log * polynomial(TORQUE_LOG, x) + polynomial(TORQUE_REST, x)
-    force, torque = 1.0 + x * first, 1.0 + x * second
+    force, part = 1.0 + x * first, 2 / pi / m
     slope = first - second - force  # K - E; 1 / x would carry the rounding of force and torque
-    return 2 / pi * force, 2 / pi * torque / k, 2 / pi * slope / (k * k)
+    return 2 / pi * force, part * (1.0 + x * second), part * slope
+
+
+@compiled
+def curves(m, x):
+    """f(k), t(k) / k and t'(k) at ``m = k^2 <= 1`` and ``x = 1 - m > 0``, per unit weight and radius."""
+    return _far(m, x) if m < NEAR_RING * NEAR_RING else _near(m, x)
 
 
 @compiled
 def inner(small, large):
     """f(k), t(k) and t'(k) at ``k = small / large``, 0 <= small <= large, per unit weight and radius."""
-    if small < NEAR_RING * large:
-        return _far(small / large)
-    return _near(small, large)
+    k, gap = small / large, (large - small) / large
+    force, lever, slope = curves(k * k, max(gap * (2.0 - gap), LEAST))
+    return force, k * lever, slope
 
 
 @compiled
@@ -185,15 +186,6 @@ def _inner_spin_ratio(arm):
     excess, rate = torque - arm * force, slope * lever
     bend = (force / x - 2.0 * slope) / k * lever + arm * slope
     return min(k - excess * rate / (rate * rate - excess * bend / 2.0), 1.0)
-
-
-@compiled
-def rough_leverage(small, large):
-    """``H(k) / k`` to 1e-4 at ``k^2 = small / large``; beyond the ring it is self-dual."""
-    m = min(small, large) / max(small, large)
-    x = max(1.0 - m, LEAST)
-    rough = ROUGH[0] + m * (ROUGH[1] + m * (ROUGH[2] + m * ROUGH[3])) + ROUGH_LOG * x * log(x)
-    return rough if small <= large else 1.0 / rough
 
 
 @compiled

@@ -1,0 +1,97 @@
+"""A ring that sticks, against the root of its equation in 40 digits."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+
+import reference
+from planar_pushing.mechanics.reduced import sticking_ring
+from planar_pushing.mechanics.reduced.sticking_ring import held
+from planar_pushing.mechanics.supports import ring
+
+RANDOM = np.random.default_rng(4)
+COUNT = 60
+
+
+def cases():
+    """Rod length and direction: anywhere, next to the ring, with short and long rods, along and aside."""
+    anywhere = 10 ** RANDOM.uniform(-6, 6, COUNT), RANDOM.uniform(0, np.pi / 2, COUNT)
+    usual = RANDOM.uniform(0.5, 3, COUNT), RANDOM.uniform(0, np.pi / 2, COUNT)
+    length = 10 ** RANDOM.uniform(0, 6, COUNT)
+    on_ring = np.arctan2(length**2 + 1, np.sqrt(length**2 - 1))  # k = 1 with H / k = 1
+    off = 10 ** RANDOM.uniform(-16, -1, COUNT) * RANDOM.choice([-1, 1], COUNT)
+    beside = length, np.clip(on_ring + off, 0, np.pi / 2)
+    one = 1 + off, np.pi / 2 - 10 ** RANDOM.uniform(-16, 0, COUNT)
+    thin = 10 ** RANDOM.uniform(-6, 6, COUNT), 10 ** RANDOM.uniform(-300, -3, COUNT)
+    found = [anywhere, usual, beside, one, thin]
+    return [
+        (float(a), float(np.cos(b)), float(np.sin(b)))
+        for pair in found
+        for a, b in zip(*pair, strict=True)
+    ]
+
+
+def motion(length, along, aside, leverage):
+    """Centre's motion across the rod, R omega, and the spin ratio."""
+    total = length**2 + leverage
+    across, spin = leverage / total * aside, length * aside / total
+    return across, spin, spin / mp.sqrt(along**2 + across**2)
+
+
+def exact(length, along, aside):
+    """H / k at the root of ``H(k) - k H / k``, by bisection, which decreases with it."""
+    length, along, aside = mpf(length), mpf(along), mpf(aside)
+    low, high = mpf("0.5"), mpf(2)
+    for _ in range(130):
+        middle = (low + high) / 2
+        k = motion(length, along, aside, middle)[2]
+        more = reference.ring_torque(k) > k * middle * reference.ring_force(k)
+        low, high = (middle, high) if more else (low, middle)
+    return low
+
+
+@pytest.mark.parametrize("case", cases()[::3])
+def test_the_motion_to_some_ulp_however_near_the_ring(case):
+    """Eq. (7) in 40 digits; beside the ring H / k is as steep as log(x), and m is rounded."""
+    with mp.workdps(40):
+        leverage, force = held(*case)
+        right = exact(*case)
+        across, _, k = motion(*map(mpf, case), right)
+        assert float(abs(leverage - right)) <= 4e-15 * leverage
+        speed = mp.sqrt(mpf(case[1]) ** 2 + across**2)
+        assert force * speed == pytest.approx(float(reference.ring_force(k)), rel=3e-15)
+
+
+@pytest.mark.parametrize("length", [0.0, 1e-6, 0.7, 1.0, 2.0, 1e6])
+def test_the_ends(length):
+    """Along the rod nothing turns; aside the force acts across it, with the rod as its moment arm."""
+    assert held(length, -1.0, 0.0)[1] == 1.0
+    leverage, force = held(length, 0.0, 1.0)
+    if length > 0:
+        k = length / leverage
+        assert ring.ring_spin_ratio(length) == pytest.approx(k, rel=1e-15)
+    assert np.isfinite(force)
+
+
+def test_on_the_ring_itself():
+    """A rod of one radius, pushed across: the motion's centre is on the ring, to the last place."""
+    for along in (0.0, 6e-17):
+        assert held(1.0, along, 1.0) == (1.0, pytest.approx(4 / np.pi, rel=1e-15))
+
+
+def test_the_curves_are_evaluated_once(monkeypatch):
+    calls, curves = [], ring.curves
+    monkeypatch.setattr(ring, "curves", lambda *at: calls.append(at) or curves(*at))
+    for case in cases()[::20]:
+        held(*case)
+    assert len(calls) == len(cases()[::20])
+
+
+def test_the_rough_slope():
+    """``g = -t' / f`` to 7e-7, from the ring to a translation."""
+    for x in [10.0**-i for i in range(16)] + RANDOM.uniform(0, 1, 40).tolist():
+        m = 1 - mpf(x)
+        exact = -0.5 if x == 1 else (1 - mp.ellipk(m) / mp.ellipe(m)) / m
+        assert abs(sticking_ring._rough(x) - exact) <= 7e-7, x
