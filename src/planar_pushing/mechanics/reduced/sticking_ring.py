@@ -103,8 +103,8 @@ def held(length, along, aside):
     place = _inside(q, ahead, beside, z) if inside else _outside(q, ahead, beside, z)
     force, _, slope = ring.curves(place.m, place.x)
     z, before = _halley(place, z, -slope / force), z
-    # From there to the root by derivatives: of log m by z, and of the force by m. Where x is rounding they
-    # would be too.
+    # From there to the root by derivatives: of log m by z, and of the force by m. An x below EPSILON is
+    # rounding of z.
     step, (m, x, rate, bend) = z - before, place
     change = step * (rate + step * (rate * rate + bend) / 2)
     force -= m * change * (slope / 2 + (force / max(x, EPSILON) - 2.0 * slope) * change / 8)
