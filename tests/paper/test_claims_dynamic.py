@@ -39,7 +39,7 @@ def test_slip_with_infinite_friction_exists_in_every_kind_of_analysis(effects, m
 def test_condition_13_gives_mu_above_1_5():
     """Sec. 4: for psi = 45 deg and l = 2, 3 f_y - 2 mu f_y < 0."""
     threshold = reference.pulling_threshold(reference.inertia_spin_ratio, 2, mp.pi / 4)
-    assert float(threshold) == pytest.approx(1.5, rel=1e-15)
+    assert float(threshold) == pytest.approx(1.5, rel=1e-15, abs=0)
     assert not pp.can_pull(make_scene(2.0, 1.5, INERTIA))
     assert not pp.can_pull(make_scene(2.0, 1.5 - 1e-9, INERTIA))
     assert pp.can_pull(make_scene(2.0, 1.5 + 1e-9, INERTIA))
@@ -64,7 +64,7 @@ def test_acceleration_cones_of_figure_9(mu, right, left):
     """Sec. 4, Fig. 9: l = 2."""
     scene = make_scene(2.0, mu, INERTIA)
     cone = pp.motion_cone(scene)
-    assert np.rad2deg([cone.right, cone.left]) == pytest.approx([right, left], rel=1e-12)
+    assert np.rad2deg([cone.right, cone.left]) == pytest.approx([right, left], rel=1e-12, abs=0)
     solutions = pp.solve(scene, cone.right / 2)
     assert solutions.outcome is pp.Outcome.AMBIGUOUS
     assert {"SEPARATE", "STICK"} <= set(names(solutions))
@@ -99,8 +99,8 @@ def test_ellipse_axes(length, gyration_radius):
     curve = pp.limit_curve(scene, phi)
     ratio = 1 / np.sqrt(1 + (length / gyration_radius) ** 2)
     major, minor = pp.limit_curve(scene, [PSI, PSI + np.pi / 2]).magnitude
-    assert major == pytest.approx(3.0, rel=1e-14)
-    assert minor / major == pytest.approx(ratio, rel=1e-14)
+    assert major == pytest.approx(3.0, rel=1e-14, abs=0)
+    assert minor / major == pytest.approx(ratio, rel=1e-14, abs=0)
     x, y = (curve.force @ direction(PSI + turn) for turn in (0.0, np.pi / 2))
     assert (x / major) ** 2 + (y / minor) ** 2 == pytest.approx(1, abs=1e-12)
 
@@ -172,7 +172,7 @@ class TestSevenGeometricFacts:
         foot = arm * np.array([force[1], -force[0]]) / np.hypot(*force)
         # The torque foot x force is arm |force| for a foot on the side of x' x -arm.
         torque = foot[0] * force[1] - foot[1] * force[0]
-        assert torque == pytest.approx(arm * np.hypot(*force), rel=1e-14)
+        assert torque == pytest.approx(arm * np.hypot(*force), rel=1e-14, abs=0)
         assert foot @ np.array(center) < 0
 
     def test_facts_5_to_7_line_and_center_swap_inside_and_outside(self, effect, center, spin):
@@ -209,7 +209,7 @@ def test_bounds_of_figure_12_are_conservative():
     scene = make_scene(5.0, np.inf, BOTH)
     bound, exact = pp.conservative_motion_cone(scene), pp.motion_cone(scene)
     left = np.pi - np.arctan2(5 * np.sin(PSI), 1 + 5 * np.sin(PSI))
-    assert [bound.right, bound.left] == pytest.approx([-PSI, left], rel=1e-14)
+    assert [bound.right, bound.left] == pytest.approx([-PSI, left], rel=1e-14, abs=0)
     assert np.rad2deg(bound.left) == pytest.approx(142.06, abs=0.005)
     assert bound.right < exact.right
     assert exact.left < bound.left < np.pi
@@ -220,7 +220,7 @@ def test_exact_cone_of_figure_12():
     scene = make_scene(5.0, np.inf, BOTH)
     cone = pp.motion_cone(scene)
     assert np.rad2deg([cone.right, cone.left]) == pytest.approx(
-        [-42.797401838234, 138.83997216476], rel=1e-12
+        [-42.797401838234, 138.83997216476], rel=1e-12, abs=0
     )
     phi, share = np.meshgrid(np.linspace(0, np.pi, 181), np.linspace(0.01, 0.99, 21))
     motion = pp.motion_angle(scene, phi, share)

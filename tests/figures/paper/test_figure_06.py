@@ -14,7 +14,7 @@ def test_edges_of_the_cones_are_the_published_ones(plotted):
 
 
 def test_force_along_the_rod_translates_the_slider(plotted):
-    assert float(plotted["figure_06"].mapped_motion_angle[1]) == pytest.approx(45, rel=1e-14)
+    assert float(plotted["figure_06"].mapped_motion_angle[1]) == pytest.approx(45, rel=1e-14, abs=0)
 
 
 def test_mapped_forces_lie_at_their_angles(plotted):

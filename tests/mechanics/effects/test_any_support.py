@@ -77,15 +77,17 @@ def test_second_derivatives_are_slopes_of_the_wrench(support, motion):
 def test_the_wrench_does_not_see_the_size_of_the_motion_and_turns_with_its_sign(support):
     effect, motion = friction(support), np.array(MOTIONS[0])
     wrench = gradient(effect, *motion)[:3]
-    assert gradient(effect, *(1e-3 * motion))[:3] == pytest.approx(wrench, rel=1e-13)
-    assert gradient(effect, *-motion)[:3] == pytest.approx([-each for each in wrench], rel=1e-13)
+    assert gradient(effect, *(1e-3 * motion))[:3] == pytest.approx(wrench, rel=1e-13, abs=0)
+    assert gradient(effect, *-motion)[:3] == pytest.approx(
+        [-each for each in wrench], rel=1e-13, abs=0
+    )
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_about_a_point_its_own_friction_is_left_out(sign):
     effect, places = friction(POINTS), in_radii(POINTS)
     for i, (x, y) in enumerate(places):
-        assert point(effect, i) == pytest.approx((x, y, WEIGHT * SHARES[i]), rel=1e-15)
+        assert point(effect, i) == pytest.approx((x, y, WEIGHT * SHARES[i]), rel=1e-15, abs=0)
         others, shares = np.delete(places, i, axis=0), np.delete(SHARES, i)
         expected = wrench_of_points(others, shares, sign * y, -sign * x, sign)
         found = wrench_about(effect, i, 2.0 * sign, x, y)

@@ -87,9 +87,9 @@ def test_friction_stays_inside_its_limit_surface(twist):
 def test_ring_is_self_dual(k):
     """f(k) = t(1/k), so H(1/k) = 1 / H(k)."""
     (force, torque), (dual_force, dual_torque) = ring_profile(k), ring_profile(1 / k)
-    assert force == pytest.approx(dual_torque, rel=1e-14)
-    assert torque == pytest.approx(dual_force, rel=1e-14)
-    assert torque / force == pytest.approx(dual_force / dual_torque, rel=1e-14)
+    assert force == pytest.approx(dual_torque, rel=1e-14, abs=0)
+    assert torque == pytest.approx(dual_force, rel=1e-14, abs=0)
+    assert torque / force == pytest.approx(dual_force / dual_torque, rel=1e-14, abs=0)
 
 
 @given(spin_ratios, st.floats(1e-6, 0.5))
@@ -112,13 +112,13 @@ def arm_of(effect, k):
 @given(any_effect, st.one_of(powers(-6, 6), st.floats(-12, -2).map(lambda e: 1 - 10.0**e)))
 def test_moment_arm_of_the_inverse_is_the_moment_arm(effect, arm):
     """H(H^-1(h)) = h, also where the line of force is almost tangent to the ring."""
-    assert arm_of(effect, spin_ratio_under(effect, arm)) == pytest.approx(arm, rel=1e-14)
+    assert arm_of(effect, spin_ratio_under(effect, arm)) == pytest.approx(arm, rel=1e-14, abs=0)
 
 
 @given(any_effect, st.one_of(powers(-5.5, 5), st.floats(-12, -2).map(lambda e: 1 + 10.0**e)))
 def test_inverse_of_the_moment_arm_is_the_spin_ratio(effect, k):
     """H^-1(H(k)) = k."""
-    assert spin_ratio_under(effect, arm_of(effect, k)) == pytest.approx(k, rel=4e-15)
+    assert spin_ratio_under(effect, arm_of(effect, k)) == pytest.approx(k, rel=4e-15, abs=0)
 
 
 @given(masses, twists)
@@ -128,7 +128,7 @@ def test_inertia_is_mass_times_motion(inertia, twist):
     force, torque, vv, vs, ss = response((row,), speed, spin)
     moment = inertia.mass * inertia.gyration_radius**2
     assert (force, vv, vs) == (inertia.mass * speed, inertia.mass, 0.0)
-    assert (torque, ss) == pytest.approx((moment * spin, moment), rel=1e-15)
+    assert (torque, ss) == pytest.approx((moment * spin, moment), rel=1e-15, abs=0)
 
 
 @given(rings, masses, powers(-2, 2), st.floats(-30, 30))

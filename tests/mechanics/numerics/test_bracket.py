@@ -69,12 +69,12 @@ def between(equation, low, high):
 @pytest.mark.parametrize("level", [1e-3, 0.2, 0.9])
 def test_smooth_roots_are_scipys(level):
     theirs = brentq(lambda x: level - exp(-x), 0.0, 20.0, xtol=1e-15, rtol=1e-15)
-    assert between(Decay(level), 0.0, 20.0) == pytest.approx(theirs, rel=1e-14)
+    assert between(Decay(level), 0.0, 20.0) == pytest.approx(theirs, rel=1e-14, abs=0)
 
 
 @pytest.mark.parametrize("place", [1e-12, 0.3, 17.0])
 def test_the_place_of_a_leap_is_found(place):
-    assert between(Leap(place), -5.0, 20.0) == pytest.approx(place, rel=1e-14)
+    assert between(Leap(place), -5.0, 20.0) == pytest.approx(place, rel=1e-14, abs=0)
 
 
 def test_a_flat_root_is_found_to_what_its_values_tell():

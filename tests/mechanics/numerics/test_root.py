@@ -161,7 +161,7 @@ def test_roots_agree_with_scipy_where_a_function_is_steep_or_flat():
 def test_a_kink_at_the_root(place, steepness):
     found, sure = solved(Kink(place, steepness), 1e-10, 1e7, 2.0)
     assert sure
-    assert found == pytest.approx(place, rel=1e-15)
+    assert found == pytest.approx(place, rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize("place", [1e-9, 0.3, 1.0, 7.0])
@@ -169,7 +169,7 @@ def test_a_kink_at_the_root(place, steepness):
 def test_an_infinite_slope_at_the_root(place, start):
     found, sure = solved(Cusp(place), 1e-10, 1e2, start)
     assert sure
-    assert found == pytest.approx(place, rel=1e-15)
+    assert found == pytest.approx(place, rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize("place", [1.0, 0.7, 2.3])
@@ -186,7 +186,7 @@ def test_steps_that_shrink_slowly_beside_a_logarithm_go_on_to_the_last_places(pl
 def test_a_jump_is_enclosed_whatever_the_slope_says(low, high, slope):
     found, sure = solved(Jump(0.5, -1.0, 1.0, slope), low, high, (low + high) / 2)
     assert sure
-    assert found == pytest.approx(0.5, rel=1e-15)
+    assert found == pytest.approx(0.5, rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize("start", [1.0, 2.0, 3.0])
@@ -194,7 +194,7 @@ def test_a_jump_is_enclosed_whatever_the_slope_says(low, high, slope):
 def test_a_root_at_an_end_of_the_bracket_is_found(place, start):
     found, sure = solved(Line(place, 1.0, np.zeros(STEPS + 9)), 1.0, 3.0, start)
     assert sure
-    assert found == pytest.approx(place, rel=1e-15)
+    assert found == pytest.approx(place, rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize("start", [1.0, 2.0, 3.0])
@@ -202,7 +202,7 @@ def test_a_root_at_an_end_of_the_bracket_is_found(place, start):
 def test_a_bracket_without_a_change_of_sign_says_so_and_gives_the_nearer_end(place, end, start):
     found, sure = solved(Line(place, 1.0, np.zeros(STEPS + 9)), 1.0, 3.0, start)
     assert not sure
-    assert found == pytest.approx(end, rel=1e-15)
+    assert found == pytest.approx(end, rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize(("below", "above"), [(1.0, 1.0), (-1.0, -1.0)])
@@ -220,12 +220,12 @@ def test_steps_stay_in_the_bracket_and_are_few():
 
 @pytest.mark.parametrize(("low", "high"), [(1e-300, 1e300), (1e-12, 1e12)])
 def test_a_bracket_that_spans_sizes_is_halved_in_sizes(low, high):
-    """Steps halve the bracket's exponent, then its mantissa: no more than doubles have bits."""
+    """Until Newton's steps stay in it: where the bracket is far above the root they are all rounding."""
     place, seen = low * 1e3, np.zeros(STEPS + 9)
-    found, sure = solved(Line(place, 1e-300, seen), low, high, 1.0)
+    found, sure = solved(Line(place, 1.0, seen), low, high, 1.0)
     assert sure
-    assert found == pytest.approx(place, rel=1e-15)
-    assert seen[0] <= 80
+    assert found == pytest.approx(place, rel=1e-15, abs=0)
+    assert seen[0] <= 8
 
 
 def test_an_equation_is_evaluated_in_both_modes():

@@ -47,11 +47,11 @@ def test_the_corner_takes_the_rest_of_the_force_up_to_its_share(i, spin):
         assert found.atom == NOWHERE
         return
     assert found.atom == i
-    assert found.motion == pytest.approx((*about(i, spin), spin), rel=1e-14)
+    assert found.motion == pytest.approx((*about(i, spin), spin), rel=1e-14, abs=0)
     for end in (-1.0, 1.0):
         force = np.array([found.f_x + end * found.free_x, found.f_y + end * found.free_y])
         own = force - sliding
-        assert np.hypot(*own) == pytest.approx(0.5, rel=1e-13)
+        assert np.hypot(*own) == pytest.approx(0.5, rel=1e-13, abs=0)
         assert lever[0] * own[1] - lever[1] * own[0] + torque == pytest.approx(0, abs=1e-14)
 
 
@@ -71,8 +71,8 @@ def test_every_force_of_the_interval_leads_to_the_same_pivot(effects):
         along = float(towards @ about(i, 0.3))
         found = pivot_under(effects, Line(effects, LENGTH, *towards, along))
         assert found.atom == i
-        assert found.motion == pytest.approx(known.motion, rel=1e-12)
-        assert (found.f_x, found.f_y) == pytest.approx(tuple(force), rel=1e-12)
+        assert found.motion == pytest.approx(known.motion, rel=1e-12, abs=0)
+        assert (found.f_x, found.f_y) == pytest.approx(tuple(force), rel=1e-12, abs=0)
 
 
 def test_other_motions_and_lines_have_no_pivot():

@@ -95,4 +95,4 @@ def test_the_torque_from_afar_is_the_spread_over_the_distance(name):
         along = (np.array(support.end) - support.start) / 2
         spread[name] = np.cross([*sight, 0], [*along, 0])[2] ** 2 / 3
     found = at(support, middle + 1e7 * sight)
-    assert found[3] == pytest.approx(spread[name] / 1e7, rel=1e-12)
+    assert found[3] == pytest.approx(spread[name] / 1e7, rel=1e-12, abs=0)

@@ -48,8 +48,8 @@ def test_twist_is_the_gradient_of_the_polynomial():
 def test_profile_lies_on_the_surface_and_has_the_spin_ratio(k):
     force, torque = QUARTIC.profile(np.array([k]))
     value = QUARTIC.a * force**4 + QUARTIC.b * (force * torque) ** 2 + QUARTIC.c * torque**4
-    assert value == pytest.approx(1, rel=1e-14)
-    assert QUARTIC.spin_ratio(torque / force) == pytest.approx(k, rel=1e-12)
+    assert value == pytest.approx(1, rel=1e-14, abs=0)
+    assert QUARTIC.spin_ratio(torque / force) == pytest.approx(k, rel=1e-12, abs=0)
 
 
 def test_a_rim_of_many_points_is_the_ring():

@@ -144,5 +144,5 @@ def test_slips_of_points_are_as_many_as_magnitudes_show(seed):
             assert count == scanned(effects, own, edge, normal)
             for v_x, v_y, spin, f_x, f_y, *_ in motions[:count]:
                 _, rise = contact_of(own, Twist(v_x, v_y, spin))
-                assert rise == pytest.approx(normal, rel=1e-12)
+                assert rise == pytest.approx(normal, rel=1e-12, abs=0)
                 assert np.sin(np.arctan2(f_y, f_x) - angle) == pytest.approx(0, abs=1e-14)
