@@ -78,10 +78,10 @@ def test_the_ends(length):
     """Along the rod nothing turns; aside the force acts across it, with the rod as its moment arm."""
     assert held(length, -1.0, 0.0)[1] == 1.0
     leverage, force = held(length, 0.0, 1.0)
-    if length > 0:
-        k = length / leverage
-        assert ring.ring_spin_ratio(length) == pytest.approx(k, rel=1e-15, abs=0)
-    assert np.isfinite(force)
+    assert ring.ring_spin_ratio(length) == pytest.approx(length / leverage, rel=1e-15, abs=0)
+    across = leverage / (length**2 + leverage)
+    right = ring.ring_wrench(across, length / (length**2 + leverage))[0]
+    assert force * across == pytest.approx(right, rel=4e-15, abs=0)
 
 
 def test_on_the_ring_itself():
