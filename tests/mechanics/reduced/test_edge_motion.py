@@ -10,7 +10,7 @@ from planar_pushing.mechanics.reduced.base import MOTION, edge_motion, slips
 from planar_pushing.mechanics.supports import Polygon
 
 L = Polygon([(-1, -1), (1, -1), (1, -0.3), (-0.3, -0.3), (-0.3, 1), (-1, 1)])
-EFFECTS = {"ring": RingSupport(0.7), "L": Support(0.7, L.extent, L.record(L.extent))}
+EFFECTS = {"ring": RingSupport(0.7), "L": Support(0.7, L.extent, L.record(L.extent), 1.0, 0.0)}
 
 
 @pytest.mark.parametrize("effect", EFFECTS.values(), ids=EFFECTS)

@@ -32,14 +32,14 @@ def cases(count):
 
 
 def motion(length, along, aside, leverage):
-    """Centre's motion across the rod, R omega, and the spin ratio."""
+    """Centre's motion across the rod and R omega, over the contact's motion aside, and the spin ratio."""
     total = length**2 + leverage
-    across, spin = leverage / total * aside, length * aside / total
-    return across, spin, spin / mp.sqrt(along**2 + across**2)
+    carried, swing = leverage / total, length / total
+    return carried, swing, swing * aside / mp.sqrt(along**2 + (carried * aside) ** 2)
 
 
 def exact(length, along, aside):
-    """H / k at the root of ``H(k) - k H / k``, by bisection, which decreases with it."""
+    """`motion` at the root of ``H(k) - k H / k`` by H / k, which decreases with it; by bisection."""
     length, along, aside = mpf(length), mpf(along), mpf(aside)
     low, high = mpf("0.5"), mpf(2)
     for _ in range(130):
@@ -47,18 +47,18 @@ def exact(length, along, aside):
         k = motion(length, along, aside, middle)[2]
         more = reference.ring_torque(k) > k * middle * reference.ring_force(k)
         low, high = (middle, high) if more else (low, middle)
-    return low
+    return motion(length, along, aside, low)
 
 
 @pytest.mark.parametrize("case", cases(20))
 def test_the_motion_to_some_ulp_however_near_the_ring(case):
     """Eq. (7) in 40 digits; beside the ring H / k is as steep as log(x), and m is rounded."""
     with mp.workdps(40):
-        leverage, force = held(*case)
-        right = exact(*case)
-        across, _, k = motion(*map(mpf, case), right)
-        assert float(abs(leverage - right)) <= 4e-15 * leverage
-        speed = mp.sqrt(mpf(case[1]) ** 2 + across**2)
+        carried, swing, force = held(*case)
+        right_carried, right_swing, k = exact(*case)
+        assert float(abs(carried - right_carried)) <= 4e-15 * carried
+        assert float(abs(swing - right_swing)) <= 4e-15 * swing
+        speed = mp.sqrt(mpf(case[1]) ** 2 + (right_carried * mpf(case[2])) ** 2)
         assert force * speed == pytest.approx(float(reference.ring_force(k)), rel=3e-15, abs=0)
 
 
@@ -66,28 +66,26 @@ def test_the_force_is_that_of_the_motion():
     """Eq. (2) at the motion that is found, which lies a step beyond the one whose curves were evaluated."""
     rounded = 1 - 2.0**-52, float(np.cos(1.5707963266264238)), 1.0  # 1 - m is all rounding
     for length, along, aside in [rounded, *cases(4000)]:
-        leverage, force = held(length, along, aside)
-        total = length**2 + leverage
-        speed = float(np.hypot(along, leverage / total * aside))
-        right = ring.ring_wrench(speed, length * aside / total)[0]
+        carried, swing, force = held(length, along, aside)
+        speed = float(np.hypot(along, carried * aside))
+        right = ring.ring_wrench(speed, swing * aside)[0]
         assert force * speed == pytest.approx(right, rel=1e-14, abs=0), (length, along, aside)
 
 
 @pytest.mark.parametrize("length", [0.0, 1e-6, 0.7, 1.0, 2.0, 1e6])
 def test_the_ends(length):
     """Along the rod nothing turns; aside the force acts across it, with the rod as its moment arm."""
-    assert held(length, -1.0, 0.0)[1] == 1.0
-    leverage, force = held(length, 0.0, 1.0)
-    assert ring.ring_spin_ratio(length) == pytest.approx(length / leverage, rel=1e-15, abs=0)
-    across = leverage / (length**2 + leverage)
-    right = ring.ring_wrench(across, length / (length**2 + leverage))[0]
-    assert force * across == pytest.approx(right, rel=4e-15, abs=0)
+    assert held(length, -1.0, 0.0)[2] == 1.0
+    carried, swing, force = held(length, 0.0, 1.0)
+    assert ring.ring_spin_ratio(length) == pytest.approx(swing / carried, rel=1e-15, abs=0)
+    right = ring.ring_wrench(carried, swing)[0]
+    assert force * carried == pytest.approx(right, rel=4e-15, abs=0)
 
 
 def test_on_the_ring_itself():
     """A rod of one radius, pushed across: the motion's centre is on the ring, to the last place."""
     for along in (0.0, 6e-17):
-        assert held(1.0, along, 1.0) == (1.0, pytest.approx(4 / np.pi, rel=1e-15, abs=0))
+        assert held(1.0, along, 1.0) == (0.5, 0.5, pytest.approx(4 / np.pi, rel=1e-15, abs=0))
 
 
 def test_the_curves_are_evaluated_once(monkeypatch):

@@ -6,7 +6,6 @@ from planar_pushing.mechanics.effects import (
     base,
     inertia,
     support_friction,
-    turned_support,
 )
 from planar_pushing.mechanics.effects.base import Effect
 from planar_pushing.mechanics.effects.inertia import Inertia
@@ -19,7 +18,6 @@ base.KINDS.update(
         any_mass.MassAt: any_mass,
         any_support.Support: any_support,
         any_support.Supports: any_support,
-        turned_support.TurnedSupport: turned_support,
     }
 )
 

@@ -200,21 +200,3 @@ def fastest(kind: Any) -> Callable[..., Any]:
     Parameters are effect and rod length.
     """
     return member(kind, "fastest")
-
-
-@generic
-def outward(kind: Any) -> Callable[..., Any]:
-    """A vector of the support's body frame in the frame of the rod: effect, x, y."""
-    return member(kind, "outward")
-
-
-@generic
-def count_points(kind: Any) -> Callable[..., Any]:
-    """How many support points there are: effect."""
-    return member(kind, "count_points")
-
-
-@generic
-def point(kind: Any) -> Callable[..., Any]:
-    """Place of a support point, in radii, and the friction that it can take: effect, its number."""
-    return member(kind, "point")

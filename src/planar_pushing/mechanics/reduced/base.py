@@ -14,7 +14,7 @@ from typing import Any
 
 from planar_pushing.mechanics.compiled import generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.effects.turned_support import PRESSED
+from planar_pushing.mechanics.effects.any_support import Support
 from planar_pushing.mechanics.reduced import isotropic, sticking, turning
 from planar_pushing.mechanics.reduced.pressed import cones, motions
 from planar_pushing.mechanics.reduced.pressed import slips as pressed_slips
@@ -27,7 +27,7 @@ MOTION = 8
 def _of(kinds: Any, name: str, any_support: Any, family: Any = isotropic) -> Callable[..., Any]:
     """A function of a family of isotropic effects, or where one is not isotropic of one for any support."""
     found: Callable[..., Any] = getattr(
-        any_support if kinds[0] in PRESSED or MassAt in kinds else family, name
+        any_support if kinds[0] is Support or MassAt in kinds else family, name
     )
     return found
 

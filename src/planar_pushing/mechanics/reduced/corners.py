@@ -11,8 +11,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.base import outward
-from planar_pushing.mechanics.effects.turned_support import PRESSED
+from planar_pushing.mechanics.effects.any_support import Support, outward
 from planar_pushing.mechanics.reduced.pivots import DIRECTION
 from planar_pushing.mechanics.reduced.rotation import Motion
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, EDGES, RINGS, SEGMENTS
@@ -82,7 +81,7 @@ def extent(pressure):
 @generic
 def corner_under(kinds: Any) -> Callable[..., Any]:
     """The corner of a line of force, of motions with a given part along it: effects, line."""
-    return _corner_under if len(kinds) == 1 and kinds[0] in PRESSED else _no_corner
+    return _corner_under if len(kinds) == 1 and kinds[0] is Support else _no_corner
 
 
 @compiled

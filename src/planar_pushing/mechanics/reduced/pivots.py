@@ -11,8 +11,8 @@ from math import inf, nan, sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.base import count_points, point, wrench_about
-from planar_pushing.mechanics.effects.turned_support import PRESSED
+from planar_pushing.mechanics.effects.any_support import Support, count_points, point
+from planar_pushing.mechanics.effects.base import wrench_about
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.reduced.rotation import Motion
 
@@ -60,13 +60,13 @@ def none():
 @generic
 def pivot_under(kinds: Any) -> Callable[..., Any]:
     """The pivot under a line of force, of a motion with a given part along it: effects, line."""
-    return _pivot_under if kinds[0] in PRESSED else _no_pivot_under
+    return _pivot_under if kinds[0] is Support else _no_pivot_under
 
 
 @generic
 def pivot_of(kinds: Any) -> Callable[..., Any]:
     """The pivot of a contact that moves by (x, y): effects, length, x, y."""
-    return _pivot_of if kinds[0] in PRESSED else _no_pivot_of
+    return _pivot_of if kinds[0] is Support else _no_pivot_of
 
 
 @compiled

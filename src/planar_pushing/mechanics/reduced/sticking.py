@@ -99,20 +99,29 @@ EQUATIONS.update({ContactTorque: _contact_torque, SpeedOfSpin: _speed_of_spin})
 
 @generic
 def _held(kinds: Any) -> Callable[..., Any]:
-    """H / k of the motion that sticks, and the force over its centre's speed: effects, length, motion."""
+    """The motion that sticks: effects, length, and the contact's motion along the rod and aside, >= 0.
+
+    Returns
+    -------
+    carried, swing, part : float
+        The centre's motion aside and the rotation, both over the contact's motion aside; and the force over
+        the centre's speed.
+    """
     alone = {(RingSupport,): _held_ring, (Mass,): _held_mass}
     return alone.get(kinds, _held_by_both)
 
 
 @compiled
 def _held_ring(effects, length, along, aside):
-    leverage, force = sticking_ring.held(length, along, aside)
-    return leverage, effects[0].weight * force
+    carried, swing, part = sticking_ring.held(length, along, aside)
+    return carried, swing, effects[0].weight * part
 
 
 @compiled
 def _held_mass(effects, length, along, aside):
-    return leverages_alone(effects[0])[0], response(effects, 1.0, 0.0)[0]
+    mass, gyration = effects[0]
+    total = length * length + gyration
+    return gyration / total, length / total, mass
 
 
 @compiled
@@ -122,19 +131,18 @@ def _held_by_both(effects, length, along, aside):
     torque = ContactTorque(effects, length, along, aside)
     leverage = root(torque, low, high, sqrt(low * high))[0]
     total = length * length + leverage
-    across, spin = leverage / total * aside, length * (aside / total)
+    carried, swing = leverage / total, length / total
+    across = carried * aside
     speed = sqrt(along * along + across * across)
-    return leverage, response(effects, speed, spin)[0] / speed
+    return carried, swing, response(effects, speed, swing * aside)[0] / speed
 
 
 @compiled
 def stick(effects, own, towards):
     """As `base.stick`."""
-    along, aside, length = towards.along, towards.aside, own.length
-    leverage, part = _held(effects, length, along, abs(aside))
-    total = length * length + leverage
-    carried = leverage / total
-    return _sustained(own, along, carried * aside, length * (aside / total), part, carried)
+    along, aside = towards.along, towards.aside
+    carried, swing, part = _held(effects, own.length, along, abs(aside))
+    return _sustained(own, along, carried * aside, swing * aside, part, carried)
 
 
 @compiled

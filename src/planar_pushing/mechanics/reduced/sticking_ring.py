@@ -88,8 +88,9 @@ def held(length, along, aside):
 
     Returns
     -------
-    leverage, force : float
-        H / k, and the force along the motion over the centre's speed, per unit weight.
+    carried, swing, part : float
+        The centre's motion aside and the rotation, over `aside`; and the force over the centre's speed, per
+        unit weight.
     """
     q, ahead, beside = length * length, along * along, aside * aside
     moving, turning = ahead * (q + 1.0) * (q + 1.0) + beside, q * beside
@@ -108,9 +109,9 @@ def held(length, along, aside):
     step, (m, x, rate, bend) = z - before, place
     change = step * (rate + step * (rate * rate + bend) / 2)
     force -= m * change * (slope / 2 + (force / max(x, EPSILON) - 2.0 * slope) * change / 8)
-    leverage = z if inside else 1.0 / z
-    total = q + leverage
     if not inside:  # the torque at 1 / k, which is z f there over k
-        return leverage, force * z * total / (length * aside)
-    across = leverage / total * aside
-    return leverage, force / sqrt(ahead + across * across)
+        whole = 1.0 + q * z
+        return 1.0 / whole, length * z / whole, force * whole / (length * aside)
+    carried = z / (q + z)
+    across = carried * aside
+    return carried, length / (q + z), force / sqrt(ahead + across * across)

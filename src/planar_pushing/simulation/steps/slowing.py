@@ -11,8 +11,8 @@ from math import atan, atan2, copysign, cos, sin, sqrt
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic_owning
+from planar_pushing.mechanics.effects.any_support import Support
 from planar_pushing.mechanics.effects.base import response
-from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.numerics.root import EQUATIONS, root
 from planar_pushing.mechanics.plane import Rod
 from planar_pushing.mechanics.reduced.base import limit_motion
@@ -55,7 +55,7 @@ def slowed(kinds: Any) -> Callable[..., Any]:
     """
     if len(kinds) == 1:
         return _not_slowed
-    return braking.slowed if kinds[0] in PRESSED else _slowed
+    return braking.slowed if kinds[0] is Support else _slowed
 
 
 @compiled

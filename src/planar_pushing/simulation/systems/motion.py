@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.any_mass import MassAt
+from planar_pushing.mechanics.effects.any_support import Support
 from planar_pushing.mechanics.effects.base import fastest, gradient, response, rough
 from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.effects.turned_support import PRESSED
 from planar_pushing.mechanics.plane import Direction, Rod
 from planar_pushing.mechanics.reduced.line_of_force import Line
 from planar_pushing.mechanics.reduced.pivots import kink_under
@@ -99,7 +99,7 @@ def friction(kinds: Any) -> Callable[..., Any]:
     """
     if len(kinds) == 1 and kinds[0] in MASSES:
         return _no_friction
-    return _pressed_friction if kinds[0] in PRESSED else _friction
+    return _pressed_friction if kinds[0] is Support else _friction
 
 
 @compiled
@@ -129,7 +129,7 @@ def _pressed_friction(effects, own, v_x, v_y, spin):
 @generic
 def farthest(kinds: Any) -> Callable[..., Any]:
     """Greatest torque of friction about the contact, per unit weight: effects, rod length."""
-    return _farthest_point if kinds[0] in PRESSED else _farthest_of_ring
+    return _farthest_point if kinds[0] is Support else _farthest_of_ring
 
 
 @compiled
@@ -145,7 +145,7 @@ def _farthest_point(effects, length):
 @generic
 def widest(kinds: Any) -> Callable[..., Any]:
     """Greatest torque of friction about the centre of mass, per unit weight: effects."""
-    return _mean_distance if kinds[0] in PRESSED else _radius
+    return _mean_distance if kinds[0] is Support else _radius
 
 
 @compiled
@@ -165,7 +165,7 @@ def kink(kinds: Any) -> Callable[..., Any]:
 
     Parameters are effects, rod, direction of the force of a slip, NaN without one, spin and speed.
     """
-    return _kink_at_points if kinds[0] in PRESSED else _kink_on_ring
+    return _kink_at_points if kinds[0] is Support else _kink_on_ring
 
 
 @compiled

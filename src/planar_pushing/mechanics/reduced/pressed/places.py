@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, owning
-from planar_pushing.mechanics.effects.base import count_points, point
+from planar_pushing.mechanics.effects.any_support import count_points, point
 from planar_pushing.mechanics.plane import Direction, Rod
 from planar_pushing.mechanics.reduced.pivots import SHARE, held
 from planar_pushing.mechanics.reduced.pressed.motions import line_of, of_line, sustained

@@ -10,7 +10,7 @@ from math import atan2, cos, hypot, inf, nan, sin
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.turned_support import aligned
+from planar_pushing.mechanics.effects.any_support import aligned
 from planar_pushing.mechanics.plane import Rod
 from planar_pushing.simulation.systems.motion import mass_offset
 from planar_pushing.simulation.systems.shapes.base import Pose

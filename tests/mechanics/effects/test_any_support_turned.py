@@ -7,17 +7,9 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.effects.any_support import Supports
-from planar_pushing.mechanics.effects.base import (
-    fastest,
-    gradient,
-    made,
-    point,
-    rough,
-    wrench_about,
-)
+from planar_pushing.mechanics.effects.any_support import Supports, aligned, point
+from planar_pushing.mechanics.effects.base import fastest, gradient, made, rough, wrench_about
 from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.effects.turned_support import aligned
 from planar_pushing.mechanics.reduced.corners import corner_under
 from planar_pushing.mechanics.reduced.line_of_force import Line
 from planar_pushing.mechanics.supports.pressure.table import table_of
