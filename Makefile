@@ -10,7 +10,9 @@ VENV := .venv
 BIN := $(VENV)/bin
 LIBRARY := $(VENV)/library
 READY := $(VENV)/ready
+TOOLS := $(VENV)/tools
 COMPILED := $(VENV)/compiled
+LOCKS := library.lock results.lock requirements.lock pyproject.toml
 CORE := $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py')
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
@@ -31,25 +33,25 @@ endif
 all: $(COMPILED)
 	$(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY))
 
-test: $(COMPILED) lint
+test: $(TOOLS) $(COMPILED) lint
 	$(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
 
-test-kinds: $(COMPILED) ## compile what make test runs without the compiler, and test it; some minutes
+test-kinds: $(TOOLS) $(COMPILED) ## compile what make test runs without the compiler, and test it; some minutes
 	EVERY_KIND=1 $(BIN)/pytest --numprocesses=auto tests/simulation/test_any_support.py tests/simulation/test_finger.py
 
-test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
+test-slurm: $(TOOLS) $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
 	$(BIN)/pytest tests/workflow/slurm.py
 
-test-failures: $(COMPILED) ## kill runs, fill disks (root) and build twice; some minutes
+test-failures: $(TOOLS) $(COMPILED) ## kill runs, fill disks (root) and build twice; some minutes
 	$(BIN)/pytest tests/workflow/failures.py
 
-test-browser: $(COMPILED) ## test the explorer in headless Chromium (Debian's chromium); some minutes
+test-browser: $(TOOLS) $(COMPILED) ## test the explorer in headless Chromium (Debian's chromium); some minutes
 	$(BIN)/pytest tests/browser/explorer.py
 
-test-drags: $(COMPILED) ## drag 20,000 times in the explorer for memory, latency and pictures a second; ten minutes on an idle machine
+test-drags: $(TOOLS) $(COMPILED) ## drag 20,000 times in the explorer for memory, latency and pictures a second; ten minutes on an idle machine
 	$(BIN)/pytest -s tests/browser/many_drags.py
 
-lint: $(READY)
+lint: $(TOOLS)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual
 	$(BIN)/ruff format --check src tests workflow/scripts paper/manual
 	$(BIN)/snakefmt --check --diff Snakefile workflow
@@ -57,7 +59,7 @@ lint: $(READY)
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
-bench: $(COMPILED) ## print how fast the mechanics and simulations are, as ratios in one run
+bench: $(TOOLS) $(COMPILED) ## print how fast the mechanics and simulations are, as ratios in one run
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
 golden: $(READY) ## compute the golden data anew and print the differences; WRITE=1 stores them
@@ -72,7 +74,7 @@ dictionary: $(READY) ## write results/README.md from the attributes of the datas
 schemas: $(READY) ## write workflow/schemas from the models of scene and study files
 	$(BIN)/python -m planar_pushing.study.files.schemas
 
-manual: $(COMPILED) ## write the manual to results/manual/index.html, from results that it builds where they are missing
+manual: $(TOOLS) $(COMPILED) ## write the manual to results/manual/index.html, from results that it builds where they are missing
 	$(BIN)/snakemake manual
 
 report: all ## write results/report.html, Snakemake's report of the last run
@@ -80,8 +82,11 @@ report: all ## write results/report.html, Snakemake's report of the last run
 
 LOCK := uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
 	--no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make lock"
+# What builds the results, and what a user calls; tests and manual take all.
+EXTRAS := workflow cluster figures report golden explore
 lock: ## resolve the dependencies anew (needs uv)
 	$(LOCK) --upgrade --all-extras --output-file requirements.lock pyproject.toml requirements.build
+	$(LOCK) --constraint requirements.lock $(EXTRAS:%=--extra %) --output-file results.lock pyproject.toml requirements.build
 	$(LOCK) --constraint requirements.lock --output-file library.lock pyproject.toml requirements.build
 
 clean: ## remove everything that was generated
@@ -94,25 +99,30 @@ help:
 
 ifndef ALONE
 # One at a time: who has waited finds it made. The core is compiled while the packages are installed.
-$(READY): library.lock requirements.lock pyproject.toml
+WANTED = $(READY) $(COMPILED) $(filter $(TOOLS),$@)
+$(READY) $(TOOLS): $(LOCKS)
 $(COMPILED): $(CORE) | $(READY)
-$(READY) $(COMPILED):
+$(READY) $(TOOLS) $(COMPILED):
 	@test -n "$(PYTHON)" || { echo "make: needs Python 3.11 or newer on the path; or set PYTHON=/path/to/python" >&2; exit 1; }
-	@$(MAKE) --question --no-print-directory ALONE=1 $(READY) $(COMPILED) || \
-		$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory --jobs=2 ALONE=1 PYTHON=$(PYTHON) $(READY) $(COMPILED)
+	@$(MAKE) --question --no-print-directory ALONE=1 $(WANTED) || \
+		$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory --jobs=2 ALONE=1 PYTHON=$(PYTHON) $(WANTED)
 else
-# Without byte code: Python writes it for what is used.
-PIP := $(BIN)/python -m pip install --disable-pip-version-check --no-compile
+# Without byte code: Python writes it for what is used. A lock file names all that is needed.
+PIP := $(BIN)/python -m pip install --disable-pip-version-check --no-compile --no-deps
 
-$(LIBRARY): library.lock requirements.lock pyproject.toml
+$(LIBRARY): $(LOCKS)
 	@echo "Setting up $(VENV) with $(PYTHON)"
 	rm -rf $(VENV)
 	$(PYTHON) -m venv $(VENV)
 	$(PIP) --require-hashes -r library.lock
-	$(PIP) --quiet --no-deps --no-build-isolation --editable .
+	$(PIP) --quiet --no-build-isolation --editable .
 	@touch $@
 
 $(READY): $(LIBRARY)
+	$(PIP) --require-hashes -r results.lock
+	@touch $@
+
+$(TOOLS): $(READY)
 	$(PIP) --require-hashes -r requirements.lock
 	@touch $@
 

@@ -1,6 +1,7 @@
 """The Makefile's set-up: one at a time, in its own environment, and in no folder with a space."""
 
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -10,7 +11,7 @@ import pytest
 
 from workflow.conftest import PROJECT
 
-LOCKS = ("library.lock", "requirements.lock")
+LOCKS = ("library.lock", "results.lock", "requirements.lock")
 #: A Python that sets up nothing, and notes that it was asked to.
 PYTHON = """#!/bin/sh
 if [ "$1" = workflow/alone.py ]; then exec {python} "$@"; fi
@@ -72,14 +73,26 @@ def test_what_python_has_elsewhere_and_a_home_that_is_not_ours_stay_out(folder):
 
 
 def pins(name):
+    """Versions by package; for which systems they are meant follows from who needs them."""
     lines = (PROJECT / name).read_text(encoding="utf-8").splitlines()
-    return {line.removesuffix("\\").strip() for line in lines if "==" in line}
+    return dict(re.split("==| ", line)[:2] for line in lines if re.match(r"[\w-]+==", line))
 
 
-def test_what_the_library_needs_is_locked_as_everything_is():
-    library, everything = map(pins, LOCKS)
-    assert {line.split("==")[0] for line in library} >= {"numba", "numpy", "xarray"}
-    assert library < everything
+def test_what_a_part_needs_is_locked_as_everything_is():
+    library, results, everything = map(pins, LOCKS)
+    assert {"numba", "numpy", "xarray"} <= set(library)
+    assert {"snakemake", "matplotlib", "bokeh", "python-flint"} <= set(results)
+    assert not {"pytest", "sphinx", "distributed"} & set(results)
+    assert library.items() <= results.items() <= everything.items()
+
+
+def test_tests_and_manual_have_packages_of_their_own(folder):
+    assert start(folder, ".venv/compiled").wait() == 0
+    assert (folder / ".venv/ready").exists()
+    assert not (folder / ".venv/tools").exists()
+    assert start(folder, ".venv/tools").wait() == 0
+    assert (folder / ".venv/tools").exists()
+    assert (folder / "log").read_text() == "set up\n"
 
 
 def test_a_folder_with_a_space_is_refused_with_one_message(folder):
