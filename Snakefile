@@ -1,6 +1,6 @@
 # Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
 # Surfaces. `snakemake` builds everything; `snakemake data`, `figures`, `golden` and `sliders` build parts,
-# `snakemake accuracy` measures what accuracy costs, `snakemake manual` builds the manual.
+# `snakemake accuracy` measures what accuracy costs, `make manual` builds the manual.
 # Another study, alone: snakemake --config study=workflow/config/smoke.yaml
 
 

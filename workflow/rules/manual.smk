@@ -1,4 +1,4 @@
-# The manual: Sphinx writes pages, docstrings and results as HTML. `snakemake manual` builds it; `all` does not.
+# The manual: Sphinx writes pages, docstrings and results as HTML. `make manual` builds it; `all` does not.
 # Like the report, it needs the whole study that golden data certify.
 
 #: Times that `snakemake accuracy` measured: the manual shows them where they exist, and does not request them.
