@@ -119,9 +119,9 @@ def _held_ring(effects, length, along, aside):
 
 @compiled
 def _held_mass(effects, length, along, aside):
-    mass, gyration = effects[0]
-    total = length * length + gyration
-    return gyration / total, length / total, mass
+    leverage = leverages_alone(effects[0])[0]
+    total = length * length + leverage
+    return leverage / total, length / total, response(effects, 1.0, 0.0)[0]
 
 
 @compiled
