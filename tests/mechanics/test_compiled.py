@@ -9,12 +9,9 @@ from typing import NamedTuple
 import numba
 import pytest
 
+from mechanics.builders import needs_compiler
 from planar_pushing.mechanics import compiled as core
 from planar_pushing.mechanics.compiled import announced, compiled, generic, inlined, kernel
-
-python_mode = pytest.mark.skipif(
-    bool(numba.config.DISABLE_JIT), reason="a test of the compiler, or one that starts this one"
-)
 
 
 class Metres(NamedTuple):
@@ -118,7 +115,7 @@ def test_a_compiled_function_is_kept_by_its_place_in_the_package(tmp_path, monke
     assert Path(other.get_cache_path()).parent == core.CACHE
 
 
-@python_mode
+@needs_compiler
 def test_a_call_that_compiles_says_so_once(caplog):
     @numba.njit
     def doubled(x):

@@ -9,21 +9,16 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import planar_pushing as pp
-from mechanics.builders import EFFECT_SETS, make_scene
+from mechanics.builders import EFFECT_SETS, make_scene, needs_compiler
 from planar_pushing.mechanics import compiled as core
 
 SOURCES = Path(core.__file__).parents[1]
 TESTS = Path(__file__).parents[1]
 EPS = np.finfo(float).eps
-
-python_mode = pytest.mark.skipif(
-    bool(numba.config.DISABLE_JIT), reason="a test of the compiler, or one that starts this one"
-)
 
 
 def run(code, folder=SOURCES.parent, **environment):
@@ -65,7 +60,7 @@ print(json.dumps(found))
 """
 
 
-@python_mode
+@needs_compiler
 def test_code_compiled_for_inertia_alone_holds_no_elliptic_integral(copy):
     """The second kernel shows that the names would be seen if they were there."""
     found = run(COMPILED, copy)
@@ -136,7 +131,7 @@ FORMULAS = {
 }
 
 
-@python_mode
+@needs_compiler
 @pytest.mark.parametrize("part", FORMULAS)
 def test_the_tests_of_the_mechanics_pass_without_the_compiler(part):
     files = [str(TESTS / "mechanics" / name) for name in FORMULAS[part]]
@@ -181,7 +176,7 @@ print(json.dumps({
 """
 
 
-@python_mode
+@needs_compiler
 def test_both_modes_give_the_same_numbers_to_a_few_ulp():
     python = run(SAMPLED, NUMBA_DISABLE_JIT="1")
     for name, each in sample().items():
@@ -201,7 +196,7 @@ print(json.dumps([float(force), sum(wrench._profiles.stats.cache_hits.values())]
 """
 
 
-@python_mode
+@needs_compiler
 def test_a_changed_callee_leaves_no_stale_code(copy):
     """Numba's cache looks at the caller's file alone, which stays as it is."""
     force, hits = run(PROFILE, copy)
