@@ -12,7 +12,7 @@ from flint import arb, ctx, fmpq
 from planar_pushing.certified.balls import Undecided
 from planar_pushing.certified.supports.pressure.moments import Vector, moments
 from planar_pushing.certified.supports.pressure.pieces import Pieces
-from planar_pushing.certified.supports.problem import Matrix, Motion, Problem, product
+from planar_pushing.certified.supports.problem import Evaluation, Matrix, Motion, Problem, product
 from planar_pushing.certified.supports.start import start
 
 #: Newton steps at most, and halvings of one.
@@ -63,20 +63,20 @@ def _inverse(matrix: Matrix) -> Matrix:
 def _near(problem: Problem) -> Vector:
     """Centre of rotation to about the last step, without a bound."""
     at = start(problem)
-    power = problem.power(at)
+    here = problem.evaluate(at)
     for _ in range(STEPS):
-        step, fall = _step(problem, at)
+        step, fall = _step(problem, at, here)
         part, small = arb(1), _is_small(step, at)
         for _ in range(HALVINGS):
             tried = at.after(step, part)
-            now = problem.power(tried)
-            if small or now < power - part * fall / 8:
+            there = problem.evaluate(tried)
+            if small or there.power < here.power - part * fall / 8:
                 break
             part = part / 2
-        at, power = tried, now
+        at, here = tried, there
         if small:
             break
-    x, y = problem.center(at)
+    x, y = here.center
     return x.mid(), y.mid()
 
 
@@ -87,10 +87,9 @@ def _is_small(step: Motion, at: Motion) -> bool:
     )
 
 
-def _step(problem: Problem, at: Motion) -> tuple[Motion, arb]:
+def _step(problem: Problem, at: Motion, here: Evaluation) -> tuple[Motion, arb]:
     """Newton's step, and how fast the potential falls along it."""
-    c, spin = problem.center(at), abs(at.spin)
-    now = moments(problem.support, c)
+    (c, now, _), spin = here, abs(at.spin)
     r = c[0] + problem.length, c[1]
     sense = 1 if at.spin > 0 else -1
     one, other = (sense * each for each in problem.equations(now, c))

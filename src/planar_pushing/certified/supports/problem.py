@@ -29,6 +29,14 @@ class Motion(NamedTuple):
         return Motion(across.mid(), spin.mid())
 
 
+class Evaluation(NamedTuple):
+    """A motion's centre of rotation, the moments there, and its potential without a radius."""
+
+    center: Vector
+    moments: Moments
+    power: arb
+
+
 class Problem(NamedTuple):
     """A support, the rod's length, and the direction of the force."""
 
@@ -36,15 +44,19 @@ class Problem(NamedTuple):
     length: fmpq
     t: Vector
 
-    def center(self, at: Motion) -> Vector:
-        """Centre of rotation of a motion."""
+    def evaluate(self, at: Motion) -> Evaluation:
+        """Evaluate the potential of a motion.
+
+        Raises
+        ------
+        Undecided
+            Where the slider does not turn.
+        """
         (x, y), (a, spin) = self.t, at
         u_x, u_y = x - a * y, y + a * x
-        return -self.length - u_y / spin, u_x / spin
-
-    def power(self, at: Motion) -> arb:
-        """Potential of a motion, without a radius."""
-        return (abs(at.spin) * moments(self.support, self.center(at)).distance).mid()
+        c = -self.length - u_y / spin, u_x / spin
+        now = moments(self.support, c)
+        return Evaluation(c, now, (abs(spin) * now.distance).mid())
 
     def equations(self, now: Moments, c: Vector) -> Vector:
         """Part of G along the force, and torque about the contact of a unit rotation."""

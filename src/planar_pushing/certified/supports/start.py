@@ -6,6 +6,8 @@ never comes there.
 
 from __future__ import annotations
 
+import math
+
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Undecided
@@ -23,7 +25,7 @@ def start(problem: Problem) -> Motion:
     """The motion of least potential among a first guess and those beside the points."""
     beside = (_beside(problem, point) for point in problem.support.points)
     found = [_guess(problem), *(each for each in beside if each is not None)]
-    return min(found, key=lambda at: float(problem.power(at)))
+    return min(found, key=lambda at: float(problem.evaluate(at).power))
 
 
 def _guess(problem: Problem) -> Motion:
@@ -57,11 +59,15 @@ def _beside(problem: Problem, point: Point) -> Motion | None:
 
 
 def _lowest(problem: Problem, at: Motion, step: Motion) -> Motion | None:
-    found: list[tuple[float, Motion]] = []
+    """The motion of least potential, which is convex along the way."""
+    found, least = None, math.inf
     for i in range(HALVINGS):
         tried = at.after(step, arb(2) ** (4 - i))
         try:
-            found.append((float(problem.power(tried)), tried))
+            power = float(problem.evaluate(tried).power)
         except Undecided:
             continue
-    return min(found, key=lambda each: each[0])[1] if found else None
+        if power >= least:
+            break
+        found, least = tried, power
+    return found

@@ -125,12 +125,12 @@ def _placed(at: Seen, local: tuple[arb, arb, arb]) -> tuple[arb, arb, arb]:
 def edge(line: Line, c: Vector) -> Part:
     """The piece of an edge, whose share is the pressure on its left."""
     at, rate = seen(line, c), line.share
-    n_x, n_y, along = at.t_y, -at.t_x, at.rho[1] - at.rho[0]
+    n_x, n_y, whole, along = at.t_y, -at.t_x, at.whole, at.rho[1] - at.rho[0]
     bend_x, bend_y = at.log * n_x + along * at.t_x, at.log * n_y + along * at.t_y
     return (
-        rate * at.h * at.whole / 3,
-        rate * n_x * at.whole,
-        rate * n_y * at.whole,
+        rate * at.h * whole / 3,
+        rate * n_x * whole,
+        rate * n_y * whole,
         rate * n_x * bend_x,
         rate * (n_x * bend_y + n_y * bend_x) / 2,
         rate * n_y * bend_y,

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
@@ -50,7 +51,7 @@ class Circle:
     share: fmpq
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Pieces:
     """Pieces whose shares add to 1."""
 
@@ -65,7 +66,7 @@ class Pieces:
         members = self.points, self.segments, self.rings, self.discs, self.edges
         return hash(tuple(map(len, members)))
 
-    @property
+    @cached_property
     def center(self) -> Place:
         """Centre of pressure."""
         loads = [(each.share, each.place) for each in self.points]
