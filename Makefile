@@ -10,9 +10,10 @@ VENV := .venv
 BIN := $(VENV)/bin
 LIBRARY := $(VENV)/library
 READY := $(VENV)/ready
+CHUNKS := $(VENV)/chunks
 TOOLS := $(VENV)/tools
 COMPILED := $(VENV)/compiled
-LOCKS := library.lock results.lock requirements.lock pyproject.toml
+LOCKS := library.lock results.lock chunks.lock requirements.lock pyproject.toml
 CORE := $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py')
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
@@ -30,7 +31,7 @@ endif
 	schemas lock report manual clean help
 .DELETE_ON_ERROR:
 
-all: $(COMPILED)
+all: $(COMPILED) $(if $(STUDY),$(CHUNKS))
 	$(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY))
 
 test: $(TOOLS) $(COMPILED) lint
@@ -82,11 +83,12 @@ report: all ## write results/report.html, Snakemake's report of the last run
 
 LOCK := uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
 	--no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make lock"
-# What builds the results, and what a user calls; tests and manual take all.
+# What builds the paper's results, and what a user calls. A study may be in chunks; tests and manual take all.
 EXTRAS := workflow cluster figures report golden explore
 lock: ## resolve the dependencies anew (needs uv)
 	$(LOCK) --upgrade --all-extras --output-file requirements.lock pyproject.toml requirements.build
 	$(LOCK) --constraint requirements.lock $(EXTRAS:%=--extra %) --output-file results.lock pyproject.toml requirements.build
+	$(LOCK) --constraint requirements.lock $(EXTRAS:%=--extra %) --extra chunks --output-file chunks.lock pyproject.toml requirements.build
 	$(LOCK) --constraint requirements.lock --output-file library.lock pyproject.toml requirements.build
 
 clean: ## remove everything that was generated
@@ -99,10 +101,10 @@ help:
 
 ifndef ALONE
 # One at a time: who has waited finds it made. The core is compiled while the packages are installed.
-WANTED = $(READY) $(COMPILED) $(filter $(TOOLS),$@)
-$(READY) $(TOOLS): $(LOCKS)
+WANTED = $(READY) $(COMPILED) $(filter $(CHUNKS) $(TOOLS),$@)
+$(READY) $(CHUNKS) $(TOOLS): $(LOCKS)
 $(COMPILED): $(CORE) | $(READY)
-$(READY) $(TOOLS) $(COMPILED):
+$(READY) $(CHUNKS) $(TOOLS) $(COMPILED):
 	@test -n "$(PYTHON)" || { echo "make: needs Python 3.11 or newer on the path; or set PYTHON=/path/to/python" >&2; exit 1; }
 	@$(MAKE) --question --no-print-directory ALONE=1 $(WANTED) || \
 		$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory --jobs=2 ALONE=1 PYTHON=$(PYTHON) $(WANTED)
@@ -120,6 +122,10 @@ $(LIBRARY): $(LOCKS)
 
 $(READY): $(LIBRARY)
 	$(PIP) --require-hashes -r results.lock
+	@touch $@
+
+$(CHUNKS): $(READY)
+	$(PIP) --require-hashes -r chunks.lock
 	@touch $@
 
 $(TOOLS): $(READY)

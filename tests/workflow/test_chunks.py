@@ -1,6 +1,8 @@
 """A study in chunks: only the chunks that hold a changed value are computed anew."""
 
 import re
+import subprocess
+import sys
 
 import pytest
 import xarray as xr
@@ -11,7 +13,7 @@ from planar_pushing.study.describe import of_study
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
-from workflow.chunked import RESULTS, STUDY, copy_workflow, files, snakemake
+from workflow.chunked import ENVIRONMENT, RESULTS, STUDY, copy_workflow, files, snakemake
 
 CHUNKS = """
 chunks: {motion_cones: {friction_coefficient: 3}, acceleration_centers: {force_angle: 8}}
@@ -77,3 +79,26 @@ def test_a_change_computes_the_chunks_that_hold_it(root, written, instead, chunk
         assert planned(root)[0] == chunks
     finally:
         (root / STUDY).write_text(before, encoding="utf-8")
+
+
+WITHOUT_DASK = """
+import sys
+sys.modules["dask"] = None
+from snakemake.cli import main
+main(sys.argv[1:])
+"""
+
+
+def test_chunks_without_dask_are_refused_before_any_job(tmp_path):
+    copy_workflow(tmp_path, CHUNKS)
+    arguments = "--cores", "1", "data", "--config", f"study={STUDY}"
+    done = subprocess.run(
+        [sys.executable, "-c", WITHOUT_DASK, *arguments], cwd=tmp_path, env=ENVIRONMENT,
+        capture_output=True, text=True, timeout=600, check=False,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert (
+        "dask: not installed; install the extra chunks: pip install 'planar-pushing[chunks]'"
+        in done.stderr
+    )
+    assert not (tmp_path / "results").exists()

@@ -11,14 +11,14 @@ import pytest
 
 from workflow.conftest import PROJECT
 
-LOCKS = ("library.lock", "results.lock", "requirements.lock")
+LOCKS = ("library.lock", "results.lock", "chunks.lock", "requirements.lock")
 #: A Python that sets up nothing, and notes that it was asked to.
 PYTHON = """#!/bin/sh
 if [ "$1" = workflow/alone.py ]; then exec {python} "$@"; fi
 echo "set up" >> log
 mkdir -p .venv/bin
 printf '#!/bin/sh\\nsleep 0.3\\n' > .venv/bin/python
-cp .venv/bin/python .venv/bin/planar-pushing
+for each in planar-pushing snakemake; do cp .venv/bin/python .venv/bin/$each; done
 chmod +x .venv/bin/*
 """
 
@@ -79,20 +79,28 @@ def pins(name):
 
 
 def test_what_a_part_needs_is_locked_as_everything_is():
-    library, results, everything = map(pins, LOCKS)
+    library, results, chunks, everything = map(pins, LOCKS)
     assert {"numba", "numpy", "xarray"} <= set(library)
     assert {"snakemake", "matplotlib", "bokeh", "python-flint"} <= set(results)
-    assert not {"pytest", "sphinx", "distributed"} & set(results)
-    assert library.items() <= results.items() <= everything.items()
+    assert "dask" in chunks
+    assert not {"pytest", "sphinx", "distributed"} & set(chunks)
+    # xarray imports dask wherever it is, in every job.
+    assert "dask" not in results
+    assert library.items() <= results.items() <= chunks.items() <= everything.items()
 
 
-def test_tests_and_manual_have_packages_of_their_own(folder):
-    for wanted, tools in ((".venv/compiled", False), (".venv/tools", True)):
+def test_chunks_tests_and_manual_have_packages_of_their_own(folder):
+    for wanted, brought in (
+        ("all", set()),
+        ("STUDY=a.yaml", {"chunks"}),
+        (".venv/tools", {"chunks", "tools"}),
+    ):
         run = start(folder, wanted)
         assert run.communicate()[0]
         assert run.returncode == 0
-        assert (folder / ".venv/ready").exists()
-        assert (folder / ".venv/tools").exists() == tools
+        assert {path.name for path in (folder / ".venv").iterdir() if path.is_file()} == {
+            "library", "ready", "compiled", *brought,
+        }  # fmt: skip
     assert (folder / "log").read_text() == "set up\n"
 
 

@@ -4,6 +4,7 @@ import sys
 from snakemake.exceptions import WorkflowError
 
 from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.extras import require_extra
 from planar_pushing.study.grids import effort
 from planar_pushing.study.catalog import DATASETS, SLIDERS, dataset_file
 from planar_pushing.study.grids.chunks import chunk_parts, chunk_slice, chunk_steps
@@ -40,6 +41,8 @@ try:
     # The report of the paper's study shows the study of sliders as well.
     if getattr(LOADED.get(PAPER_FILE), "golden", None):
         LOADED |= {SLIDERS_FILE: load_any(SLIDERS_FILE)}
+    if any(getattr(study, "chunks", {}) for study in LOADED.values()):
+        require_extra("chunks")
     #: Name of each study and digest of its file, which every dataset holds.
     MARKS = {file: provenance(file) for file in LOADED}
 except PlanarPushingError as error:

@@ -32,7 +32,7 @@ def open_chunks(folder: Path, lengths: Mapping[str, int], steps: Mapping[str, in
     steps : mapping
         Of a chunk along them.
     """
-    require_extra("workflow")
+    require_extra("chunks")
     files = [_opened(folder / f"{chunk_name(part)}.nc") for part in ranges(lengths, steps)]
     for dim, step in reversed(list(steps.items())):
         number = -(-lengths[dim] // step)
