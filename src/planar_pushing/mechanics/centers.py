@@ -21,12 +21,7 @@ from planar_pushing.mechanics.cones import (
 )
 from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated
-from planar_pushing.mechanics.plane import (
-    contact_motion_angle,
-    moment_arm,
-    rod,
-    toward,
-)
+from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm, rod, seen
 from planar_pushing.mechanics.reduced import base
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required, required_ratio
@@ -53,7 +48,7 @@ def _centers(kinds, rows, centers):
     for i in range(len(rows)):
         row = rows[i]
         own = rod(row[LENGTH], row[ANGLE])
-        force = toward(own, row[FIRST])
+        force = seen(own, row[FIRST])
         x, y = base.center_under(made(kinds, row), own, force)
         centers[i, 0] = row[SECOND] * (x + row[REACH] * own.x)
         centers[i, 1] = row[SECOND] * (y + row[REACH] * own.y)
@@ -118,7 +113,7 @@ def _conservative(own, low, high):
     """
     right, left = inf, -inf
     for edge in (low, high):
-        force = toward(own, edge)
+        force = seen(own, edge)
         for ratio in conservative_spin_ratios(moment_arm(own, force)):
             right, left = _widened(own, force, ratio, right, left)
     if own.length <= 1.0:
@@ -128,7 +123,7 @@ def _conservative(own, low, high):
         for turn in (-2.0 * pi, 0.0, 2.0 * pi):
             tangent = own.angle - (first + turn)
             if low < tangent < high:
-                force = toward(own, tangent)
+                force = seen(own, tangent)
                 for size in (0.0, inf):
                     ratio = copysign(size, force.aside)
                     right, left = _widened(own, force, ratio, right, left)

@@ -107,6 +107,11 @@ def summing(function: Function) -> Function:
     return _part(function, forceinline=True, fastmath={"reassoc", "contract"})
 
 
+def fused(function: Function) -> Function:
+    """Compile a polynomial as a part of its callers, each product and sum in one step, as `summing` does."""
+    return _part(function, fastmath={"contract"})
+
+
 def _part(function: Function, **options: Any) -> Function:
     _PARTS[function] = OPTIONS | options
     overload(function, jit_options=_PARTS[function], strict=False)(lambda *args: function)

@@ -12,7 +12,7 @@ from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
 from planar_pushing.mechanics.compiled import kernel, owning
 from planar_pushing.mechanics.effects.base import COLUMNS, made
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
-from planar_pushing.mechanics.plane import rod, toward
+from planar_pushing.mechanics.plane import rod, seen
 from planar_pushing.mechanics.reduced import base
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
@@ -71,7 +71,7 @@ def _spin_ratios(kinds, rows, ratios):
     for i in range(len(rows)):
         row = rows[i]
         own = rod(row[LENGTH], row[ANGLE])
-        force = toward(own, row[FIRST])
+        force = seen(own, row[FIRST])
         ratios[i] = base.spin_ratio(made(kinds, row), own, force)
 
 
@@ -81,7 +81,7 @@ def _motion_angles(kinds, rows, angles):
     for i in range(len(rows)):
         row = rows[i]
         own = rod(row[LENGTH], row[ANGLE])
-        angles[i] = base.motion_angle(made(kinds, row), own, toward(own, row[FIRST]))
+        angles[i] = base.motion_angle(made(kinds, row), own, seen(own, row[FIRST]))
 
 
 def _under_forces(
@@ -152,8 +152,8 @@ def _motion_cones(kinds, rows, right, left, reached):
     for i in range(len(rows)):
         row = rows[i]
         effects, own = made(kinds, row), rod(row[LENGTH], row[ANGLE])
-        low, low_other = base.motion_angles(effects, own, toward(own, row[FIRST]))
-        high_other, high = base.motion_angles(effects, own, toward(own, row[SECOND]))
+        low, low_other = base.motion_angles(effects, own, seen(own, row[FIRST]))
+        high_other, high = base.motion_angles(effects, own, seen(own, row[SECOND]))
         # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
         right[i], left[i] = min(low, high), high
         spread = max(low_other - low, high - high_other)

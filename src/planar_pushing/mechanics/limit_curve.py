@@ -24,7 +24,7 @@ from planar_pushing.mechanics.numerics.arrays import (
     is_labelled,
     same,
 )
-from planar_pushing.mechanics.plane import Array, direction, rod, toward
+from planar_pushing.mechanics.plane import Array, direction, rod, seen
 from planar_pushing.mechanics.reduced.base import limit_motion
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
@@ -78,7 +78,7 @@ def _curve(kinds, rows, angles, magnitudes, ratios, motions):
     for i in range(len(rows)):
         row = rows[i]
         own = rod(row[LENGTH], row[ANGLE])
-        force = toward(own, row[FIRST])
+        force = seen(own, row[FIRST])
         angles[i] = force.angle
         magnitudes[i], ratios[i], motions[i] = limit_motion(made(kinds, row), own, force)
 

@@ -44,8 +44,16 @@ class Rod(NamedTuple):
     y: float
 
 
+class Seen(NamedTuple):
+    """An angle and its unit vector along the rod and along the rod's right-hand normal."""
+
+    angle: float
+    along: float
+    aside: float
+
+
 class Direction(NamedTuple):
-    """An angle and its unit vector: along x and y, along the rod and along the rod's right-hand normal."""
+    """As `Seen`, and the unit vector along x and y."""
 
     angle: float
     x: float
@@ -80,21 +88,29 @@ def rod(length, angle):
 
 
 @compiled
-def toward(own, angle):
+def seen(own, angle):
     """The direction at an angle, seen from a rod.
 
     Along an axis the double is taken for the quarter turn and the products are exact. Elsewhere they
     would cancel where the difference of the angles, with what its subtraction rounds off, does not: a
     long rod multiplies it by its length.
     """
-    x, y = unit_vector(angle)
     if is_quarter(angle) or own.x == 0.0 or own.y == 0.0:
-        return Direction(angle, x, y, x * own.x + y * own.y, x * own.y - y * own.x)
+        x, y = unit_vector(angle)
+        return Seen(angle, x * own.x + y * own.y, x * own.y - y * own.x)
     lean = own.angle - angle
     back = lean - own.angle
     rounding = (own.angle - (lean - back)) - (angle + back)
     c, s = cos(lean), sin(lean)
-    return Direction(angle, x, y, c - rounding * s, s + rounding * c)
+    return Seen(angle, c - rounding * s, s + rounding * c)
+
+
+@compiled
+def toward(own, angle):
+    """The direction at an angle, also along x and y: twice the sines and cosines of `seen`."""
+    x, y = unit_vector(angle)
+    _, along, aside = seen(own, angle)
+    return Direction(angle, x, y, along, aside)
 
 
 @compiled

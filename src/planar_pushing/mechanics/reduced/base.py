@@ -4,7 +4,7 @@ With the rotation eliminated, ``Psi(u) = min over omega`` of the sum of the effe
 whose contact moves by `u` (Secs. 3 and 4). Psi is convex; its gradient is the force of the pusher, and the
 torque about the contact is zero by the minimum. Cones, limit curve, contact modes and simulation use Psi
 through the functions below alone, which a family of effects provides. Each takes the tuple of effects
-and the `Rod`, and then directions as `Direction` has them.
+and the `Rod`, and then directions as `Direction` has them, or for cones, limit curve and centres `Seen`.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from math import log, pi, sqrt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, fused
 
 #: From this spin ratio on the series in x and log x are used, below it those of the Landen step.
 NEAR_RING = 0.9
@@ -74,7 +74,7 @@ NEAR_GUESS = (
 SMALL = 1e-9
 
 
-@compiled
+@fused
 def polynomial(coefficients, x):
     """Value of a polynomial, its even and odd parts side by side: half as many dependent steps."""
     square, i = x * x, len(coefficients) - 1
@@ -144,10 +144,9 @@ def ring_wrench(speed, spin):
         Per unit weight and radius.
     """
     size = abs(spin)
-    if size <= speed:
-        force, torque, slope = inner(size, speed)
-    else:
-        torque, force, slope = inner(speed, size)
+    force, torque, slope = inner(min(size, speed), max(size, speed))
+    if size > speed:
+        force, torque = torque, force
     return force, torque if spin >= 0.0 else -torque, slope
 
 

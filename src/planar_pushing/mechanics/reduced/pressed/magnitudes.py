@@ -37,7 +37,10 @@ class Turn(NamedTuple):
 def _aside(own, force, moved):
     """Angle of the contact's motion from the force, within 90 degrees."""
     x, y = contact_of(own, moved)
-    return atan2(force.x * y - force.y * x, force.x * x + force.y * y)
+    along, aside = x * own.x + y * own.y, x * own.y - y * own.x
+    return atan2(
+        force.aside * along - force.along * aside, force.along * along + force.aside * aside
+    )
 
 
 @compiled
