@@ -108,7 +108,7 @@ def summing(function: Function) -> Function:
 
 
 def fused(function: Function) -> Function:
-    """Compile a polynomial as a part of its callers, each product and sum in one step, as `summing` does."""
+    """Compile a polynomial as a part of its callers, each product and sum in one step as in `summing`."""
     return _part(function, fastmath={"contract"})
 
 
