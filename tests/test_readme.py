@@ -13,6 +13,7 @@ from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.study_file import load_study
+from shown import Checker
 
 PATH = Path("README.md").resolve()
 README = PATH.read_text(encoding="utf-8")
@@ -38,7 +39,7 @@ def test_python_query(folder, monkeypatch):
     monkeypatch.chdir(folder)
     (block,) = re.findall(r"```python\n(>>> .*?)```", README, re.DOTALL)
     test = doctest.DocTestParser().get_doctest(block, {}, "README", "README.md", 0)
-    runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
+    runner = doctest.DocTestRunner(Checker(), optionflags=doctest.NORMALIZE_WHITESPACE)
     runner.run(test)
     assert (runner.tries, runner.failures) == (4, 0)
 

@@ -15,16 +15,16 @@ from manual.pages import PAGES, blocks, name
 from planar_pushing.commands import main
 from planar_pushing.study.files.scenes import load_scene
 from planar_pushing.study.sliders_file import load_any
+from shown import FLAGS, Checker, agrees
 
 PROJECT = Path(__file__).parents[2]
-FLAGS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
 WITH_BLOCKS = [page for page in PAGES if blocks(page)]
 
 
 def run_python(text, names, capsys):
     found = doctest.DocTestParser().get_doctest(text, names, "block", None, 0)
     assert found.examples, f"shows no >>>: {text}"
-    runner = doctest.DocTestRunner(optionflags=FLAGS, verbose=False)
+    runner = doctest.DocTestRunner(Checker(), optionflags=FLAGS, verbose=False)
     said = []
     runner.run(found, out=said.append, clear_globs=False)
     names.update(found.globs)
@@ -36,7 +36,7 @@ def run_commands(text, names, capsys):
         program, *arguments = shlex.split(line)
         printed = PROGRAMS[program](arguments, capsys)
         if said:
-            assert doctest.OutputChecker().check_output(said, printed, FLAGS), f"{line}: {printed}"
+            assert agrees(said, printed), f"{line}: {printed}"
 
 
 def run_ours(arguments, capsys):
