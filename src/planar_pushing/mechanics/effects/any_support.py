@@ -67,6 +67,8 @@ def outward(effect, x, y):
 def gradient(effect, x, y, spin):
     c, s = effect.x, effect.y
     own = _gradient_in_body(effect, c * x + s * y, c * y - s * x, spin)
+    if c == 1.0:  # as under every fence
+        return own
     f_x, f_y, torque, xx, xy, yy, xs, ys, ss = own
     f_x, f_y = outward(effect, f_x, f_y)
     xs, ys = outward(effect, xs, ys)

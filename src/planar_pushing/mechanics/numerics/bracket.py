@@ -55,8 +55,8 @@ def bracketed(equation, low, high, at_low, at_high, resolution=RESOLUTION):
 
 
 @compiled
-def dip(equation, low, middle, high, at_middle):
-    """A place where an equation is negative in a dip, and the value there; the least one where none is.
+def dip(equation, low, middle, high, at_middle, bound=0.0):
+    """A place in a dip where an equation is below a bound, and the value there; the least one without any.
 
     Golden sections about the middle one of three places, at which the equation is least.
     """
@@ -70,6 +70,6 @@ def dip(equation, low, middle, high, at_middle):
             place, value = other, at_other
         else:
             low, high = (other, high) if left else (low, other)
-        if value < 0.0:
+        if value < bound:
             break
     return place, value

@@ -66,11 +66,16 @@ def _composed(line, across, spin):
 
 @compiled
 def _slopes(line, motion):
-    """Slopes of the potential across the line and over the rotation, and its second derivatives."""
+    """Slopes of the potential across the line and over the rotation, and its second derivatives.
+
+    And the force along the line, with its derivatives by the two.
+    """
     now, t_x, t_y = felt(line.effects, line.length, motion), line.x, line.y
     bend = now.xx * t_y * t_y - 2.0 * now.xy * t_x * t_y + now.yy * t_x * t_x
     turn = now.ys * t_x - now.xs * t_y
-    return now.f_y * t_x - now.f_x * t_y, now.torque, bend, turn, now.ss
+    along = (now.yy - now.xx) * t_x * t_y + now.xy * (t_x * t_x - t_y * t_y)
+    force = now.f_x * t_x + now.f_y * t_y, along, now.xs * t_x + now.ys * t_y
+    return now.f_y * t_x - now.f_x * t_y, now.torque, bend, turn, now.ss, force
 
 
 @compiled
@@ -86,21 +91,29 @@ EQUATIONS[SlopeAcross] = _slope_across
 
 @compiled
 def _between(line):
-    """The motion under a line of force: a root for the rotation in one for the direction."""
+    """The motion under a line of force, and the force: a root for the rotation in one for the direction."""
     angle = bracketed(SlopeAcross(line), -pi / 2.0, pi / 2.0, -1.0, 1.0)
     x, y, _ = _composed(line, line.along * tan(angle), 0.0)
-    return Motion(x, y, spin_of(line.effects, line.length, x, y))
+    motion = Motion(x, y, spin_of(line.effects, line.length, x, y))
+    return motion, force_of(line, motion)
+
+
+@compiled
+def force_of(line, motion):
+    """Size of the force that a motion takes along a line."""
+    now = felt(line.effects, line.length, motion)
+    return now.f_x * line.x + now.f_y * line.y
 
 
 @compiled
 def _newton(line, start):
-    """The motion by Newton's method, across the line and in rotation, and whether it has settled.
+    """The motion by Newton's method in two unknowns, the size of its force, and whether it has settled.
 
     Along a step the slope of the convex potential increases; a step that it does not fall enough in is
     cut to where the secant has the slope zero.
     """
     across, spin = start.y * line.x - start.x * line.y, start.spin
-    one, other, bend, turn, stiff = _slopes(line, start)
+    one, other, bend, turn, stiff, force = _slopes(line, start)
     last = inf
     for _ in range(STEPS):
         whole = bend * stiff - turn * turn
@@ -109,17 +122,18 @@ def _newton(line, start):
         step, swing = (turn * other - stiff * one) / whole, (turn * one - bend * other) / whole
         size = max(_over(step, line.along + abs(across)), _over(swing, spin))
         if _is_last(size, last):
-            return _composed(line, across + step, spin + swing), True
+            size = force[0] + step * force[1] + swing * force[2]
+            return _composed(line, across + step, spin + swing), size, True
         slope, part, last = one * step + other * swing, 1.0, size
         for _ in range(CUTS):
             motion = _composed(line, across + part * step, spin + part * swing)
-            one, other, bend, turn, stiff = _slopes(line, motion)
+            one, other, bend, turn, stiff, force = _slopes(line, motion)
             left = one * step + other * swing
             if abs(left) <= ENOUGH * abs(slope):
                 break
             part *= slope / (slope - left) if left > 0.0 else 2.0
         across, spin = across + part * step, spin + part * swing
-    return _composed(line, across, spin), False
+    return _composed(line, across, spin), force[0], False
 
 
 @compiled
@@ -139,6 +153,6 @@ def _is_last(size, before):
 
 @compiled
 def motion_under(line, start):
-    """The motion under a line of force, from a first guess."""
-    motion, settled = _newton(line, start)
-    return motion if settled else _between(line)
+    """The motion under a line of force, from a first guess, and the size of the force."""
+    motion, force, settled = _newton(line, start)
+    return (motion, force) if settled else _between(line)

@@ -91,7 +91,7 @@ def segment(s, h, half):
     distance, torque = mean_distance(s, h, both, inverse), _torque(s, h, half, both, inverse)
     product = max(one * other, LEAST)
     tt, tn = _bend(abs(s), h, half, one, other) / product, -2.0 * (s / both) * h / product
-    return distance, 2.0 * s / both, h * inverse, torque, tt, tn, inverse - tt
+    return distance, 2.0 * (s / both), h * inverse, torque, tt, tn, inverse - tt
 
 
 @compiled

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import inf
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.mechanics.numerics.bracket import RESOLUTION, bracketed
+from planar_pushing.mechanics.numerics.bracket import RESOLUTION, bracketed, dip
 from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.mechanics.numerics.root import EQUATIONS
 from planar_pushing.simulation.events import run as at
@@ -15,8 +15,6 @@ from planar_pushing.simulation.systems import base
 
 #: Halvings that look for the moment in which a margin that starts at zero is positive.
 HALVINGS = 20
-#: Golden section, and how many of them look for the least value of a dip: to 1e-5 of its width.
-SECTION, SECTIONS = (3.0 - sqrt(5.0)) / 2.0, 24
 #: A margin that a parabola has fall below this part of itself may vanish between the nodes.
 DIP = 0.2
 #: A pivot is sought to some parts in this of a step, and put so far behind the kink that the step to it
@@ -160,23 +158,11 @@ def _dip(system, mode, run, cause):
         a, b = run.guards[at.VALUES + j - 1, cause], run.guards[at.VALUES + j, cause]
         c = run.guards[at.VALUES + j + 1, cause]
         if min(a, b, c) > 0.0 and _dips(a, b, c, 0.5):
-            low = _node(run, j - 1)
-            time = _below(system, mode, run, cause, low, _node(run, j + 1))
-            if time < inf:
+            low, middle, high = _node(run, j - 1), _node(run, j), _node(run, j + 1)
+            equation = Guarded(system, mode, run, cause)
+            time, least = dip(equation, low, middle, high, b, -base.SLACK)
+            if least < -base.SLACK:
                 return _within(system, mode, run, cause, low, time)
-    return inf
-
-
-@compiled
-def _below(system, mode, run, cause, low, high):
-    """A time in a dip at which a margin is negative, by golden sections; infinite where there is none."""
-    for _ in range(SECTIONS):
-        one, other = low + SECTION * (high - low), high - SECTION * (high - low)
-        at_one = _value(system, mode, run, cause, one)
-        at_other = _value(system, mode, run, cause, other)
-        if min(at_one, at_other) < -base.SLACK:
-            return one if at_one < -base.SLACK else other
-        low, high = (low, other) if at_one <= at_other else (one, high)
     return inf
 
 

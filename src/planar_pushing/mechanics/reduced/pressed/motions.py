@@ -9,9 +9,14 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.plane import Direction, Rod
 from planar_pushing.mechanics.reduced.corners import CONTINUUM, corner_under
-from planar_pushing.mechanics.reduced.line_of_force import Line, motion_under, rough_motion
+from planar_pushing.mechanics.reduced.line_of_force import (
+    Line,
+    force_of,
+    motion_under,
+    rough_motion,
+)
 from planar_pushing.mechanics.reduced.pivots import NOWHERE, pivot_of, pivot_under
-from planar_pushing.mechanics.reduced.rotation import SETTLED, Motion, felt, rough_spin, turned
+from planar_pushing.mechanics.reduced.rotation import SETTLED, Motion, rough_spin, turned
 from planar_pushing.mechanics.reduced.sticking import Sustained
 
 #: Range of the logarithm of a motion's part along its line of force, in units in which friction and inertia
@@ -71,19 +76,18 @@ def pushed(effects, own, edge, along):
     line = line_of(effects, own, edge, along)
     if corner_under(effects, line).exists:
         motion = Motion(along * line.x, along * line.y, 0.0)
-        return of_line(effects, own, line, motion)
+        return of_line(own, line, motion, force_of(line, motion))
     pivot = pivot_under(effects, line)
     if pivot.atom != NOWHERE:
         return sustained(own, pivot.motion, pivot.f_x, pivot.f_y, 0.0, 0.0, pivot.atom)
-    return of_line(effects, own, line, motion_under(line, rough_motion(line)))
+    motion, force = motion_under(line, rough_motion(line))
+    return of_line(own, line, motion, force)
 
 
 @compiled
-def of_line(effects, own, line, motion):
-    """A motion with its force, which is along a line."""
-    now = felt(effects, own.length, motion)
-    size = now.f_x * line.x + now.f_y * line.y
-    return sustained(own, motion, size * line.x, size * line.y, 0.0, 0.0, NOWHERE)
+def of_line(own, line, motion, force):
+    """A motion with its force, which is along a line and of this size."""
+    return sustained(own, motion, force * line.x, force * line.y, 0.0, 0.0, NOWHERE)
 
 
 @compiled

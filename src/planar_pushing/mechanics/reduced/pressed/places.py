@@ -100,11 +100,12 @@ def _line(slide, x):
 
 
 @compiled
-def moved_at(slide, place):
-    """The motion of a place, with its force taken to be along the edge."""
-    u_x, u_y = _contact(slide, place.x)
-    motion = Motion(u_x, u_y, place.spin)
-    return of_line(slide.effects, slide.own, _line(slide, place.x), motion)
+def moved_at(slide, x, near):
+    """The motion of the place at x, from a near one, with its force taken to be along the edge."""
+    place, now = _found(slide, x, near, SETTLED)
+    (u_x, u_y), line = _contact(slide, x), _line(slide, x)
+    force = now.f_x * line.x + now.f_y * line.y
+    return of_line(slide.own, line, Motion(u_x, u_y, place.spin), force)
 
 
 @owning

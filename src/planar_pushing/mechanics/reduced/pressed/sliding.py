@@ -126,10 +126,23 @@ def _write_root(slide, one, other, found, count):
     """Write down the slip between two places of other signs, and return how many there are then."""
     low, high = (one, other) if one.x < other.x else (other, one)
     across = Across(slide, one, 1.0 if high.across > 0.0 else -1.0)
-    part = low.across / (low.across - high.across)
-    start = low.x + min(max(part, INNER), 1.0 - INNER) * (high.x - low.x)
+    start = low.x + min(max(_part(low, high), INNER), 1.0 - INNER) * (high.x - low.x)
     x = root(across, low.x, high.x, start)[0]
-    return _write(moved_at(slide, place_at(slide, x, one)), found, count)
+    return _write(moved_at(slide, x, one), found, count)
+
+
+@compiled
+def _part(low, high):
+    """Part of the way between two places of other signs after which the inverse cubic through both is zero.
+
+    The secant where the force across the edge does not go one way.
+    """
+    rise, way = high.across - low.across, high.x - low.x
+    part = -low.across / rise
+    if low.slope * rise > 0.0 and high.slope * rise > 0.0:
+        start, end, left = rise / (way * low.slope), rise / (way * high.slope), 1.0 - part
+        part *= part * (3.0 - 2.0 * part) + left * (left * start - part * end)
+    return part
 
 
 @compiled

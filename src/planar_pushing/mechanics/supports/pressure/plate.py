@@ -38,4 +38,4 @@ def _edge(s, h, half):
     one, other = ends(s, h, half)
     both = one + other
     inverse = mean_inverse(s, h, half, one, other)
-    return mean_distance(s, h, both, inverse), h, 2.0 * s / both, h * inverse
+    return mean_distance(s, h, both, inverse), h, 2.0 * (s / both), h * inverse
