@@ -205,6 +205,14 @@ class Scene:
         ]
 
     @property
+    def numbers(self) -> list[Number]:
+        """The effects' columns: weight, mass, square of the radius of gyration, and `placement`.
+
+        An effect that is not there has 1 as its weight or mass.
+        """
+        return [self.weight, *self.inertia, *self.placement]
+
+    @property
     def law(self) -> Any:
         """The contact law in numbers."""
         return as_numbers(self.contact)
@@ -262,8 +270,7 @@ def required_single(scene: Scene) -> Scene:
     """The scene if its parameters are numbers, or `InvalidValue`."""
     slider = scene.slider
     rod = slider.rod_length, slider.rod_angle, slider.radius, *slider.side
-    numbers = *rod, scene.weight, *scene.inertia, *scene.placement, *scene.law
-    if any(map(np.ndim, numbers)):
+    if any(map(np.ndim, (*rod, *scene.numbers, *scene.law))):
         raise InvalidValue(
             "scene", "an array of scenes", "one scene, whose parameters are numbers",
             "take the scenes one by one, or call simulate_batch",

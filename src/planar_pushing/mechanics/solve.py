@@ -152,9 +152,8 @@ def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
 def arguments(scene: Scene, pusher_angle: Number, pusher_magnitude: Number) -> list[Number]:
     """The numbers of a scene and of a push, as `solve_arrays` takes them."""
     slider = scene.slider
-    effects = [scene.weight, *scene.inertia, *scene.placement]
     rod = [slider.rod_length, slider.rod_angle, slider.radius]
-    return [*effects, *rod, *scene.law, pusher_angle, pusher_magnitude]
+    return [*scene.numbers, *rod, *scene.law, pusher_angle, pusher_magnitude]
 
 
 def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) -> Any:
