@@ -149,19 +149,14 @@ def _labelled(
         keep_attrs=False,
     )
     arrays = found if isinstance(found, tuple) else (found,)
-    return [
-        array.rename(output.name).assign_attrs(attributes(MECHANICS, output.name))
-        for array, output in zip(arrays, outputs, strict=True)
-    ]
+    return [named(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
 
 
 def named(name: str, value: Any) -> Any:
     """A result with its name and units where it is labelled."""
-    return (
-        value.rename(name).assign_attrs(attributes(MECHANICS, name))
-        if is_labelled(value)
-        else value
-    )
+    if not is_labelled(value):
+        return value
+    return value.rename(name).assign_attrs(attributes(MECHANICS, name))
 
 
 def same(one: Any, other: Any) -> Any:
