@@ -150,13 +150,6 @@ def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     return found
 
 
-def arguments(scene: Scene, pusher_angle: Number, pusher_magnitude: Number) -> list[Number]:
-    """The numbers of a scene and of a push, as `solve_arrays` takes them."""
-    slider = scene.slider
-    rod = [slider.rod_length, slider.rod_angle, slider.radius]
-    return [*scene.numbers, *rod, *scene.law, pusher_angle, pusher_magnitude]
-
-
 def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) -> Any:
     """Every solution of the pushing problem from rest that is consistent (Sec. 2).
 
@@ -180,8 +173,9 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
     InvalidValue
         Where a value is out of its range; with friction and inertia also where m a / W is.
     """
-    kinds = required_scene(scene).kinds
-    given = arguments(scene, pusher_angle, pusher_magnitude)
+    kinds, slider = required_scene(scene).kinds, scene.slider
+    body = slider.rod_length, slider.rod_angle, slider.radius
+    given = [*scene.numbers, *body, *scene.law, pusher_angle, pusher_magnitude]
     results = outputs(len(kinds))
     found = elementwise(lambda *each: solve_arrays(kinds, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}

@@ -122,24 +122,9 @@ def elementwise(
     if not any(map(is_labelled, arguments)):
         found = function(*arguments)
         return [each.item() if each.ndim == 0 else each for each in found]
-    return _labelled(function, arguments, outputs)
-
-
-def evaluated(
-    kernel: Callable[..., None], kinds: Any, columns: Sequence[Any], outputs: Sequence[Output]
-) -> list[Any]:
-    """Results of a kernel, as `mapped` calls it and `elementwise` returns them."""
-    return elementwise(lambda *given: mapped(kernel, kinds, given, outputs), columns, outputs)
-
-
-def _labelled(
-    function: Callable[..., list[npt.NDArray[Any]]],
-    arguments: Sequence[Any],
-    outputs: Sequence[Output],
-) -> list[Any]:
     import xarray as xr
 
-    found = xr.apply_ufunc(
+    labelled = xr.apply_ufunc(
         lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
         *arguments,
         output_core_dims=[[dim for dim, _ in output.tail] for output in outputs],
@@ -148,8 +133,15 @@ def _labelled(
         dask_gufunc_kwargs={"output_sizes": dict(d for output in outputs for d in output.tail)},
         keep_attrs=False,
     )
-    arrays = found if isinstance(found, tuple) else (found,)
+    arrays = labelled if isinstance(labelled, tuple) else (labelled,)
     return [named(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
+
+
+def evaluated(
+    kernel: Callable[..., None], kinds: Any, columns: Sequence[Any], outputs: Sequence[Output]
+) -> list[Any]:
+    """Results of a kernel, as `mapped` calls it and `elementwise` returns them."""
+    return elementwise(lambda *given: mapped(kernel, kinds, given, outputs), columns, outputs)
 
 
 def named(name: str, value: Any) -> Any:
