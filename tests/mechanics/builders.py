@@ -17,6 +17,7 @@ FRICTION = (pp.RingFriction(),)
 INERTIA = (pp.Inertia(),)
 BOTH = FRICTION + INERTIA
 EFFECT_SETS = {"friction": FRICTION, "inertia": INERTIA, "both": BOTH}
+EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 #: For tests that look at compiled code, or that start the core without the compiler beside this process.
 needs_compiler = pytest.mark.skipif(
     bool(numba.config.DISABLE_JIT), reason="the compiler is off: NUMBA_DISABLE_JIT is set"

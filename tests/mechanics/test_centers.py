@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from mechanics.builders import BOTH, EFFECT_SETS, PSI, make_scene
+from mechanics.builders import BOTH, EVERY_EFFECT, PSI, make_scene
 from planar_pushing.mechanics.centers import Origin, conservative_spin_ratios
 from planar_pushing.mechanics.plane import direction
 
@@ -28,7 +28,7 @@ def test_conservative_cone_contains_the_exact_one(mu, length, psi):
     assert exact.left <= bound.left + 1e-14
 
 
-@pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
+@EVERY_EFFECT
 def test_centers_are_where_nothing_moves(effects):
     """At the signed distance -R/k along x' from the ring centre, in the unit of the lengths."""
     scene = make_scene(3.0, effects=effects, radius=0.5)

@@ -8,7 +8,7 @@ import pytest
 import planar_pushing as pp
 from mechanics.builders import (
     DEFINITION_2,
-    EFFECT_SETS,
+    EVERY_EFFECT,
     FRICTION,
     INERTIA,
     make_scene,
@@ -16,7 +16,6 @@ from mechanics.builders import (
     numbers,
 )
 
-EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 LAWS = [pp.Coulomb(0.0), pp.Coulomb(2.0), pp.InfiniteFriction(), DEFINITION_2, pp.PerfectlyRough()]
 EVERY_LAW = pytest.mark.parametrize("law", LAWS, ids=str)
 

@@ -10,6 +10,7 @@ from mechanics.builders import (
     BOTH,
     DEFINITION_2,
     EFFECT_SETS,
+    EVERY_EFFECT,
     FRICTION,
     INERTIA,
     PSI,
@@ -18,7 +19,6 @@ from mechanics.builders import (
     numbers,
 )
 
-EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 LAWS = [pp.Coulomb(0.0), pp.Coulomb(2.0), pp.InfiniteFriction(), DEFINITION_2, pp.PerfectlyRough()]
 EVERY_LAW = pytest.mark.parametrize("law", LAWS, ids=str)
 PHI = np.linspace(0, np.pi, 19)

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from mechanics.builders import BOTH, EFFECT_SETS, FRICTION, INERTIA, make_scene
+from mechanics.builders import BOTH, EVERY_EFFECT, FRICTION, INERTIA, make_scene
 from planar_pushing.terms.quantities import unit_of
 
 BASE = {
@@ -74,7 +74,7 @@ def numbers(found):
 FUNCTIONS = (*ANGLES, *CONES, *FLAGS)
 
 
-@pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
+@EVERY_EFFECT
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_floats_give_floats(name, effects):
     found = call(name, BASE, effects)

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from mechanics.builders import DEFINITION_2, EFFECT_SETS, PSI, make_scene, names
+from mechanics.builders import DEFINITION_2, EVERY_EFFECT, PSI, make_scene, names
 from planar_pushing.mechanics.plane import direction
 
-EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 EVERY_LAW = pytest.mark.parametrize(
     "law", [pp.Coulomb(1.4), pp.InfiniteFriction(), DEFINITION_2, pp.PerfectlyRough()], ids=str
 )

@@ -8,12 +8,11 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from mechanics.builders import BOTH, EFFECT_SETS, FRICTION, INERTIA, make_scene
+from mechanics.builders import BOTH, EFFECT_SETS, EVERY_EFFECT, FRICTION, INERTIA, make_scene
 from mechanics.test_public_arrays import BASE, VALUES, call
 from planar_pushing.mechanics.solve import NO_MODE, SOLUTIONS
 from planar_pushing.terms.quantities import unit_of
 
-EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
 FIELDS = ("force", "force_end", "twist", "contact_motion", "spin_ratio", "center")
 #: Every parameter of a push with every set of effects that has it.
 PARAMETERS = [

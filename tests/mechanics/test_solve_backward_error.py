@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from mechanics.builders import BOTH, EFFECT_SETS, INERTIA, make_scene
+from mechanics.builders import BOTH, EVERY_EFFECT, INERTIA, make_scene
 from planar_pushing.mechanics.plane import direction
 
 #: In each test; few where Python runs the formulas.
@@ -126,7 +126,7 @@ def unit_effects(scene):
 
 
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
+@EVERY_EFFECT
 def test_every_solution_meets_the_conditions_of_its_mode(effects, law):
     random = np.random.default_rng([len(effects), LAWS.index(law), effects == INERTIA])
     scene = random_scenes(random, effects, law)
@@ -138,7 +138,7 @@ def test_every_solution_meets_the_conditions_of_its_mode(effects, law):
     assert np.all((found.mode == STICK).sum(axis=-1) == 1)
 
 
-@pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
+@EVERY_EFFECT
 def test_pushing_into_the_slider_always_moves_it(effects):
     """Under a closed law."""
     random = np.random.default_rng(7)

@@ -15,20 +15,19 @@ from planar_pushing.mechanics.cones import (
     FIRST,
     LENGTH,
     SECOND,
-    effect_columns,
-    require_share,
-    rod_columns,
+    force_columns,
+    under_force,
+    unit_columns,
 )
-from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated
 from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm, rod, seen
 from planar_pushing.mechanics.reduced import base
 from planar_pushing.mechanics.scene import Scene, required_scene
-from planar_pushing.terms.domain import Number, required, required_ratio
+from planar_pushing.terms.domain import Number, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
 
-#: Column behind those of `cones`: the rod's length from the origin of the centres.
-REACH = SECOND + 1
+#: Columns behind the force: radius, and the rod's length from the origin of the centres.
+RADIUS, REACH = range(FIRST + 1, FIRST + 3)
 
 
 class Origin(StrEnum):
@@ -46,12 +45,10 @@ CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 @owning
 def _centers(kinds, rows, centers):
     for i in range(len(rows)):
-        row = rows[i]
-        own = rod(row[LENGTH], row[ANGLE])
-        force = seen(own, row[FIRST])
-        x, y = base.center_under(made(kinds, row), own, force)
-        centers[i, 0] = row[SECOND] * (x + row[REACH] * own.x)
-        centers[i, 1] = row[SECOND] * (y + row[REACH] * own.y)
+        effects, own, force = under_force(kinds, rows[i])
+        x, y = base.center_under(effects, own, force)
+        radius, reach = rows[i, RADIUS], rows[i, REACH]
+        centers[i, 0], centers[i, 1] = radius * (x + reach * own.x), radius * (y + reach * own.y)
 
 
 def motion_centers(
@@ -76,11 +73,9 @@ def motion_centers(
         The point to which the centres are relative.
     """
     origin = require_option("origin", origin, Origin, "name one of these points")
-    angle = required("force_angle", force_angle)
-    shares = effect_columns(scene, require_share(scene, inertia_share))
+    columns = force_columns(scene, force_angle, inertia_share)
     reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
-    columns = [*shares, *rod_columns(scene), angle, scene.slider.radius, reach]
-    return evaluated(_centers, scene.kinds, columns, CENTER)[0]
+    return evaluated(_centers, scene.kinds, [*columns, scene.slider.radius, reach], CENTER)[0]
 
 
 @compiled
@@ -156,6 +151,6 @@ def conservative_motion_cone(scene: Scene) -> Any:
     if scene.stores_energy:
         required_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
     law = scene.law
-    columns = [*effect_columns(scene), *rod_columns(scene), law.right, law.left]
+    columns = [*unit_columns(scene), law.right, law.left]
     right, left = evaluated(_conservative_cones, scene.kinds, columns, CONE)
     return interval(right, left, closed=False)

@@ -79,14 +79,16 @@ class Locator(UserProvidedCacheLocator):  # type: ignore[misc]
         return cls(function, file)
 
 
-def compiled(function: Function) -> Function:
+def compiled(function: Function, **options: Any) -> Function:
     """Compile a function of numbers as a part of the kernels that call it, however deep.
 
     There is no fast mathematics: every run gives the same results. It may read and write arrays and hand
     them on, but makes none. Called from Python it runs as the Python function that it is: what is called
     often is a `kernel`.
     """
-    return _part(function)
+    _PARTS[function] = OPTIONS | options
+    overload(function, jit_options=_PARTS[function], strict=False)(lambda *args: function)
+    return function
 
 
 def owning(function: Function) -> Function:
@@ -95,7 +97,7 @@ def owning(function: Function) -> Function:
     It counts references, so what it is given back has to be counted: it calls no `compiled` function that
     gives arrays back.
     """
-    return _part(function, _nrt=True)
+    return compiled(function, _nrt=True)
 
 
 def summing(function: Function) -> Function:
@@ -104,18 +106,12 @@ def summing(function: Function) -> Function:
     It adds several terms at once, and multiplies and adds in one step, as the processor can: its last digit
     depends on the processor, but not on the run.
     """
-    return _part(function, forceinline=True, fastmath={"reassoc", "contract"})
+    return compiled(function, forceinline=True, fastmath={"reassoc", "contract"})
 
 
 def fused(function: Function) -> Function:
     """Compile a polynomial as a part of its callers, each product and sum in one step as in `summing`."""
-    return _part(function, fastmath={"contract"})
-
-
-def _part(function: Function, **options: Any) -> Function:
-    _PARTS[function] = OPTIONS | options
-    overload(function, jit_options=_PARTS[function], strict=False)(lambda *args: function)
-    return function
+    return compiled(function, fastmath={"contract"})
 
 
 def kernel(function: Function) -> Function:
@@ -157,20 +153,12 @@ def _compilations(kernel: Any) -> int:
     return sum(kernel.stats.cache_misses.values()) if hasattr(kernel, "stats") else 0
 
 
-def generic(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
+def generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Callable[..., Any]:
     """Make a function whose body `choose` picks by the kind of its first argument.
 
     The kind of a named tuple is its class, that of a plain tuple the tuple of its entries' kinds.
     """
-    return _generic(choose)
 
-
-def generic_owning(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
-    """Make a function as `generic` does, whose bodies are `owning`."""
-    return _generic(choose, _nrt=True)
-
-
-def _generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Callable[..., Any]:
     @functools.wraps(choose)
     def function(first: Any, *rest: Any) -> Any:
         return choose(_kind(first))(first, *rest)
@@ -184,13 +172,14 @@ def _generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Cal
     return function
 
 
+def generic_owning(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
+    """Make a function as `generic` does, whose bodies are `owning`."""
+    return generic(choose, _nrt=True)
+
+
 def by_kind(members: dict[type, Any], name: str) -> Callable[..., Any]:
     """The function of a name in the module that belongs to the kind of the first argument."""
-
-    def choose(kind: Any) -> Any:
-        return getattr(members[kind], name)
-
-    return generic(choose)
+    return generic(lambda kind: getattr(members[kind], name))
 
 
 def _kind(value: Any) -> Any:

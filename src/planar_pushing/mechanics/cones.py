@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -35,20 +34,21 @@ def friction_cone(scene: Scene) -> Any:
     return interval(law.right, law.left, law.closed)
 
 
-def effect_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
-    """Columns of `made` at unit centre speed: the effects' shares of the force in a translation."""
-    placed = [scene.inertia[1], *scene.placement]
-    if not (scene.friction and scene.masses):
-        return [1.0, 1.0, *placed]
-    return [1.0 - inertia_share, inertia_share, *placed]
+def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
+    """Columns of effects, as weight and mass their shares of the force in a translation, and of the rod."""
+    both = scene.friction and scene.masses
+    shares = [1.0 - inertia_share, inertia_share] if both else [1.0, 1.0]
+    slider = scene.slider
+    return [*shares, scene.inertia[1], *scene.placement, slider.length_ratio, slider.rod_angle]
 
 
-def rod_columns(scene: Scene) -> list[Number]:
-    """Length and angle of the rod."""
-    return [scene.slider.length_ratio, scene.slider.rod_angle]
+def force_columns(scene: Scene, force_angle: Number, inertia_share: Number | None) -> list[Number]:
+    """The columns of a scene under a force."""
+    share = _required_share(scene, inertia_share)
+    return [*unit_columns(scene, share), required("force_angle", force_angle)]
 
 
-def require_share(scene: Scene, inertia_share: Number | None) -> Number:
+def _required_share(scene: Scene, inertia_share: Number | None) -> Number:
     """The share of inertia where the effects leave it open."""
     if not (required_scene(scene).friction and scene.masses):
         if inertia_share is not None:
@@ -65,32 +65,27 @@ def require_share(scene: Scene, inertia_share: Number | None) -> Number:
     return required("inertia_share", inertia_share)
 
 
+@owning
+def under_force(kinds, row):
+    """Effects, rod, and force in the first direction of a row."""
+    own = rod(row[LENGTH], row[ANGLE])
+    return made(kinds, row), own, seen(own, row[FIRST])
+
+
 @kernel
 @owning
 def _spin_ratios(kinds, rows, ratios):
     for i in range(len(rows)):
-        row = rows[i]
-        own = rod(row[LENGTH], row[ANGLE])
-        force = seen(own, row[FIRST])
-        ratios[i] = base.spin_ratio(made(kinds, row), own, force)
+        effects, own, force = under_force(kinds, rows[i])
+        ratios[i] = base.spin_ratio(effects, own, force)
 
 
 @kernel
 @owning
 def _motion_angles(kinds, rows, angles):
     for i in range(len(rows)):
-        row = rows[i]
-        own = rod(row[LENGTH], row[ANGLE])
-        angles[i] = base.motion_angle(made(kinds, row), own, seen(own, row[FIRST]))
-
-
-def _under_forces(
-    kernel: Callable[..., None], name: str, scene: Scene, force_angle: Number, share: Number | None
-) -> Number:
-    """What a kernel gives for each force angle."""
-    columns = [*effect_columns(scene, require_share(scene, share)), *rod_columns(scene)]
-    force = required("force_angle", force_angle)
-    return evaluated(kernel, scene.kinds, [*columns, force], [Output(name)])[0]
+        effects, own, force = under_force(kinds, rows[i])
+        angles[i] = base.motion_angle(effects, own, force)
 
 
 def spin_ratio(
@@ -122,7 +117,8 @@ def spin_ratio(
     Solves Eq. (7) for friction and Eq. (10) for inertia, with both
     ``h / R = (t(k) + s (rho/R)^2 k) / (f(k) + s)``.
     """
-    return _under_forces(_spin_ratios, "spin_ratio", scene, force_angle, inertia_share)
+    columns = force_columns(scene, force_angle, inertia_share)
+    return evaluated(_spin_ratios, scene.kinds, columns, [Output("spin_ratio")])[0]
 
 
 def motion_angle(
@@ -143,17 +139,17 @@ def motion_angle(
     float, ndarray or DataArray
         As the arguments are.
     """
-    return _under_forces(_motion_angles, "motion_angle", scene, force_angle, inertia_share)
+    columns = force_columns(scene, force_angle, inertia_share)
+    return evaluated(_motion_angles, scene.kinds, columns, [Output("motion_angle")])[0]
 
 
 @kernel
 @owning
 def _motion_cones(kinds, rows, right, left, reached):
     for i in range(len(rows)):
-        row = rows[i]
-        effects, own = made(kinds, row), rod(row[LENGTH], row[ANGLE])
-        low, low_other = base.motion_angles(effects, own, seen(own, row[FIRST]))
-        high_other, high = base.motion_angles(effects, own, seen(own, row[SECOND]))
+        effects, own, force = under_force(kinds, rows[i])
+        low, low_other = base.motion_angles(effects, own, force)
+        high_other, high = base.motion_angles(effects, own, seen(own, rows[i, SECOND]))
         # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
         right[i], left[i] = min(low, high), high
         spread = max(low_other - low, high - high_other)
@@ -170,7 +166,7 @@ def motion_cone(scene: Scene) -> Any:
     `friction_cone`.
     """
     law = required_scene(scene).law
-    columns = [*effect_columns(scene), *rod_columns(scene), law.right, law.left]
+    columns = [*unit_columns(scene), law.right, law.left]
     right, left, reached = evaluated(_motion_cones, scene.kinds, columns, CONE)
     return interval(right, left, law.closed & reached)
 

@@ -15,26 +15,14 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import kernel, owning
-from planar_pushing.mechanics.cones import ANGLE, FIRST, LENGTH, rod_columns
-from planar_pushing.mechanics.effects.base import made
-from planar_pushing.mechanics.numerics.arrays import (
-    Output,
-    dataset,
-    evaluated,
-    is_labelled,
-    same,
-)
-from planar_pushing.mechanics.plane import Array, direction, rod, seen
+from planar_pushing.mechanics.cones import under_force
+from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labelled, same
+from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.reduced.base import limit_motion
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
 
-OUTPUTS = (
-    Output("force_angle"),
-    Output("force_size"),
-    Output("spin_ratio"),
-    Output("motion_angle"),
-)
+OUTPUTS = tuple(map(Output, ("force_angle", "force_size", "spin_ratio", "motion_angle")))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,11 +64,9 @@ class LimitCurve:
 @owning
 def _curve(kinds, rows, angles, magnitudes, ratios, motions):
     for i in range(len(rows)):
-        row = rows[i]
-        own = rod(row[LENGTH], row[ANGLE])
-        force = seen(own, row[FIRST])
+        effects, own, force = under_force(kinds, rows[i])
         angles[i] = force.angle
-        magnitudes[i], ratios[i], motions[i] = limit_motion(made(kinds, row), own, force)
+        magnitudes[i], ratios[i], motions[i] = limit_motion(effects, own, force)
 
 
 def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
@@ -98,9 +84,9 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
         A dataset where an argument is a DataArray.
     """
     scene, angle = required_scene(scene), required("force_angle", force_angle)
-    # Force of each effect in a unit translation; 1 for one that is not there.
-    forces = [scene.weight, *scene.inertia, *scene.placement]
-    found = evaluated(_curve, scene.kinds, [*forces, *rod_columns(scene), angle], OUTPUTS)
-    if any(map(is_labelled, found)):
+    slider = scene.slider
+    columns = [*scene.numbers, slider.length_ratio, slider.rod_angle, angle]
+    found = evaluated(_curve, scene.kinds, columns, OUTPUTS)
+    if is_labelled(found[0]):
         return dataset(found[1:])
     return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))

@@ -27,11 +27,16 @@ SLIP_RIGHT, SLIP_LEFT = int(ContactMode.SLIP_RIGHT), int(ContactMode.SLIP_LEFT)
 
 
 @compiled
-def _depth(own, moved, edge, side):
+def _inside(edge, side, along, aside):
+    """How far a force is inside an edge of the cone: of the left one on the side 1, of the right one -1."""
+    return side * (edge.along * aside - edge.aside * along)
+
+
+@compiled
+def _depth(edge, side, moved):
     """How far a force is inside an edge, and the rounding of it; both times the speed of the centre."""
-    force = toward(own, edge)
-    depth = side * (force.along * moved.aside - force.aside * moved.along)
-    return depth, RESOLUTION * (abs(force.aside) + moved.blur * abs(force.along))
+    noise = RESOLUTION * (abs(edge.aside) + moved.blur * abs(edge.along))
+    return _inside(edge, side, moved.along, moved.aside), noise
 
 
 @compiled
@@ -43,43 +48,40 @@ def _rise(own, moved):
 
 
 @compiled
-def _kept_inside(effects, own, law, moved, right, left):
+def _kept_inside(effects, own, moved, right_edge, left_edge, right, left):
     """The sticking motion, its force taken to the edge of the cone that it has left by rounding.
 
     Of two edges that it has left, the one on its side of the rod: rounding turns the force of a long rod
     within its side.
     """
-    if law.rough or min(right, left) >= -OUTSIDE * sqrt(moved.along**2 + moved.aside**2):
+    if min(right, left) >= -OUTSIDE * sqrt(moved.along**2 + moved.aside**2):
         return moved
-    first, second = toward(own, law.right), toward(own, law.left)
-    one, other = first.aside * moved.aside > 0.0, second.aside * moved.aside > 0.0
+    one, other = right_edge.aside * moved.aside > 0.0, left_edge.aside * moved.aside > 0.0
     if one and (right <= left or not other):
-        return held_on_edge(effects, own, first, moved)
-    return held_on_edge(effects, own, second, moved) if other else moved
+        return held_on_edge(effects, own, right_edge, moved)
+    return held_on_edge(effects, own, left_edge, moved) if other else moved
 
 
 @compiled
-def _part_inside(own, law, moved):
-    """Ends of the part of a pivot's interval, -1 to 1, that the law transmits; it may be empty."""
+def _part_inside(moved, right_edge, left_edge):
+    """Ends of the part of a pivot's interval, -1 to 1, that is between the edges; it may be empty."""
     low, high = -1.0, 1.0
-    if not law.rough:
-        for edge, side in ((law.right, -1.0), (law.left, 1.0)):
-            force = toward(own, edge)
-            depth = side * (force.along * moved.aside - force.aside * moved.along)
-            change = side * (force.along * moved.free_aside - force.aside * moved.free_along)
-            if change > 0.0:
-                low = max(low, -depth / change)
-            elif change < 0.0:
-                high = min(high, -depth / change)
+    for edge, side in ((right_edge, -1.0), (left_edge, 1.0)):
+        depth = _inside(edge, side, moved.along, moved.aside)
+        change = _inside(edge, side, moved.free_along, moved.free_aside)
+        if change > 0.0:
+            low = max(low, -depth / change)
+        elif change < 0.0:
+            high = min(high, -depth / change)
     return low, high
 
 
 @compiled
-def _settled(own, law, moved):
+def _settled(own, law, moved, right_edge, left_edge):
     """A pivot whose force is taken to the middle of what the law transmits, if it transmits any."""
     if moved.free_along == 0.0 and moved.free_aside == 0.0:
         return moved
-    low, high = _part_inside(own, law, moved)
+    low, high = (-1.0, 1.0) if law.rough else _part_inside(moved, right_edge, left_edge)
     part = min(max((low + high) / 2.0, -1.0), 1.0)
     half = max((high - low) / 2.0, 0.0)
     along, aside = moved.along + part * moved.free_along, moved.aside + part * moved.free_aside
@@ -123,7 +125,7 @@ def _may_slip(edge, side, pusher, moved):
 
 
 @compiled
-def _slipping(effects, own, law, pusher, moved, mode, modes, motions, count):
+def _slipping(effects, own, edge, pusher, moved, mode, modes, motions, count):
     """Write down the slips of a mode.
 
     Returns
@@ -133,8 +135,7 @@ def _slipping(effects, own, law, pusher, moved, mode, modes, motions, count):
     at_edge, corner : bool
         Whether one of the slips is the stick, and whether they are the ends of a continuum.
     """
-    angle, side = (law.left, 1.0) if mode == SLIP_RIGHT else (law.right, -1.0)
-    edge, at_edge, corner = toward(own, angle), False, False
+    side, at_edge, corner = 1.0 if mode == SLIP_RIGHT else -1.0, False, False
     if not _may_slip(edge, side, pusher, moved):
         return count, at_edge, corner
     start, first = pusher.x - side * BEFORE, count
@@ -179,18 +180,19 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     if not moves:
         return _separate(modes, motions)
     place = _separate(modes, motions) if pusher.y <= 0.0 else 0  # of the stick, before the slips
-    moved = _settled(own, law, stick(effects, own, pusher))
-    right, right_noise = _depth(own, moved, law.right, -1.0)
-    left, left_noise = _depth(own, moved, law.left, 1.0)
+    right_edge, left_edge = toward(own, law.right), toward(own, law.left)
+    moved = _settled(own, law, stick(effects, own, pusher), right_edge, left_edge)
+    right, right_noise = _depth(right_edge, -1.0, moved)
+    left, left_noise = _depth(left_edge, 1.0, moved)
     rise, noise = _rise(own, moved)
     reached = right >= -right_noise and left >= -left_noise and rise >= -noise
     held = law.rough or (right > right_noise and left > left_noise and rise > noise)
     if law.slips:
         first, on_left, left_corner = _slipping(
-            effects, own, law, pusher, moved, SLIP_RIGHT, modes, motions, place + 1
+            effects, own, left_edge, pusher, moved, SLIP_RIGHT, modes, motions, place + 1
         )
         count, on_right, right_corner = _slipping(
-            effects, own, law, pusher, moved, SLIP_LEFT, modes, motions, first
+            effects, own, right_edge, pusher, moved, SLIP_LEFT, modes, motions, first
         )
         slides_right, slides_left = first > place + 1, count > first
         # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
@@ -201,7 +203,9 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     else:
         count, slides = place + 1, not law.closed
     if held or (reached and not slides):
-        _stick(own, _kept_inside(effects, own, law, moved, right, left), modes, motions, place)
+        if not law.rough:
+            moved = _kept_inside(effects, own, moved, right_edge, left_edge, right, left)
+        _stick(own, moved, modes, motions, place)
         return count
     for i in range(place, count - 1):
         modes[i] = modes[i + 1]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -16,7 +15,7 @@ from planar_pushing.mechanics.effects.any_support import Supports
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.mechanics.supports.pressure.table import Table, extents_of, table_of
+from planar_pushing.mechanics.supports.pressure.table import extents_of, table_of
 from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
 from planar_pushing.terms.errors import InvalidValue, require_kind
 
@@ -104,7 +103,8 @@ class Scene:
                 "construct one of these laws",
             )  # fmt: skip
         effects = tuple(self.effects) if isinstance(self.effects, (tuple, list)) else ()
-        if not effects or not all(isinstance(each, EFFECTS) for each in effects):
+        kinds = SupportFriction | RingFriction | Inertia
+        if not effects or not all(isinstance(each, kinds) for each in effects):
             raise InvalidValue(
                 "effects", self.effects,
                 "a tuple of at least one of SupportFriction, RingFriction and Inertia",
@@ -112,7 +112,8 @@ class Scene:
             )  # fmt: skip
         object.__setattr__(self, "effects", effects)
         if self.slider.radius is None:
-            object.__setattr__(self, "slider", replace(self.slider, radius=_extents(self.friction)))
+            radius = _extents(self.friction[0].support) if self.friction else 1.0
+            object.__setattr__(self, "slider", replace(self.slider, radius=radius))
         if len(self.friction) > 1 and not self.isotropic:
             raise InvalidValue(
                 "effects", self.effects, "one SupportFriction that is no ring of the slider's radius",
@@ -138,25 +139,24 @@ class Scene:
     @property
     def isotropic(self) -> bool:
         """Whether the support is the slider's own ring, and the centre of mass its centre."""
-        radius = self.slider.radius
-        for each in self.effects:
-            if isinstance(each, Inertia):
-                if any(map(_is_off, each.center)):
-                    return False
-            elif isinstance(each, SupportFriction) and not _is_ring(each.support, radius):
-                return False
-        return True
+        if any(_is_off(coordinate) for each in self.masses for coordinate in each.center):
+            return False
+        return all(
+            isinstance(each, RingFriction) or _is_ring(each.support, self.slider.radius)
+            for each in self.friction
+        )
 
     @property
     def kinds(self) -> tuple[Any, ...]:
         """The effects in the compiled core, without their numbers: friction first."""
-        found: tuple[Any, ...] = ()
-        if self.isotropic:
-            found = (RingSupport(1.0),) if self.friction else ()
-            return (*found, Mass(1.0, 1.0)) if self.stores_energy else found
-        if self.friction:
-            found = (Supports(_table(self.friction[0].support)),)
-        return (*found, MassAt(1.0, 1.0, 0.0, 0.0)) if self.stores_energy else found
+        found: list[Any] = []
+        isotropic, friction = self.isotropic, self.friction
+        if friction:
+            ring = RingSupport(1.0)
+            found.append(ring if isotropic else Supports(table_of(_listed(friction[0].support))))
+        if self.stores_energy:
+            found.append(Mass(1.0, 1.0) if isotropic else MassAt(1.0, 1.0, 0.0, 0.0))
+        return tuple(found)
 
     @property
     def weight(self) -> Number:
@@ -198,20 +198,21 @@ class Scene:
             return [*self.mass_center, 0.0, 1.0]
         support = self.friction[0].support
         number = np.arange(float(np.size(support))).reshape(np.shape(support))
-        return [
-            *self.mass_center,
-            _alike(support, number),
-            _extents(self.friction) / self.slider.radius,
-        ]
+        extent = _extents(support) / self.slider.radius
+        return [*self.mass_center, _alike(support, number), extent]
+
+    @property
+    def numbers(self) -> list[Number]:
+        """The effects' columns: weight, mass, square of the radius of gyration, and `placement`.
+
+        An effect that is not there has 1 as its weight or mass.
+        """
+        return [self.weight, *self.inertia, *self.placement]
 
     @property
     def law(self) -> Any:
         """The contact law in numbers."""
         return as_numbers(self.contact)
-
-
-#: What a scene may list.
-EFFECTS = (SupportFriction, RingFriction, Inertia)
 
 
 def _is_off(coordinate: Number) -> bool:
@@ -221,13 +222,17 @@ def _is_off(coordinate: Number) -> bool:
     return bool(np.any(np.asarray(coordinate) != 0))
 
 
+def _listed(support: Any) -> Any:
+    """A support, or an array of supports, as a flat array."""
+    return np.ravel(np.array(support, dtype=object))
+
+
 def _is_ring(support: Any, radius: Number) -> bool:
     """Whether supports are rings of the slider's radius."""
-    rings = np.ravel(np.array(support, dtype=object))
     return all(
         isinstance(ring, Ring)
         and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
-        for ring in rings
+        for ring in _listed(support)
     )
 
 
@@ -238,19 +243,9 @@ def _alike(support: Any, numbers: Any) -> Any:
     return numbers if np.ndim(numbers) else float(numbers)
 
 
-def _extents(friction: Sequence[Any]) -> Number:
-    """Largest distances of the supports from their centres of pressure; 1 without one."""
-    if not friction:
-        return 1.0
-    support = friction[0].support
-    supports = np.array(support, dtype=object)
-    extents = extents_of(supports.ravel()).reshape(supports.shape)
-    return _alike(support, extents)
-
-
-def _table(support: Any) -> Table:
-    """The pressures of a support, or of an array of supports."""
-    return table_of(np.ravel(np.array(support, dtype=object)))
+def _extents(support: Any) -> Number:
+    """Largest distance of a support, or of each of an array, from its centre of pressure."""
+    return _alike(support, extents_of(_listed(support)).reshape(np.shape(support)))
 
 
 def required_scene(given: object) -> Scene:
@@ -262,8 +257,7 @@ def required_single(scene: Scene) -> Scene:
     """The scene if its parameters are numbers, or `InvalidValue`."""
     slider = scene.slider
     rod = slider.rod_length, slider.rod_angle, slider.radius, *slider.side
-    numbers = *rod, scene.weight, *scene.inertia, *scene.placement, *scene.law
-    if any(map(np.ndim, numbers)):
+    if any(map(np.ndim, (*rod, *scene.numbers, *scene.law))):
         raise InvalidValue(
             "scene", "an array of scenes", "one scene, whose parameters are numbers",
             "take the scenes one by one, or call simulate_batch",

@@ -75,11 +75,9 @@ class Solution:
         return bool(self.force[1] < -RESOLUTION * np.hypot(*self.force))
 
 
-def _numbers(solution: Solution) -> Iterator[float]:
-    """The numbers of the table, without negative zeros."""
-    for name in NUMBERS:
-        for number in np.atleast_1d(getattr(solution, name)):
-            yield float(number) + 0.0
+def _numbers(solution: Solution) -> Array:
+    """The numbers of the table; adding 0 leaves no negative zeros."""
+    return np.hstack([getattr(solution, name) for name in NUMBERS]) + 0.0
 
 
 @dataclass(frozen=True, slots=True, repr=False)

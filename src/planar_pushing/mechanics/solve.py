@@ -18,9 +18,11 @@ from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.modes import MOST, contact_modes
 from planar_pushing.mechanics.numerics.arrays import (
     Output,
+    dataset,
     elementwise,
     is_labelled,
     mapped,
+    named,
 )
 from planar_pushing.mechanics.plane import Array, contact_motion, rod, toward
 from planar_pushing.mechanics.reduced.base import MOTION, center_of
@@ -28,7 +30,6 @@ from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.mechanics.solutions import Solution, SolutionArrays, Solutions
 from planar_pushing.terms.domain import Number, required, required_ratio
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.quantities import MECHANICS, attributes
 
 #: Columns of a row behind those of the effects.
 LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, TOWARDS, SIZE, FORCE, RADIUS = range(
@@ -149,14 +150,6 @@ def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     return found
 
 
-def arguments(scene: Scene, pusher_angle: Number, pusher_magnitude: Number) -> list[Number]:
-    """The numbers of a scene and of a push, as `solve_arrays` takes them."""
-    slider = scene.slider
-    effects = [scene.weight, *scene.inertia, *scene.placement]
-    rod = [slider.rod_length, slider.rod_angle, slider.radius]
-    return [*effects, *rod, *scene.law, pusher_angle, pusher_magnitude]
-
-
 def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) -> Any:
     """Every solution of the pushing problem from rest that is consistent (Sec. 2).
 
@@ -180,38 +173,30 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
     InvalidValue
         Where a value is out of its range; with friction and inertia also where m a / W is.
     """
-    kinds = required_scene(scene).kinds
-    given = arguments(scene, pusher_angle, pusher_magnitude)
+    kinds, slider = required_scene(scene).kinds, scene.slider
+    body = slider.rod_length, slider.rod_angle, slider.radius
+    given = [*scene.numbers, *body, *scene.law, pusher_angle, pusher_magnitude]
     results = outputs(len(kinds))
-    if any(map(is_labelled, given)):
-        return _dataset(elementwise(lambda *each: solve_arrays(kinds, *each), given, results))
-    found = solve_arrays(kinds, *given)
-    named = {output.name: each for output, each in zip(results, found, strict=True)}
-    return SolutionArrays(**named) if found[0].ndim else _solutions(**named)
+    found = elementwise(lambda *each: solve_arrays(kinds, *each), given, results)
+    by_name = {output.name: each for output, each in zip(results, found, strict=True)}
+    if is_labelled(found[0]):
+        return _dataset(**by_name)
+    return SolutionArrays(**by_name) if np.ndim(found[0]) else _solutions(**by_name)
 
 
-def _solutions(solutions: Any, mode: Any, **values: Array) -> Solutions:
+def _solutions(solutions: int, mode: Any, **values: Array) -> Solutions:
     """The solutions of one problem."""
-    ratios, pivots = values.pop("spin_ratio").tolist(), values.pop("pivot").tolist()
+    entries = {name: each if each.ndim > 1 else each.tolist() for name, each in values.items()}
     return Solutions(
         tuple(
-            Solution(
-                mode=ContactMode(mode[i]),
-                spin_ratio=ratios[i],
-                pivot=pivots[i],
-                **{name: value[i] for name, value in values.items()},
-            )
-            for i in range(int(solutions))
+            Solution(mode=ContactMode(mode[i]), **{name: each[i] for name, each in entries.items()})
+            for i in range(solutions)
         )
     )
 
 
-def _dataset(found: list[Any]) -> Any:
-    # The results of one call have the same coordinates: variables need not be aligned.
-    variables = {each.name: each.variable for each in found}
-    variables["consistent"] = variables["mode"] >= 0
-    variables["outcome"] = np.minimum(variables["solutions"], Outcome.AMBIGUOUS).astype(np.int8)
-    for name in ("consistent", "outcome"):
-        variables[name].attrs = attributes(MECHANICS, name)
-    merged = found[0].to_dataset().assign(variables)
+def _dataset(solutions: Any, mode: Any, **values: Any) -> Any:
+    consistent = named("consistent", mode >= 0)
+    outcome = named("outcome", np.minimum(solutions, Outcome.AMBIGUOUS).astype(np.int8))
+    merged = dataset([solutions, mode, *values.values(), consistent, outcome])
     return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

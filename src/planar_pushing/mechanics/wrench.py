@@ -59,7 +59,7 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     # Of about unit size, for squares to be doubles; a power of two costs no digit.
     _, size = np.frexp(np.abs(twists).max(axis=-1, keepdims=True))
     v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
-    columns = [scene.weight, *scene.inertia, *scene.placement, v_x, v_y, radius * omega]
+    columns = [*scene.numbers, v_x, v_y, radius * omega]
     found = mapped(_wrenches, scene.kinds, columns, WRENCH)[0]
     found[..., 2] *= radius
     return np.asarray(np.ldexp(found, (effect.degree - 1) * size))

@@ -119,9 +119,7 @@ class Law(NamedTuple):
 def in_numbers(law: ContactLaw) -> Law:
     """The law as the compiled core has it."""
     cone = law.force_angles
-    rough = (
-        not isinstance(cone.right, np.ndarray) and np.ndim(cone.right) == 0 and cone.span > math.pi
-    )
+    rough = np.ndim(cone.right) == 0 and cone.span > math.pi
     return Law(cone.right, cone.left, law.slips, cone.closed, rough)
 
 

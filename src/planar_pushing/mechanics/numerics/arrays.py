@@ -122,7 +122,19 @@ def elementwise(
     if not any(map(is_labelled, arguments)):
         found = function(*arguments)
         return [each.item() if each.ndim == 0 else each for each in found]
-    return _labelled(function, arguments, outputs)
+    import xarray as xr
+
+    labelled = xr.apply_ufunc(
+        lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
+        *arguments,
+        output_core_dims=[[dim for dim, _ in output.tail] for output in outputs],
+        dask="parallelized",
+        output_dtypes=[output.dtype for output in outputs],
+        dask_gufunc_kwargs={"output_sizes": dict(d for output in outputs for d in output.tail)},
+        keep_attrs=False,
+    )
+    arrays = labelled if isinstance(labelled, tuple) else (labelled,)
+    return [named(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
 
 
 def evaluated(
@@ -132,36 +144,11 @@ def evaluated(
     return elementwise(lambda *given: mapped(kernel, kinds, given, outputs), columns, outputs)
 
 
-def _labelled(
-    function: Callable[..., list[npt.NDArray[Any]]],
-    arguments: Sequence[Any],
-    outputs: Sequence[Output],
-) -> list[Any]:
-    import xarray as xr
-
-    found = xr.apply_ufunc(
-        lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
-        *arguments,
-        output_core_dims=[[dim for dim, _ in output.tail] for output in outputs],
-        dask="parallelized",
-        output_dtypes=[output.dtype for output in outputs],
-        dask_gufunc_kwargs={"output_sizes": dict(d for output in outputs for d in output.tail)},
-        keep_attrs=False,
-    )
-    arrays = found if isinstance(found, tuple) else (found,)
-    return [
-        array.rename(output.name).assign_attrs(attributes(MECHANICS, output.name))
-        for array, output in zip(arrays, outputs, strict=True)
-    ]
-
-
 def named(name: str, value: Any) -> Any:
     """A result with its name and units where it is labelled."""
-    return (
-        value.rename(name).assign_attrs(attributes(MECHANICS, name))
-        if is_labelled(value)
-        else value
-    )
+    if not is_labelled(value):
+        return value
+    return value.rename(name).assign_attrs(attributes(MECHANICS, name))
 
 
 def same(one: Any, other: Any) -> Any:
@@ -173,7 +160,5 @@ def same(one: Any, other: Any) -> Any:
 
 
 def dataset(arrays: Sequence[Any]) -> Any:
-    """Named DataArrays as one dataset."""
-    import xarray as xr
-
-    return xr.Dataset({array.name: array for array in arrays})
+    """Named DataArrays of one call as a dataset; their coordinates are the same, so none is aligned."""
+    return arrays[0].to_dataset().assign({array.name: array.variable for array in arrays})
