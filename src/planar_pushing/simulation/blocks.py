@@ -16,7 +16,6 @@ from planar_pushing.simulation.parameters import Scenes
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, records
 from planar_pushing.simulation.systems.base import BODY, Inertial, QuasiStatic
-from planar_pushing.simulation.systems.motion import MASSES
 from planar_pushing.simulation.systems.setup import PUSHERS, fill, put, shape_of
 
 #: Scenes of a block: some milliseconds of work, so that Ctrl-C is heard.
@@ -79,7 +78,7 @@ def run_scenes(
     The last row of a scene that stops before stands for the times after.
     """
     size, kinds, shape = len(times), problem.scene.kinds, PUSHERS[problem.shape]
-    moves = isinstance(kinds[-1], MASSES)
+    moves = problem.scene.stores_energy
     kernel = _inertial if moves else _quasi_static
     found = records(ROW, times.size).reshape(times.shape)
     changes = np.zeros(size, np.int64)
