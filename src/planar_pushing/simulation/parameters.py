@@ -13,7 +13,7 @@ from planar_pushing.mechanics.contact.laws import friction_coefficient as coeffi
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.policies import marked, starts_of
 from planar_pushing.simulation.problem import Problem, as_numbers
-from planar_pushing.simulation.pusher import Pusher, constant_fences, cut
+from planar_pushing.simulation.pusher import Pusher, constant_fences
 from planar_pushing.simulation.systems.setup import LEFT, RIGHT, columns
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue
@@ -110,11 +110,10 @@ def _fences(problem: Problem, ends: Array, radius: Array) -> Fences:
         starts, moves = pusher.steps
     else:
         starts, moves = np.zeros(1), np.reshape(pusher, (-1, 1, 2))
-    starts, moves = cut(starts, moves, starts_of(policies))
     every = np.broadcast_to(moves, (len(ends), len(starts), 2)) / radius[:, None, None]
 
     def constant(part: slice) -> tuple[Any, Array]:
-        fences, counts = constant_fences(starts, every[part], ends[part])
+        fences, counts = constant_fences(starts, every[part], ends[part], starts_of(policies))
         return marked(fences, policies), counts
 
     return constant
