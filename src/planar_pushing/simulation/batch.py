@@ -14,7 +14,7 @@ from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.effects import Effect, RingFriction
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.simulation.blocks import BLOCK, run_scenes
+from planar_pushing.simulation.blocks import run_scenes
 from planar_pushing.simulation.log.variables import FINGER, described, variables
 from planar_pushing.simulation.parameters import coefficients, scenes_of, velocities
 from planar_pushing.simulation.problem import Problem, sample_count
@@ -99,8 +99,7 @@ def simulate_batch(
     scenes = scenes_of(problem, mu)
     # As `simulate` has them, bit for bit.
     times = np.linspace(0.0, scenes.ends, len(parts), axis=-1) if samples else scenes.ends[:, None]
-    block = 1 if callable(getattr(velocity, "velocity", None)) else BLOCK
-    rows, changes = run_scenes(problem, scenes, np.ascontiguousarray(times), block)
+    rows, changes = run_scenes(problem, scenes, np.ascontiguousarray(times))
     found = _variables(problem, in_units(rows, scenes.radius), samples is None)
     found["mode_changes"] = "scene", changes
     found["evaluations"] = "scene", np.array(rows["evaluations"][:, -1])

@@ -70,14 +70,13 @@ def _inertial(kinds, shape, scenes, fences, counts, times, rtol, body, run, rows
         changes[i] = _follow(system, row, task, run, rows, found[i])
 
 
-def run_scenes(
-    problem: Problem, scenes: Scenes, times: Array, block: int = BLOCK
-) -> tuple[Any, Any]:
+def run_scenes(problem: Problem, scenes: Scenes, times: Array) -> tuple[Any, Any]:
     """Rows of the scenes of a problem at these times, shape (scenes, samples), and their mode changes.
 
     The last row of a scene that stops before stands for the times after.
     """
     size, kinds, shape = len(times), problem.scene.kinds, PUSHERS[problem.shape]
+    block = 1 if problem.follows_function else BLOCK
     moves = problem.scene.stores_energy
     kernel = _inertial if moves else _quasi_static
     found = records(ROW, times.size).reshape(times.shape)

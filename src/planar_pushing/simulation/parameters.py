@@ -99,7 +99,7 @@ def _shape(shapes: set[tuple[int, ...]]) -> tuple[int, ...]:
 def _fences(problem: Problem, ends: Array, radius: Array) -> Fences:
     """The fences of scenes; those that are functions of time are made for one scene at a time."""
     pusher, policies = problem.pusher, problem.on_ambiguity
-    if isinstance(pusher, Pusher) and not pusher.pieces:
+    if problem.follows_function:
 
         def function(part: slice) -> tuple[Any, Array]:
             fence = problem.fence(float(ends[part.start]), float(radius[part.start]))

@@ -60,6 +60,11 @@ class Problem:
         if isinstance(self.pusher, Pusher):
             object.__setattr__(self, "shape", self.pusher.shape)
 
+    @property
+    def follows_function(self) -> bool:
+        """Whether the pusher's velocity is a function of time."""
+        return isinstance(self.pusher, Pusher) and not self.pusher.pieces
+
     def fence(self, duration: float, radius: float) -> Any:
         """The motion of a `Pusher` as an array of pieces, each with its policy; errors as of the pusher."""
         cuts = starts_of(self.on_ambiguity)

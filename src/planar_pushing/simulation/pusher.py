@@ -17,12 +17,7 @@ from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.timed import timed
 from planar_pushing.terms.domain import SPEEDS, required
-from planar_pushing.terms.errors import (
-    InvalidValue,
-    as_floats,
-    require_option,
-    suggestion,
-)
+from planar_pushing.terms.errors import InvalidValue, as_floats, require_option, suggestion
 from planar_pushing.terms.options import Shape
 
 Vector = tuple[float, float]
@@ -152,9 +147,8 @@ def _fence(spans: Sequence[Sequence[Piece]], radius: float) -> Any:
     fence["noise"] = np.array([piece.noise for piece in pieces]) / radius
     lengths = fence["end"] - fence["start"]
     fence["series"][:, VELOCITY:ACCELERATION] = series
-    fence["series"][:, ACCELERATION:MEAN] = (
-        2 / lengths[:, None, None] * (series @ chebyshev.SLOPE.T)
-    )
+    slopes = series @ chebyshev.SLOPE.T
+    fence["series"][:, ACCELERATION:MEAN] = 2 / lengths[:, None, None] * slopes
     fence["series"][:, MEAN:] = series @ chebyshev.MEAN.T
     # At the end of a piece every Chebyshev polynomial is 1.
     paths = lengths[:, None] * fence["series"][:, MEAN:].sum(axis=-1)

@@ -83,8 +83,6 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     for name, (dims, dtype) in log.variables(problem).items():
         chunks = CHUNK, *(len(coordinates[dim]) for dim in dims)
         # netCDF has no truth values: xarray stores them as bytes with this attribute, and so do we.
-        truth = dtype == "?"
-        created = file.create_variable(
-            name, ("time", *dims), "i1" if truth else dtype, chunks=chunks
-        )
-        created.attrs.update(log.described(table, name) | ({"dtype": "bool"} if truth else {}))
+        stored, truth = ("i1", {"dtype": "bool"}) if dtype == "?" else (dtype, {})
+        created = file.create_variable(name, ("time", *dims), stored, chunks=chunks)
+        created.attrs.update(log.described(table, name) | truth)
