@@ -14,23 +14,19 @@ from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.effects import Effect, RingFriction
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.simulation.blocks import BLOCK, run_scenes
-from planar_pushing.simulation.log.variables import MODES
+from planar_pushing.simulation.blocks import run_scenes
+from planar_pushing.simulation.log.variables import FINGER, described, variables
 from planar_pushing.simulation.parameters import coefficients, scenes_of, velocities
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher, required_shape
-from planar_pushing.simulation.rows import Stop, in_units
+from planar_pushing.simulation.rows import in_units
 from planar_pushing.terms import quantities
 from planar_pushing.terms.options import Policy, Shape
 
-STOPS = {stop.name: int(stop) for stop in Stop}
-FLAGS = {"mode": MODES, "stopped": STOPS}
 #: Variables of the dataset that are those of a row.
 SAMPLED = ("time", "position", "rod_angle", "slip", "gap", "mode", "solutions", "stopped")
-#: And under a finger.
-FINGER = ("contact_position", "parted")
-#: Types of those that a row has as whole numbers.
-TYPES = {"mode": "i1", "solutions": "i1", "stopped": "i1", "parted": "?"}
+#: Types of those that are no variables of a log.
+TYPES = {"time": "f8", "stopped": "i1"}
 
 
 def simulate_batch(
@@ -103,26 +99,29 @@ def simulate_batch(
     scenes = scenes_of(problem, mu)
     # As `simulate` has them, bit for bit.
     times = np.linspace(0.0, scenes.ends, len(parts), axis=-1) if samples else scenes.ends[:, None]
-    block = 1 if callable(getattr(velocity, "velocity", None)) else BLOCK
-    rows, changes = run_scenes(problem, scenes, np.ascontiguousarray(times), block)
-    names = SAMPLED + (FINGER if problem.shape == Shape.FINGER else ())
-    found = _variables(in_units(rows, scenes.radius), names, changes, samples is None)
+    rows, changes = run_scenes(problem, scenes, np.ascontiguousarray(times))
+    found = _variables(problem, in_units(rows, scenes.radius), samples is None)
+    found["mode_changes"] = "scene", changes
+    found["evaluations"] = "scene", np.array(rows["evaluations"][:, -1])
     coordinates = _coordinates(problem, mu, scenes.ends) | (
         {"part": ("part", parts)} if samples else {}
     )
-    return _described(xr.Dataset(found, coordinates))
+    dataset = xr.Dataset(found, coordinates)
+    for label, variable in dataset.variables.items():
+        variable.attrs = described(quantities.BATCH, str(label))
+    return dataset
 
 
-def _variables(rows: Any, names: Sequence[str], changes: Array, only_last: bool) -> dict[str, Any]:
-    over = ("scene",) if only_last else ("scene", "part")
+def _variables(problem: Problem, rows: Any, only_last: bool) -> dict[str, Any]:
+    """The variables of rows, with dimensions and types as in a log."""
+    over, rows = (("scene",), rows[:, -1]) if only_last else (("scene", "part"), rows)
+    logged = {name: ((), dtype) for name, dtype in TYPES.items()} | variables(problem)
     found: dict[str, Any] = {}
-    for name in names:
-        values = rows[name].astype(TYPES.get(name, rows[name].dtype))
-        values = np.rad2deg(values) if name == "rod_angle" else values
-        dims = (*over, "xy") if name == "position" else over
-        found[name] = dims, np.array(values[:, -1] if only_last else values)
-    evaluations = np.array(rows["evaluations"][:, -1])
-    return found | {"mode_changes": ("scene", changes), "evaluations": ("scene", evaluations)}
+    for name in (*SAMPLED, *(FINGER if problem.shape == Shape.FINGER else ())):
+        dims, dtype = logged[name]
+        found[name] = (*over, *dims), rows[name].astype(dtype)
+    found["rod_angle"] = over, np.rad2deg(rows["rod_angle"])
+    return found
 
 
 def _coordinates(problem: Problem, mu: Array, ends: Array) -> dict[str, Any]:
@@ -138,13 +137,3 @@ def _coordinates(problem: Problem, mu: Array, ends: Array) -> dict[str, Any]:
     if not isinstance(problem.pusher, Pusher):
         found["velocity"] = ("scene", "xy"), np.array(np.broadcast_to(problem.pusher, (size, 2)))
     return found
-
-
-def _described(dataset: xr.Dataset) -> xr.Dataset:
-    """The dataset with units, names and flags."""
-    for label, variable in dataset.variables.items():
-        variable.attrs = dict(quantities.attributes(quantities.BATCH, str(label)))
-    for label, flags in FLAGS.items():
-        numbers = np.array(list(flags.values()), np.int8)
-        dataset[label].attrs |= {"flag_values": numbers, "flag_meanings": " ".join(flags)}
-    return dataset

@@ -16,7 +16,6 @@ from planar_pushing.simulation.parameters import Scenes
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import ROW, records
 from planar_pushing.simulation.systems.base import BODY, Inertial, QuasiStatic
-from planar_pushing.simulation.systems.motion import MASSES
 from planar_pushing.simulation.systems.setup import PUSHERS, fill, put, shape_of
 
 #: Scenes of a block: some milliseconds of work, so that Ctrl-C is heard.
@@ -71,15 +70,14 @@ def _inertial(kinds, shape, scenes, fences, counts, times, rtol, body, run, rows
         changes[i] = _follow(system, row, task, run, rows, found[i])
 
 
-def run_scenes(
-    problem: Problem, scenes: Scenes, times: Array, block: int = BLOCK
-) -> tuple[Any, Any]:
+def run_scenes(problem: Problem, scenes: Scenes, times: Array) -> tuple[Any, Any]:
     """Rows of the scenes of a problem at these times, shape (scenes, samples), and their mode changes.
 
     The last row of a scene that stops before stands for the times after.
     """
     size, kinds, shape = len(times), problem.scene.kinds, PUSHERS[problem.shape]
-    moves = isinstance(kinds[-1], MASSES)
+    block = 1 if problem.follows_function else BLOCK
+    moves = problem.scene.stores_energy
     kernel = _inertial if moves else _quasi_static
     found = records(ROW, times.size).reshape(times.shape)
     changes = np.zeros(size, np.int64)

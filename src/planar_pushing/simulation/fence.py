@@ -29,6 +29,8 @@ PIECE = np.dtype(
 )  # fmt: skip
 #: Parts of a span at which its speed is sampled.
 PARTS = 64
+#: Nodes and weights of the quadrature that turns a velocity into a way.
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
 class Span(NamedTuple):
@@ -101,6 +103,19 @@ def displacement(fence, during, time):
     passed, origin = time - piece.start, piece.origin
     x, y = _value(piece, MEAN, time), _value(piece, MEAN + 1, time)
     return origin[0] + passed * x, origin[1] + passed * y
+
+
+@compiled
+def way(fence, during, start, end):
+    """How far the fence travels between two times of a span."""
+    if during.constant:
+        x, y = velocity(fence, during, start)
+        return x * (end - start), y * (end - start)
+    half, middle, x, y = (end - start) / 2.0, (end + start) / 2.0, 0.0, 0.0
+    for i in range(len(NODES)):
+        v_x, v_y = velocity(fence, during, middle + half * NODES[i])
+        x, y = x + half * WEIGHTS[i] * v_x, y + half * WEIGHTS[i] * v_y
+    return x, y
 
 
 @compiled

@@ -12,8 +12,8 @@ from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.contact.laws import friction_coefficient as coefficient_of
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.policies import marked, starts_of
-from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.pusher import Pusher, constant_fences, cut
+from planar_pushing.simulation.problem import Problem, as_numbers
+from planar_pushing.simulation.pusher import Pusher, constant_fences
 from planar_pushing.simulation.systems.setup import LEFT, RIGHT, columns
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue
@@ -31,15 +31,12 @@ class Scenes(NamedTuple):
     fences: Fences
 
 
-def numbers_of(name: str, given: Any) -> Array:
-    """Numbers as an array of floats, or `InvalidValue`."""
-    try:
-        found = np.asarray(given)
-    except (TypeError, ValueError):  # lists of several lengths
-        found = np.asarray(None)
-    if found.dtype.kind not in "iuf":
+def _required_numbers(name: str, given: Any) -> Array:
+    """Numbers as floats, or `InvalidValue`."""
+    numbers = as_numbers(given)
+    if numbers is None:
         raise InvalidValue(name, given, "numbers", "give one for each scene")
-    return found.astype(float)
+    return np.asarray(numbers)
 
 
 def coefficients(given: Any, contact: Any) -> Array:
@@ -52,14 +49,14 @@ def coefficients(given: Any, contact: Any) -> Array:
     if contact is not None:
         laws = np.asarray(contact, dtype=object)
         return np.array([coefficient_of(law) for law in laws.ravel()]).reshape(laws.shape)
-    mu = numbers_of("friction_coefficient", given)
+    mu = _required_numbers("friction_coefficient", given)
     required("friction_coefficient", np.atleast_1d(np.where(mu == np.inf, 0.0, mu)))
     return mu
 
 
 def velocities(given: Any) -> Array:
     """Velocities of many fences, shape (2,) or (scenes, 2), or `InvalidValue`."""
-    moves = numbers_of("velocity", given)
+    moves = _required_numbers("velocity", given)
     if moves.ndim not in (1, 2) or moves.shape[-1] != 2:
         raise InvalidValue(
             "velocity", moves.shape, "shape (2,) or (scenes, 2), or a Pusher",
@@ -102,7 +99,7 @@ def _shape(shapes: set[tuple[int, ...]]) -> tuple[int, ...]:
 def _fences(problem: Problem, ends: Array, radius: Array) -> Fences:
     """The fences of scenes; those that are functions of time are made for one scene at a time."""
     pusher, policies = problem.pusher, problem.on_ambiguity
-    if isinstance(pusher, Pusher) and not pusher.pieces:
+    if problem.follows_function:
 
         def function(part: slice) -> tuple[Any, Array]:
             fence = problem.fence(float(ends[part.start]), float(radius[part.start]))
@@ -113,11 +110,10 @@ def _fences(problem: Problem, ends: Array, radius: Array) -> Fences:
         starts, moves = pusher.steps
     else:
         starts, moves = np.zeros(1), np.reshape(pusher, (-1, 1, 2))
-    starts, moves = cut(starts, moves, starts_of(policies))
     every = np.broadcast_to(moves, (len(ends), len(starts), 2)) / radius[:, None, None]
 
     def constant(part: slice) -> tuple[Any, Array]:
-        fences, counts = constant_fences(starts, every[part], ends[part])
+        fences, counts = constant_fences(starts, every[part], ends[part], starts_of(policies))
         return marked(fences, policies), counts
 
     return constant

@@ -9,7 +9,6 @@ side of the slider that lies along x at time 0.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -61,6 +60,11 @@ class Problem:
         if isinstance(self.pusher, Pusher):
             object.__setattr__(self, "shape", self.pusher.shape)
 
+    @property
+    def follows_function(self) -> bool:
+        """Whether the pusher's velocity is a function of time."""
+        return isinstance(self.pusher, Pusher) and not self.pusher.pieces
+
     def fence(self, duration: float, radius: float) -> Any:
         """The motion of a `Pusher` as an array of pieces, each with its policy; errors as of the pusher."""
         cuts = starts_of(self.on_ambiguity)
@@ -69,8 +73,9 @@ class Problem:
 
 def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
     """An initial twist, which is zero for a scene without inertia."""
-    twist = tuple(map(_numbers, given)) if hasattr(given, "__len__") else ()
-    if len(twist) != 3 or not all((np.abs(each) <= SPEEDS[1]).all() for each in twist):
+    twist = tuple(map(as_numbers, given)) if hasattr(given, "__len__") else ()
+    fits = (each is not None and (np.abs(each) <= SPEEDS[1]).all() for each in twist)
+    if len(twist) != 3 or not all(fits):
         raise InvalidValue("twist", given, TWIST, "give (v_x, v_y, omega)")
     if not scene.stores_energy and any(np.any(each != 0) for each in twist):
         raise InvalidValue(
@@ -80,13 +85,13 @@ def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
     return twist
 
 
-def _numbers(given: Any) -> Number:
-    """Numbers as floats, NaN for what is none."""
+def as_numbers(given: Any) -> Number | None:
+    """A number or an array of numbers as floats; None for anything else."""
     try:
         found = np.asarray(given)
     except (TypeError, ValueError):  # lists of several lengths
-        found = np.asarray(None)
-    return found.astype(float)[()] if found.dtype.kind in "iuf" else np.float64(math.nan)
+        return None
+    return found.astype(float)[()] if found.dtype.kind in "iuf" else None
 
 
 def sample_count(given: object) -> int:

@@ -17,12 +17,7 @@ from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.timed import timed
 from planar_pushing.terms.domain import SPEEDS, required
-from planar_pushing.terms.errors import (
-    InvalidValue,
-    as_floats,
-    require_option,
-    suggestion,
-)
+from planar_pushing.terms.errors import InvalidValue, as_floats, require_option, suggestion
 from planar_pushing.terms.options import Shape
 
 Vector = tuple[float, float]
@@ -105,8 +100,9 @@ class Pusher:
             Where a function returns something else than a velocity.
         """
         if self.pieces:
-            starts, moves = cut(*self.steps, cuts)
-            fences, counts = constant_fences(starts, moves[None] / radius, np.array([duration]))
+            starts, moves = self.steps
+            ends = np.array([duration])
+            fences, counts = constant_fences(starts, moves[None] / radius, ends, cuts)
             return fences[0, : counts[0]]
         given: Motion = self.velocity  # type: ignore[assignment]
         inner = {time for time in (*self.breakpoints, *cuts) if 0 < time < duration}
@@ -114,17 +110,16 @@ class Pusher:
         return _fence([pieces_of(lambda t: vector(given(t)), *ends) for ends in spans], radius)
 
 
-def cut(starts: Array, velocities: Array, cuts: Sequence[float]) -> tuple[Array, Array]:
-    """Start times, and velocities of shape (..., pieces, 2), with pieces that start at the cuts as well."""
-    every = np.union1d(starts, cuts)
-    return every, velocities[..., np.searchsorted(starts, every, side="right") - 1, :]
-
-
-def constant_fences(starts: Array, velocities: Array, ends: Array) -> tuple[Any, Array]:
+def constant_fences(
+    starts: Array, velocities: Array, ends: Array, cuts: Sequence[float]
+) -> tuple[Any, Array]:
     """Fences of many scenes whose velocities, shape (scenes, pieces, 2), are constant from given times on.
 
-    Returns them and, of each, the number of pieces that begin before its end; the others do not count.
+    Pieces start at the cuts as well. Returns the fences and, of each, the number of pieces that begin
+    before its end; the others do not count.
     """
+    given, starts = starts, np.union1d(starts, cuts)
+    velocities = velocities[:, np.searchsorted(given, starts, side="right") - 1]
     fences = records(PIECE, velocities[..., 0].size).reshape(velocities.shape[:2])
     marks = np.append(np.tile(starts, (len(ends), 1)), ends[:, None], axis=1)
     marks = np.minimum(marks, ends[:, None])
@@ -152,9 +147,8 @@ def _fence(spans: Sequence[Sequence[Piece]], radius: float) -> Any:
     fence["noise"] = np.array([piece.noise for piece in pieces]) / radius
     lengths = fence["end"] - fence["start"]
     fence["series"][:, VELOCITY:ACCELERATION] = series
-    fence["series"][:, ACCELERATION:MEAN] = (
-        2 / lengths[:, None, None] * (series @ chebyshev.SLOPE.T)
-    )
+    slopes = series @ chebyshev.SLOPE.T
+    fence["series"][:, ACCELERATION:MEAN] = 2 / lengths[:, None, None] * slopes
     fence["series"][:, MEAN:] = series @ chebyshev.MEAN.T
     # At the end of a piece every Chebyshev polynomial is 1.
     paths = lengths[:, None] * fence["series"][:, MEAN:].sum(axis=-1)

@@ -69,6 +69,6 @@ def in_units(rows: Any, radius: Any) -> Any:
     radius : float, or ndarray over the first dimension of the rows
     """
     for name in LENGTHS:
-        missing = rows[name].ndim - np.ndim(radius)
-        rows[name] *= np.reshape(radius, np.shape(radius) + (1,) * missing)
+        values = rows[name].T  # the last dimension is that of the radii
+        values *= radius
     return rows

@@ -15,7 +15,7 @@ from planar_pushing.mechanics.scene import Scene, required_scene, required_singl
 from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.log.disk import PathLike
 from planar_pushing.simulation.log.stream import streaming
-from planar_pushing.simulation.log.variables import dataset, ending
+from planar_pushing.simulation.log.variables import dataset
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.steps.integrate import TimeStepping
@@ -108,9 +108,7 @@ def simulate(
     run = _run(problem, method, np.linspace(0.0, duration, sample_count(samples)), step)
     if path is None:
         rows = np.concatenate(list(_shown(run, duration, progress)))
-        log = dataset(problem, method, rows)
-        log.attrs |= ending(run.stopped, log.time.values[-1])
-        return log
+        return dataset(problem, method, rows, run.stopped)
     with streaming(path, problem, method) as stream:
         for rows in _shown(run, duration, progress):
             stream.append(rows)

@@ -71,21 +71,18 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
 
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
-    coordinates = log.coordinates(problem.scene)
+    coordinates, table = log.coordinates(problem.scene), log.table_of(problem.shape)
     file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
     file.attrs.update(log.attributes(problem, method) | {"finished": 0})
     time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
-    time.attrs.update(log.variable_attributes("time"))
+    time.attrs.update(log.described(table, "time"))
     for name, labels in coordinates.items():
         label = file.create_variable(name, (name,), h5py.string_dtype())
         label[:] = labels
-        label.attrs.update(log.variable_attributes(name, problem.shape))
+        label.attrs.update(log.described(table, name))
     for name, (dims, dtype) in log.variables(problem).items():
         chunks = CHUNK, *(len(coordinates[dim]) for dim in dims)
         # netCDF has no truth values: xarray stores them as bytes with this attribute, and so do we.
-        truth = dtype == "?"
-        created = file.create_variable(
-            name, ("time", *dims), "i1" if truth else dtype, chunks=chunks
-        )
-        attributes = log.variable_attributes(name, problem.shape)
-        created.attrs.update(attributes | ({"dtype": "bool"} if truth else {}))
+        stored, truth = ("i1", {"dtype": "bool"}) if dtype == "?" else (dtype, {})
+        created = file.create_variable(name, ("time", *dims), stored, chunks=chunks)
+        created.attrs.update(log.described(table, name) | truth)

@@ -12,7 +12,7 @@ from planar_pushing.mechanics.contact import ContactMode, Outcome
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import NO_MODE
+from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.terms import quantities
 from planar_pushing.terms.options import EFFECT_DEGREES, Shape
 
@@ -41,9 +41,12 @@ FINGER: dict[str, tuple[tuple[str, ...], str]] = {
     "contact_position": ((), "f8"),
     "parted": ((), "?"),
 }
-MODES = {"NONE": NO_MODE} | {mode.name: int(mode) for mode in ContactMode}
-OUTCOMES = {outcome.name: int(outcome) for outcome in Outcome}
-FLAGS = {"mode": MODES, "outcome": OUTCOMES}
+#: Names of the numbers of flags, in logs and in batches.
+FLAGS = {
+    "mode": {"NONE": NO_MODE} | {mode.name: int(mode) for mode in ContactMode},
+    "outcome": {outcome.name: int(outcome) for outcome in Outcome},
+    "stopped": {stop.name: int(stop) for stop in Stop},
+}
 
 
 def variables(problem: Problem) -> dict[str, tuple[tuple[str, ...], str]]:
@@ -91,9 +94,13 @@ def coordinates(scene: Scene) -> dict[str, list[str]]:
     }
 
 
-def variable_attributes(name: str, shape: Shape = Shape.FENCE) -> dict[str, Any]:
+def table_of(shape: Shape) -> quantities.Quantities:
+    """Units and long names in the log of a motion under a pusher of this shape."""
+    return quantities.FINGER if shape == Shape.FINGER else quantities.LOG
+
+
+def described(table: quantities.Quantities, name: str) -> dict[str, Any]:
     """Unit, long name and flags of a variable or a coordinate."""
-    table = quantities.FINGER if shape == Shape.FINGER else quantities.LOG
     attributes: dict[str, Any] = dict(quantities.attributes(table, name))
     if name in FLAGS:
         attributes["flag_values"] = np.array(list(FLAGS[name].values()), np.int8)
@@ -128,15 +135,14 @@ def ending(stopped: str, time: float) -> dict[str, Any]:
     return {"finished": 1, "stopped": stopped, "stopped_time": time}
 
 
-def dataset(problem: Problem, method: str, rows: Any) -> xr.Dataset:
-    """The log of a run in memory, without what its end settles."""
-    values, shape = arrays(rows, problem), problem.shape
-    coords: dict[str, Any] = {"time": ("time", values.pop("time"), variable_attributes("time"))}
-    for name, labels in coordinates(problem.scene).items():
-        coords[name] = (name, labels, variable_attributes(name, shape))
-    dims = {name: ("time", *own) for name, (own, _) in variables(problem).items()}
+def dataset(problem: Problem, method: str, rows: Any, stopped: str) -> xr.Dataset:
+    """The log in memory of a run that has ended, and why before its time."""
+    values, table = arrays(rows, problem), table_of(problem.shape)
+    given = {"time": values["time"]} | coordinates(problem.scene)
+    coords = {name: (name, each, described(table, name)) for name, each in given.items()}
     found = {
-        name: (dims[name], value, variable_attributes(name, shape))
-        for name, value in values.items()
+        name: (("time", *dims), values[name], described(table, name))
+        for name, (dims, _) in variables(problem).items()
     }
-    return xr.Dataset(found, coords, attributes(problem, method))
+    known = attributes(problem, method) | ending(stopped, rows["time"][-1])
+    return xr.Dataset(found, coords, known)

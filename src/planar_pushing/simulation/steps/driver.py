@@ -17,7 +17,7 @@ from planar_pushing.mechanics.compiled import compiled, inlined, kernel
 from planar_pushing.mechanics.numerics.copying import copy
 from planar_pushing.mechanics.plane import Array, contact_motion
 from planar_pushing.mechanics.reduced.base import MOTION
-from planar_pushing.simulation.fence import span, velocity
+from planar_pushing.simulation.fence import span, way
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.steps.trials import TRIALS, Step, enumerate_trials
 from planar_pushing.simulation.systems import base, contact
@@ -30,8 +30,6 @@ CLOSED = 1e-12
 #: Steps until the driver returns in any case, so that an interrupt is heard, and rows that a step writes.
 STEPS_AT_ONCE, ROOM = 20_000, 2
 INCONSISTENT, LIES = int(Stop.INCONSISTENT), int(Stop.LIES)
-#: Nodes and weights of the quadrature that turns a velocity into a displacement.
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 #: Where a run is: its time and the end of the step; `mark` and `step` count the intervals between the
 #: times that are recorded, from `start` on, and the steps in one; place of the pusher, and its way in the
@@ -82,19 +80,6 @@ def advance(system, plan, run, rows):
 
 
 @compiled
-def _moved(fence, during, start, end):
-    """How far the fence travels between two times of a span."""
-    if during.constant:
-        x, y = velocity(fence, during, start)
-        return x * (end - start), y * (end - start)
-    half, middle, x, y = (end - start) / 2.0, (end + start) / 2.0, 0.0, 0.0
-    for i in range(len(NODES)):
-        v_x, v_y = velocity(fence, during, middle + half * NODES[i])
-        x, y = x + half * WEIGHTS[i] * v_x, y + half * WEIGHTS[i] * v_y
-    return x, y
-
-
-@compiled
 def _choose(system, plan, run):
     """Take the step that the policy takes, of several in one mode that of the least impulse.
 
@@ -103,7 +88,7 @@ def _choose(system, plan, run):
     part = (run.step + 1) / plan.counts[run.mark]
     run.until = run.start + (plan.ends[run.mark] - run.start) * part
     during = span(system.fence, plan.pieces[run.mark])
-    run.way[0], run.way[1] = _moved(system.fence, during, run.time, run.until)
+    run.way[0], run.way[1] = way(system.fence, during, run.time, run.until)
     count, before, kind = _try(system, run), run.solutions, run.kind
     run.solutions = count
     if count == 0:
@@ -122,13 +107,18 @@ def _choose(system, plan, run):
     return run.kind != kind or count != before
 
 
+@compiled
+def _seen(system, run, vector):
+    """A vector of the world in the contact's frame."""
+    return shapes.seen(system.shape, run.state[base.ANGLE], vector[0], vector[1])
+
+
 @inlined
 def _try(system, run):
     """Write down the trials of the step; their number."""
-    h, gap, shape = run.until - run.time, base.clearance(system, run.state), system.shape
-    v_x, v_y = shapes.seen(shape, run.state[base.ANGLE], run.twist[0], run.twist[1])
-    x, y = shapes.seen(shape, run.state[base.ANGLE], run.way[0], run.way[1])
-    now = base.pose(system, run.state)
+    h, now = run.until - run.time, base.pose(system, run.state)
+    gap = base.clearance(system, run.state)
+    (v_x, v_y), (x, y) = _seen(system, run, run.twist), _seen(system, run, run.way)
     step = Step(h, now, v_x, v_y, run.twist[2], x / h, (y - gap) / h)
     return enumerate_trials(system, step, gap <= CLOSED, run.kinds, run.trials)
 
@@ -141,7 +131,7 @@ def _account(system, run):
     contact; in flight it is the scheme's own loss, which goes to friction.
     """
     (v_x, v_y, spin), now = run.trials[0, :3], base.pose(system, run.state)
-    x, y = shapes.seen(system.shape, run.state[base.ANGLE], run.twist[0], run.twist[1])
+    x, y = _seen(system, run, run.twist)
     work = run.force[0] * run.way[0] + run.force[1] * run.way[1]
     left = work + kinetic_energy(system.body, now.x, now.y, x, y, run.twist[2])
     left -= kinetic_energy(system.body, now.x, now.y, v_x, v_y, spin)
@@ -157,20 +147,19 @@ def _account(system, run):
 @inlined
 def _move(system, run):
     """Take the slider and the pusher to the end of the step."""
-    h, state, shape = run.until - run.time, run.state, system.shape
-    v_x, v_y, spin = run.trials[0, 0], run.trials[0, 1], run.trials[0, 2]
-    way_x, way_y = shapes.seen(shape, state[base.ANGLE], run.way[0], run.way[1])
-    own, along, across = base.pose(system, state).own, way_x, way_y - state[base.GAP]
+    h, state, own = run.until - run.time, run.state, base.pose(system, run.state).own
+    (v_x, v_y, spin), (way_x, way_y) = run.trials[0, :3], _seen(system, run, run.way)
     if run.kind == base.SEPARATE:
+        along, gap, shape = state[base.ALONG], state[base.GAP], system.shape
         state[base.ALONG], state[base.GAP] = shapes.flown(
-            shape, own, state[base.ALONG], state[base.GAP], h * v_x, h * v_y, way_x, way_y, h * spin
+            shape, own, along, gap, h * v_x, h * v_y, way_x, way_y, h * spin
         )
     else:
+        state[base.GAP] = 0.0
         if run.kind != base.STICK:
-            along = h * contact_motion(own, v_x, v_y, spin)[0]
-            state[base.SLIP] += along - way_x
-        state[base.ALONG] += along - way_x
-        state[base.GAP] += across - way_y
+            slip = h * contact_motion(own, v_x, v_y, spin)[0] - way_x
+            state[base.SLIP] += slip
+            state[base.ALONG] += slip
     _turn(system, run, v_x, v_y, spin)
     run.fence[0] += run.way[0]
     run.fence[1] += run.way[1]
@@ -221,7 +210,7 @@ def _log(system, run, rows, count):
     copy(row.fence, run.fence)
     copy(row.force, run.force)
     row.mode, row.solutions, row.stopped = run.kind, run.solutions, run.stopped
-    v_x, v_y = shapes.seen(system.shape, state[base.ANGLE], run.twist[0], run.twist[1])
+    v_x, v_y = _seen(system, run, run.twist)
     put(system, state, v_x, v_y, run.twist[2], row)
     row.evaluations = system.body.evaluations
     return count + 1

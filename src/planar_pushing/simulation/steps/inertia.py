@@ -31,10 +31,8 @@ def _after(system, step, p_x, p_y):
     body, now = system.body, step.now
     body.evaluations += 1
     x, y = now.x, now.y
-    v_x, v_y = (
-        step.v_x - step.spin * y + p_x / body.mass,
-        step.v_y + step.spin * x + p_y / body.mass,
-    )
+    v_x = step.v_x - step.spin * y + p_x / body.mass
+    v_y = step.v_y + step.spin * x + p_y / body.mass
     spin = step.spin + moment_of(now.arm, p_x, p_y) / body.moment
     v_x, v_y, spin = slowed(now.effects, now.own, v_x, v_y, spin, step.size)
     return v_x + spin * y, v_y - spin * x, spin

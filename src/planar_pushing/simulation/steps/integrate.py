@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -10,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import announced
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import NO_MODE, ROW, in_units, reason, records
 from planar_pushing.simulation.steps import friction, inertia
@@ -60,8 +60,7 @@ class TimeStepping:
         fence = problem.fence(duration, self.radius)
         row = setup.row_of(problem.scene, problem.twist, problem.gap)
         self.system = setup.system_of(problem, row, fence)
-        wanted = sorted({*map(float, np.asarray(times)), 0.0, duration})
-        self.plan = _plan(fence, wanted, size)
+        self.plan = _plan(fence, np.asarray(times, float), size)
         self.run = records(CLOCK, 1)[0]
         self.run.kind, self.run.fence[1] = NO_MODE, -row[setup.GAP]
         self.run.twist[:] = row[setup.V_X : setup.GAP]
@@ -81,24 +80,15 @@ class TimeStepping:
         return reason(self.run.stopped)
 
 
-def _plan(fence: Any, wanted: list[float], size: float) -> Plan:
+def _plan(fence: Any, wanted: Array, size: float) -> Plan:
     """Intervals between the times wanted and the jumps of the fence, cut into equal steps."""
     ends, counts, pieces = [], [], []
     for piece in np.unique(fence["first"]):
         start, end = fence["start"][piece], fence["end"][fence["last"][piece] - 1]
-        for mark in _marks(start, end, wanted):
-            ends.append(mark)
-            counts.append(max(1, math.ceil((mark - start) / size * (1 - 1e-9))))
-            pieces.append(piece)
-            start = mark
-    return Plan(np.array(ends), np.array(counts, np.int64), np.array(pieces, np.int64))
-
-
-def _marks(start: float, end: float, wanted: list[float]) -> list[float]:
-    """Times wanted between the ends of a span, and its end, without those that rounding doubles."""
-    least = APART * end
-    marks = [start]
-    for time in wanted:
-        if marks[-1] + least < time < end - least:
-            marks.append(time)
-    return [*marks[1:], float(end)]
+        within = wanted[(wanted > start + APART * end) & (wanted < end - APART * end)]
+        marks = np.append(within, end)
+        lengths = np.diff(marks, prepend=start)
+        ends.append(marks)
+        counts.append(np.maximum(np.ceil(lengths / size * (1 - 1e-9)), 1).astype(np.int64))
+        pieces.append(np.full(len(marks), piece))
+    return Plan(*map(np.concatenate, (ends, counts, pieces)))
