@@ -36,6 +36,13 @@ def _middle(low, high):
 
 
 @compiled
+def is_last(size, before):
+    """Whether only rounding is left after a Newton step of a relative size, and one before."""
+    quadratic = before <= NEAR and size <= QUADRATIC * before
+    return size <= SETTLED or (quadratic and size**3 <= EPSILON * before**2)
+
+
+@compiled
 def root(equation, low, high, start):
     """Root of an equation whose value increases between low and high.
 

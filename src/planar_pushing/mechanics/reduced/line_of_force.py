@@ -15,13 +15,7 @@ from typing import Any, NamedTuple
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import rough
 from planar_pushing.mechanics.numerics.bracket import bracketed
-from planar_pushing.mechanics.numerics.root import (
-    EPSILON,
-    EQUATIONS,
-    NEAR,
-    QUADRATIC,
-    SETTLED,
-)
+from planar_pushing.mechanics.numerics.root import EQUATIONS, is_last
 from planar_pushing.mechanics.reduced.rotation import Motion, felt, spin_of
 
 #: Newton steps at most, and trials of one; and what a step has to leave of the slope at most.
@@ -121,7 +115,7 @@ def _newton(line, start):
             break
         step, swing = (turn * other - stiff * one) / whole, (turn * one - bend * other) / whole
         size = max(_over(step, line.along + abs(across)), _over(swing, spin))
-        if _is_last(size, last):
+        if is_last(size, last):
             size = force[0] + step * force[1] + swing * force[2]
             return _composed(line, across + step, spin + swing), size, True
         slope, part, last = one * step + other * swing, 1.0, size
@@ -142,13 +136,6 @@ def _over(step, size):
     if step == 0.0:
         return 0.0
     return abs(step / size) if size != 0.0 else inf
-
-
-@compiled
-def _is_last(size, before):
-    """Whether only rounding is left after a step of a relative size, as `root` has it."""
-    quadratic = before <= NEAR and size <= QUADRATIC * before
-    return size <= SETTLED or (quadratic and size**3 <= EPSILON * before**2)
 
 
 @compiled

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import fastest, gradient, rough
-from planar_pushing.mechanics.numerics.root import EQUATIONS, root
+from planar_pushing.mechanics.numerics.root import EQUATIONS, is_last, root
 
 #: Newton steps to a rotation at most, and what one may leave of the last.
 STEPS, SHRINK = 8, 0.3
@@ -126,7 +126,7 @@ def turned(effects, length, x, y, spin, enough):
         now = felt(effects, length, Motion(x, y, spin))
         step = -now.torque / now.ss if now.ss > 0.0 else inf
         size = abs(step) * (1.0 + length) / (abs(x) + abs(y + length * spin) + abs(spin))
-        if size <= enough:
+        if size <= enough or is_last(size, last):
             return spin + step, _moved(now, step)
         if not size <= SHRINK * last:
             break
