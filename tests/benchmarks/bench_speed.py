@@ -17,6 +17,7 @@ from scipy.special import ellipe, ellipkm1
 
 import planar_pushing as pp
 from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
@@ -169,7 +170,7 @@ ELEMENTS = {
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_element_of_a_support(ratio, name):
     support, (nearest, farthest), bar = ELEMENTS[name]
-    count, record = COUNT // 10, support.record(1.0)
+    count, record = COUNT // 10, assembled(support.pieces(), 1.0)
     angle, away = RANDOM.uniform(0, 2 * np.pi, count), RANDOM.uniform(nearest, farthest, count)
     centers = np.stack([away * np.cos(angle), away * np.sin(angle)], axis=-1)
     floor, found = two_integrals(ARRAYS["even in direction"]), np.empty(count)

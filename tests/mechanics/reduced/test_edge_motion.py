@@ -8,9 +8,13 @@ from planar_pushing.mechanics.effects.support_friction import RingSupport
 from planar_pushing.mechanics.plane import contact_motion, rod, toward
 from planar_pushing.mechanics.reduced.base import MOTION, edge_motion, slips
 from planar_pushing.mechanics.supports import Polygon
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 
 L = Polygon([(-1, -1), (1, -1), (1, -0.3), (-0.3, -0.3), (-0.3, 1), (-1, 1)])
-EFFECTS = {"ring": RingSupport(0.7), "L": Support(0.7, L.extent, L.record(L.extent), 1.0, 0.0)}
+EFFECTS = {
+    "ring": RingSupport(0.7),
+    "L": Support(0.7, L.extent, assembled(L.pieces(), L.extent), 1.0, 0.0),
+}
 
 
 @pytest.mark.parametrize("effect", EFFECTS.values(), ids=EFFECTS)

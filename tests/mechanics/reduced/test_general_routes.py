@@ -11,6 +11,7 @@ import planar_pushing as pp
 from mechanics.supports.cases import SUPPORTS, regular
 from mechanics.supports.quadrature import sampled
 from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 
 ROUND = {
     "disc": pp.Disc(1.0),
@@ -32,7 +33,7 @@ def scene(support, length, psi=np.pi / 2, contact=None):
 
 def along_force(support, arm):
     """Distance of the centre of rotation and size of the force, from the moment arm T / |G| alone."""
-    record = support.record(1.0)
+    record = assembled(support.pieces(), 1.0)
 
     def gap(c):
         found = moments(record, c, 0.0)

@@ -15,6 +15,7 @@ from mechanics.supports.exact import about, exact_moments
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 
 #: Centre of rotation, D, G_x, G_y and the torque, from numerical integrals.
 PUBLISHED = [
@@ -50,7 +51,7 @@ PUBLISHED = [
 
 
 def at(support, c, radius=1.0):
-    return moments(support.record(radius), float(c[0]), float(c[1]))
+    return moments(assembled(support.pieces(), radius), float(c[0]), float(c[1]))
 
 
 @pytest.mark.parametrize(("support", "c", "distance", "unit_x", "unit_y", "torque"), PUBLISHED)
@@ -68,7 +69,7 @@ def test_the_torque_of_a_square_from_afar_has_all_its_digits():
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_moments_to_1e_14_wherever_the_slider_turns(name):
     support, aspect = SUPPORTS[name]
-    record, size = support.record(1.0), support.extent
+    record, size = assembled(support.pieces(), 1.0), support.extent
     allowed = 1e-14 * max(1.0, aspect / 20)
     for c in hard_centers(support, 12 if len(record.rows) > 20 else 36):
         found = moments(record, *map(float, c))
@@ -104,7 +105,7 @@ def test_derivatives_are_those_of_the_mean_distance(name):
 @pytest.mark.parametrize("i", range(3))
 def test_an_atom_that_is_hit_is_named_and_gives_no_force(i):
     support, _ = SUPPORTS["points"]
-    record = support.record(1.0)
+    record = assembled(support.pieces(), 1.0)
     place = np.array(support.positions[i])
     others = Points(
         [p for j, p in enumerate(support.positions) if j != i],
@@ -138,7 +139,7 @@ def test_any_number_of_points_adds_up(count):
 
 
 def test_calls_keep_no_reference_to_the_arrays():
-    record = SUPPORTS["composite"][0].record(1.0)
+    record = assembled(SUPPORTS["composite"][0].pieces(), 1.0)
     before = [sys.getrefcount(each) for each in (record.rows, record.multipoles)]
     for c in [(0.3, 0.2), (4.0, 3.0)] * 20:
         moments(record, *c)
@@ -147,13 +148,16 @@ def test_calls_keep_no_reference_to_the_arrays():
 
 def test_atoms_at_one_place_are_one():
     double = Points([(1.0, 0.0), (0.0, 0.0), (1.0, 0.0)], [1.0, 2.0, 3.0])
-    assert double.record(1.0).rows[:, :3].tolist() == [[1.0, 0.0, 4 / 6], [0.0, 0.0, 2 / 6]]
+    assert assembled(double.pieces(), 1.0).rows[:, :3].tolist() == [
+        [1.0, 0.0, 4 / 6],
+        [0.0, 0.0, 2 / 6],
+    ]
     assert at(double, (1.0, 0.0)).atom == 0
 
 
 def test_the_record_is_in_units_of_the_radius_and_its_arrays_are_contiguous():
     support, _ = SUPPORTS["composite"]
-    one, other = support.record(1.0), support.record(2.5)
+    one, other = assembled(support.pieces(), 1.0), assembled(support.pieces(), 2.5)
     for each in (one.rows, one.multipoles):
         assert each.flags.c_contiguous
         assert each.flags.writeable
@@ -166,8 +170,9 @@ def test_the_record_is_in_units_of_the_radius_and_its_arrays_are_contiguous():
 UNCOMPILED = """
 from mechanics.supports.cases import SUPPORTS
 from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 for support, _ in SUPPORTS.values():
-    record = support.record(1.0)
+    record = assembled(support.pieces(), 1.0)
     print(*(float(each) for c in ((0.3, 0.2), (4.0, 3.0)) for each in moments(record, *c)[:7]))
 """
 
@@ -179,6 +184,6 @@ def test_the_source_gives_the_same_numbers_without_the_compiler():
         capture_output=True, text=True, check=True,
     ).stdout  # fmt: skip
     for line, (support, _) in zip(found.splitlines(), SUPPORTS.values(), strict=True):
-        record = support.record(1.0)
+        record = assembled(support.pieces(), 1.0)
         compiled = [each for c in ((0.3, 0.2), (4.0, 3.0)) for each in moments(record, *c)[:7]]
         assert list(map(float, line.split())) == pytest.approx(compiled, rel=1e-13, abs=1e-14)

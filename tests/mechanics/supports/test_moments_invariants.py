@@ -13,6 +13,7 @@ from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.supports.pressure.record import ATOMS
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
@@ -73,7 +74,7 @@ def moved(support, matrix, shift=(0.0, 0.0)):
 
 
 def at(support, c):
-    return moments(support.record(1.0), float(c[0]), float(c[1]))
+    return moments(assembled(support.pieces(), 1.0), float(c[0]), float(c[1]))
 
 
 def same(found, expected, distance):
@@ -112,7 +113,9 @@ def test_rotation_and_reflection(support, c, angle):
         other = at(moved(support, matrix), np.array(matrix) @ c)
         expected = [found.distance, *(np.array(matrix) @ found[1:3]), found.torque]
         if found.atom < 0 and other.atom < 0:
-            near = min([1.0, *np.hypot(*(rows_of(support.record(1.0), ATOMS)[:, :2] - c).T)])
+            near = min(
+                [1.0, *np.hypot(*(rows_of(assembled(support.pieces(), 1.0), ATOMS)[:, :2] - c).T)]
+            )
             assert np.array(other[:4]) == pytest.approx(expected, abs=1e-13 / near + 1e-13)
 
 

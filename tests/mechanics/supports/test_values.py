@@ -16,6 +16,7 @@ from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.supports.pressure.record import (
     ATOMS,
     DISCS,
@@ -54,10 +55,9 @@ def test_center_of_pressure_and_extent(support, center, extent):
     assert isinstance(support, Support)
     assert support.center_of_pressure == pytest.approx(center, abs=1e-15)
     assert support.extent == pytest.approx(extent, rel=1e-15, abs=0)
-    record = support.record(2.0 if support != Ring() else 1.0)
-    size = 2.0 if support != Ring() else 1.0
-    assert (record.center_x * size, record.center_y * size) == pytest.approx(center, abs=1e-15)
-    assert record.extent * size == pytest.approx(extent, rel=1e-15, abs=0)
+    record = assembled(support.pieces(), 2.0)
+    assert (record.center_x * 2.0, record.center_y * 2.0) == pytest.approx(center, abs=1e-15)
+    assert record.extent * 2.0 == pytest.approx(extent, rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize("name", SUPPORTS)
@@ -70,26 +70,27 @@ def test_supports_are_plain_values(name):
 
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_shares_add_to_1(name):
-    record = SUPPORTS[name][0].record(1.0)
+    record = assembled(SUPPORTS[name][0].pieces(), 1.0)
     shares = {ATOMS: 2, SEGMENTS: 5, RINGS: 3, DISCS: 3, PLATES: 3}
     whole = sum(rows_of(record, kind)[:, column].sum() for kind, column in shares.items())
     assert whole == pytest.approx(1.0, rel=1e-14, abs=0)
 
 
-def test_a_ring_has_the_radius_of_the_slider_or_its_own():
-    for ring, radius in ((Ring(), 1.0), (Ring(3.5), 0.5)):
-        assert rows_of(ring.record(7.0), RINGS).tolist() == [[0.0, 0.0, radius, 1.0, 0.0, 0.0]]
+def test_a_ring_is_the_unit_of_length_or_has_its_own_radius():
+    for ring, radius in ((Ring(), 1.0), (Ring(3.5), 3.5)):
+        (row,) = rows_of(assembled(ring.pieces(), 1.0), RINGS).tolist()
+        assert row == [0.0, 0.0, radius, 1.0, 0.0, 0.0]
 
 
 def test_the_direction_of_a_polygon_and_the_unit_of_weights_do_not_matter():
     there, back = SUPPORTS["L"][0], Polygon(SUPPORTS["L"][0].vertices[::-1])
-    assert moments(back.record(1.0), 0.3, 0.2) == pytest.approx(
-        moments(there.record(1.0), 0.3, 0.2)
+    assert moments(assembled(back.pieces(), 1.0), 0.3, 0.2) == pytest.approx(
+        moments(assembled(there.pieces(), 1.0), 0.3, 0.2)
     )
-    heavy = Points(TRIPOD.positions, [5.0, 5.0, 5.0]).record(1.0)
-    assert np.array_equal(heavy.rows, TRIPOD.record(1.0).rows)
-    loud = PressureMap([0, 1, 3], [0, 2], [[1e-300, 2e-300]]).record(1.0)
-    quiet = PressureMap([0, 1, 3], [0, 2], [[1e300, 2e300]]).record(1.0)
+    heavy = assembled(Points(TRIPOD.positions, [5.0, 5.0, 5.0]).pieces(), 1.0)
+    assert np.array_equal(heavy.rows, assembled(TRIPOD.pieces(), 1.0).rows)
+    loud = assembled(PressureMap([0, 1, 3], [0, 2], [[1e-300, 2e-300]]).pieces(), 1.0)
+    quiet = assembled(PressureMap([0, 1, 3], [0, 2], [[1e300, 2e300]]).pieces(), 1.0)
     assert np.allclose(loud.rows, quiet.rows, rtol=1e-14, atol=0)
 
 

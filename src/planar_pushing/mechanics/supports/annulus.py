@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.supports.base import Position, position
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import Pieces
 from planar_pushing.terms.errors import InvalidValue, require_positive
 
 
@@ -65,6 +64,3 @@ class Annulus:
         hole = ratio * ratio / ((1.0 - ratio) * (1.0 + ratio))
         rows = [[*self.center, self.outer, 1.0 + hole], [*self.center, self.inner, -hole]]
         return Pieces(discs=np.array(rows))
-
-    def record(self, radius: float) -> Pressure:
-        return assembled(self.pieces(), radius)

@@ -8,7 +8,7 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 #: A position in the body frame: origin at the slider's centre, x along the rod and away from the contact.
@@ -33,15 +33,11 @@ class Support(Protocol):
         """The support's pieces, whose shares add to 1."""
         ...
 
-    def record(self, radius: float) -> Pressure:
-        """The record of the compiled core, in units of the slider's radius."""
-        ...
-
 
 @lru_cache
 def is_kind(kind: type) -> bool:
     """Whether the instances of a class are supports; an instance itself would compute its properties."""
-    return all(hasattr(kind, name) for name in ("center_of_pressure", "extent", "pieces", "record"))
+    return all(hasattr(kind, name) for name in ("center_of_pressure", "extent", "pieces"))
 
 
 def array(

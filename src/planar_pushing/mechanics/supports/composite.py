@@ -8,13 +8,12 @@ from typing import Any
 from planar_pushing.mechanics.supports.base import Position, is_kind, weights
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.pressure.assembly import (
-    assembled,
     center,
     extent,
     joined,
     shared,
 )
-from planar_pushing.mechanics.supports.pressure.record import Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -66,6 +65,3 @@ class Composite:
     def pieces(self) -> Pieces:
         whole = sum(share for share, _ in self.members)
         return joined([shared(support.pieces(), share / whole) for share, support in self.members])
-
-    def record(self, radius: float) -> Pressure:
-        return assembled(self.pieces(), radius)

@@ -10,8 +10,7 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position, position
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import DISCS, PLATES, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import DISCS, PLATES, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
 from planar_pushing.mechanics.supports.ring import inner, polynomial
 from planar_pushing.terms.errors import require_positive
@@ -61,9 +60,6 @@ class Disc:
 
     def pieces(self) -> Pieces:
         return Pieces(discs=np.array([[*self.center, self.radius, 1.0]]))
-
-    def record(self, radius: float) -> Pressure:
-        return assembled(self.pieces(), radius)
 
 
 @inlined

@@ -10,6 +10,7 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, kernel
 from planar_pushing.mechanics.supports.base import Position, Support
 from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.supports.pressure.record import Array
 from planar_pushing.mechanics.supports.pressure.table import extent_of
 
@@ -75,7 +76,7 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
         Where the support is one point, which resists no rotation.
     """
     extent = extent_of(support)
-    pressure = support.record(extent)
+    pressure = assembled(support.pieces(), extent)
     constant = moments(pressure, pressure.center_x, pressure.center_y).torque
     force, motion = np.empty(MOTIONS), np.empty(MOTIONS)
     _errors(pressure, constant, force, motion)

@@ -9,8 +9,7 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import DISCS, RINGS, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import DISCS, RINGS, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
 from planar_pushing.mechanics.supports.ring import ring_wrench
 from planar_pushing.terms.errors import require_positive
@@ -51,9 +50,6 @@ class Ring:
 
     def pieces(self) -> Pieces:
         return Pieces(rings=np.array([[0.0, 0.0, self.extent, 1.0]]))
-
-    def record(self, radius: float) -> Pressure:
-        return assembled(self.pieces(), 1.0 if self.radius is None else radius)
 
 
 @inlined

@@ -10,8 +10,8 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import summing
 from planar_pushing.mechanics.supports.base import Position, positions, weights
-from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
-from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.assembly import center, extent
+from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import NOTHING
 from planar_pushing.terms.errors import InvalidValue
 
@@ -56,9 +56,6 @@ class Points:
     def pieces(self) -> Pieces:
         loads = np.array(self.weights)
         return Pieces(atoms=np.column_stack([self.positions, loads / loads.sum()]))
-
-    def record(self, radius: float) -> Pressure:
-        return assembled(self.pieces(), radius)
 
 
 @summing

@@ -9,10 +9,10 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined, kernel
 from planar_pushing.mechanics.supports.base import Position, positions
-from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
+from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.multipole import far
 from planar_pushing.mechanics.supports.pressure.plate import FAR, near
-from planar_pushing.mechanics.supports.pressure.record import EDGES, PLATES, Array, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import EDGES, PLATES, Array, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added
 from planar_pushing.terms.errors import InvalidValue
 
@@ -62,9 +62,6 @@ class Polygon:
         edges[:, :2], edges[:-1, 2:4], edges[-1, 2:4] = start, start[1:], start[0]
         edges[:, 4] = 1.0 / abs(area)
         return Pieces(plates=(edges,))
-
-    def record(self, radius: float) -> Pressure:
-        return assembled(self.pieces(), radius)
 
 
 @kernel

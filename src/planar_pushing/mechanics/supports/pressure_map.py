@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.supports.base import Position, array, require_all
-from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
-from planar_pushing.mechanics.supports.pressure.record import Array, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.assembly import center, extent
+from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 #: Cells along a side of the blocks that are evaluated together, each by one series from afar.
@@ -84,9 +84,6 @@ class PressureMap:
                 for i, j in corners
             )
         )
-
-    def record(self, radius: float) -> Pressure:
-        return assembled(self.pieces(), radius)
 
 
 def _edges(name: str, given: object) -> Array:

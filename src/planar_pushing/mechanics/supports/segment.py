@@ -9,14 +9,14 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.supports.base import Position, position
-from planar_pushing.mechanics.supports.pressure.assembly import assembled, center, extent
+from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.edges import (
     LEAST,
     ends,
     mean_distance,
     mean_inverse,
 )
-from planar_pushing.mechanics.supports.pressure.record import RINGS, SEGMENTS, Pieces, Pressure
+from planar_pushing.mechanics.supports.pressure.record import RINGS, SEGMENTS, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added
 from planar_pushing.mechanics.supports.ring import polynomial
 from planar_pushing.terms.errors import InvalidValue
@@ -64,9 +64,6 @@ class Segment:
 
     def pieces(self) -> Pieces:
         return Pieces(segments=np.array([[*self.start, *self.end, 1.0]]))
-
-    def record(self, radius: float) -> Pressure:
-        return assembled(self.pieces(), radius)
 
 
 @inlined

@@ -5,6 +5,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.supports.pressure.table import FEW, pressure_of, table_of
 
 SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
@@ -21,7 +22,7 @@ SUPPORTS = [
 def test_each_pressure_is_that_of_its_support(i):
     """In units of its own extent, whatever stands before and behind it."""
     found, support = pressure_of(table_of(SUPPORTS), i), SUPPORTS[i]
-    alone = support.record(support.extent)
+    alone = assembled(support.pieces(), support.extent)
     center = found.center_x, found.center_y
     assert center == pytest.approx(
         np.array(support.center_of_pressure) / support.extent, rel=1e-15, abs=0
