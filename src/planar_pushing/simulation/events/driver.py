@@ -99,14 +99,10 @@ def _row(system, run, time, state, solutions, row):
     """Write down an instant."""
     mode = at.candidate(system, run, run.chosen)
     row.time, row.solutions, row.stopped = time, solutions, run.stopped
-    row.rod_angle, row.slip, row.gap = state[base.ANGLE], state[base.SLIP], state[base.GAP]
-    row.dissipated, row.work = state[base.RUBBED], state[base.WORK]
-    row.contact_dissipated = state[base.LOST]
     row.fence[0], row.fence[1] = displacement(system.fence, mode.during, time)
     row.fence[1] -= system.body.gap
     row.mode = run.kind if run.chosen >= 0 else NO_MODE
     write(system, mode, time, state, row)
-    row.evaluations = system.body.evaluations
 
 
 @inlined

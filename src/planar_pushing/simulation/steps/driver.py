@@ -202,15 +202,10 @@ def _log(system, run, rows, count):
     """Write down where the run is; the last row of an instant replaces those before."""
     if count > 0 and rows[count - 1].time == run.time:
         count -= 1
-    row, state = rows[count], run.state
-    row.time, row.rod_angle = run.time, state[base.ANGLE]
-    row.slip, row.gap = state[base.SLIP], state[base.GAP]
-    row.dissipated, row.work = state[base.RUBBED], state[base.WORK]
-    row.contact_dissipated = state[base.LOST]
+    row = rows[count]
     copy(row.fence, run.fence)
     copy(row.force, run.force)
-    row.mode, row.solutions, row.stopped = run.kind, run.solutions, run.stopped
+    row.time, row.mode, row.solutions, row.stopped = run.time, run.kind, run.solutions, run.stopped
     v_x, v_y = _seen(system, run, run.twist)
-    put(system, state, v_x, v_y, run.twist[2], row)
-    row.evaluations = system.body.evaluations
+    put(system, run.state, v_x, v_y, run.twist[2], row)
     return count + 1

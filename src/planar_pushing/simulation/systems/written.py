@@ -13,8 +13,11 @@ from planar_pushing.simulation.systems.shapes import base as shapes
 
 @compiled
 def put(system, state, v_x, v_y, spin, row):
-    """Write down place, twist, spin ratio and kinetic energy; the fence is in the row already."""
+    """Write down the state, place, twist, spin ratio and energies; the fence is in the row already."""
     shape, angle, now = system.shape, state[base.ANGLE], base.pose(system, state)
+    row.rod_angle, row.slip, row.gap = angle, state[base.SLIP], state[base.GAP]
+    row.dissipated, row.work = state[base.RUBBED], state[base.WORK]
+    row.contact_dissipated, row.evaluations = state[base.LOST], system.body.evaluations
     row.position[0], row.position[1] = shapes.center(
         shape, now.own, angle, state[base.ALONG], state[base.GAP], row.fence[0], row.fence[1]
     )
@@ -27,7 +30,7 @@ def put(system, state, v_x, v_y, spin, row):
 
 @compiled
 def write(system, mode, time, state, row):
-    """Write down position, twist, force, spin ratio and kinetic energy."""
+    """Write down an instant of a mode: as `put`, and the force."""
     now = base.motion(system, mode, time, state)
     put(system, state, now.v_x, now.v_y, now.spin, row)
     row.force[0], row.force[1] = shapes.shown(system.shape, state[base.ANGLE], now.f_x, now.f_y)
