@@ -59,9 +59,9 @@ def advance(system, task, run, rows):
         elif run.phase == LOGS:
             count += _log(system, task, run, rows[count])
         elif run.phase == CHANGES:
-            _change(system, task, run)
+            _change(system, run)
         else:
-            _enter(system, task, run)
+            _enter(system, run)
     return count
 
 
@@ -90,7 +90,7 @@ def _sample(system, task, run, row):
     if run.cause == watch.NOTHING:
         _move_on(system, run)
     else:
-        _happen(system, task, run)
+        _happen(system, run)
     return 0
 
 
@@ -117,7 +117,7 @@ def _stop(run, reason):
 
 
 @inlined
-def _enter(system, task, run):
+def _enter(system, run):
     """Take up the motion of a span of the fence, or end where there is none."""
     run.phase = LOGS
     if run.span < len(system.fence):
@@ -125,22 +125,22 @@ def _enter(system, task, run):
         if reason != GOES_ON:
             _stop(run, reason)
         else:
-            _begin_mode(system, task, run, choice.NO_KIND)
+            _begin_mode(system, run, choice.NO_KIND)
 
 
 @inlined
-def _change(system, task, run):
+def _change(system, run):
     """Choose the mode that follows an event."""
     excluded = run.kind if run.cause == watch.MISJUDGED else choice.NO_KIND
     _count(system, run, span(system.fence, run.span))
     if run.at_once > MOST_AT_ONCE or run.events > MOST_EVENTS:
         _stop(run, TOO_MANY)
     elif run.phase == CHANGES:
-        _begin_mode(system, task, run, excluded)
+        _begin_mode(system, run, excluded)
 
 
 @compiled
-def _begin_mode(system, task, run, excluded):
+def _begin_mode(system, run, excluded):
     """Choose a mode and begin it, or stop where none is consistent."""
     run.phase = LOGS
     if choice.choose(system, run, _policy(system, run), excluded):
@@ -189,7 +189,7 @@ def _parts(system, cause, along):
 
 
 @inlined
-def _happen(system, task, run):
+def _happen(system, run):
     """Go to an event, and to the state just after it."""
     mode, state = at.candidate(system, run, run.chosen), run.vectors[at.STATE]
     interpolate(system, mode, run, run.event, run.vectors[at.PASSING])

@@ -24,6 +24,32 @@ BEHIND = 1e-5
 NOTHING, MISJUDGED = -1, -2
 
 
+class Guarded(NamedTuple):
+    """A guard over the time of a step."""
+
+    system: Any
+    mode: base.Mode
+    run: Any
+    cause: int
+
+
+@compiled
+def _value(of, time):
+    """A guard at a time of the step, positive before its event."""
+    run, trial, found = of.run, of.run.vectors[at.TRIAL], of.run.guards[at.NOW]
+    interpolate(of.system, of.mode, run, time, trial)
+    base.guards(of.system, of.mode, time, trial, found)
+    return -found[of.cause] if run.guards[at.SIGNS, of.cause] < 0.0 else found[of.cause]
+
+
+@compiled
+def _guarded(of, time):
+    return _value(of, time), 0.0
+
+
+EQUATIONS[Guarded] = _guarded
+
+
 @inlined
 def start_watch(system, mode, run):
     """Look at the guards at the start of a mode."""
@@ -102,7 +128,7 @@ def _search(system, mode, run):
     for cause in range(base.CAUSES):
         value = run.guards[at.VALUES, cause]
         if value == value:  # it is guarded
-            time = _event(system, mode, run, cause)
+            time = _event(Guarded(system, mode, run, cause))
             if time < 0.0:
                 return MISJUDGED
             if time < first:
@@ -120,93 +146,63 @@ def _node(run, j):
 
 
 @compiled
-def _event(system, mode, run, cause):
+def _event(of):
     """Time of the first event of one cause in a step, infinite where there is none, -1 where misjudged."""
+    run, cause, watched = of.run, of.cause, base.WATCHES[of.cause]
     for j in range(1, len(at.NODES) + 1):
-        value = run.guards[at.VALUES + j, cause]
-        if run.guards[at.SIGNS, cause] == 0.0:
+        low, high, sign = _node(run, j - 1), _node(run, j), run.guards[at.SIGNS, cause]
+        before, value = run.guards[at.VALUES + j - 1, cause], run.guards[at.VALUES + j, cause]
+        if sign * value < -base.SLACK:
+            return _crossing(of, low, high, sign * before, sign * value)
+        if sign == 0.0:
             run.guards[at.SIGNS, cause] = _sign(cause, value)
-            if value < -base.SLACK and not base.WATCHES[cause]:
-                rise = _rise(system, mode, run, cause, _node(run, j - 1), _node(run, j))
-                return (
-                    rise if rise < 0.0 else _within(system, mode, run, cause, rise, _node(run, j))
-                )
-        elif run.guards[at.SIGNS, cause] * value < -base.SLACK:
-            sign, before = run.guards[at.SIGNS, cause], run.guards[at.VALUES + j - 1, cause]
-            low, high = _node(run, j - 1), _node(run, j)
-            return _crossing(system, mode, run, cause, low, high, sign * before, sign * value)
-    return inf if base.WATCHES[cause] else _dip(system, mode, run, cause)
+            if value < -base.SLACK and not watched:
+                rise = _rise(of, low, high)
+                return rise if rise < 0.0 else _within(of, rise, high)
+    return inf if watched else _dip(of)
 
 
 @inlined
-def _rise(system, mode, run, cause, start, end):
+def _rise(of, start, end):
     """A moment after `start` in which a margin that began at zero is positive, -1 where there is none."""
     part = 1.0
     for _ in range(1, HALVINGS):
         part /= 2.0
         time = start + (end - start) * part
-        if _value(system, mode, run, cause, time) > base.SLACK:
-            run.guards[at.SIGNS, cause] = 1.0
+        if _value(of, time) > base.SLACK:
+            of.run.guards[at.SIGNS, of.cause] = 1.0
             return time
     return -1.0
 
 
 @inlined
-def _dip(system, mode, run, cause):
+def _dip(of):
     """Time at which a margin vanishes between nodes at which it is positive, infinite where it does not."""
+    run = of.run
     for j in range(1, len(at.NODES)):
-        a, b = run.guards[at.VALUES + j - 1, cause], run.guards[at.VALUES + j, cause]
-        c = run.guards[at.VALUES + j + 1, cause]
+        a, b = run.guards[at.VALUES + j - 1, of.cause], run.guards[at.VALUES + j, of.cause]
+        c = run.guards[at.VALUES + j + 1, of.cause]
         if min(a, b, c) > 0.0 and _dips(a, b, c, 0.5):
             low, middle, high = _node(run, j - 1), _node(run, j), _node(run, j + 1)
-            equation = Guarded(system, mode, run, cause)
-            time, least = dip(equation, low, middle, high, b, -base.SLACK)
+            time, least = dip(of, low, middle, high, b, -base.SLACK)
             if least < -base.SLACK:
-                return _within(system, mode, run, cause, low, time)
+                return _within(of, low, time)
     return inf
 
 
 @compiled
-def _value(system, mode, run, cause, time):
-    """A guard at a time of the step, positive before its event."""
-    interpolate(system, mode, run, time, run.vectors[at.TRIAL])
-    found = run.guards[at.NOW]
-    base.guards(system, mode, time, run.vectors[at.TRIAL], found)
-    return -found[cause] if run.guards[at.SIGNS, cause] < 0.0 else found[cause]
-
-
-class Guarded(NamedTuple):
-    """A guard over the time of a step."""
-
-    system: Any
-    mode: base.Mode
-    run: Any
-    cause: int
-
-
-@compiled
-def _guarded(of, time):
-    return _value(of.system, of.mode, of.run, of.cause, time), 0.0
-
-
-EQUATIONS[Guarded] = _guarded
-
-
-@compiled
-def _within(system, mode, run, cause, low, high):
+def _within(of, low, high):
     """As `_crossing`, between times at which the guard is not known."""
-    at_low = _value(system, mode, run, cause, low)
-    at_high = _value(system, mode, run, cause, high)
-    return _crossing(system, mode, run, cause, low, high, at_low, at_high)
+    return _crossing(of, low, high, _value(of, low), _value(of, high))
 
 
 @compiled
-def _crossing(system, mode, run, cause, low, high, at_low, at_high):
+def _crossing(of, low, high, at_low, at_high):
     """Time at which a guard vanishes between two times; where it jumps, beyond the jump."""
     if at_low <= 0.0:
         return low
-    time = bracketed(Guarded(system, mode, run, cause), low, high, at_low, at_high, RESOLUTION)
+    time = bracketed(of, low, high, at_low, at_high)
     step = RESOLUTION * time
-    while step > 0.0 and time < high and _value(system, mode, run, cause, time) > base.SLACK:
+    while step > 0.0 and time < high and _value(of, time) > base.SLACK:
         time, step = min(time + step, high), 2.0 * step
     return time
