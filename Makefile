@@ -1,58 +1,76 @@
 # make        build every dataset and figure into results/, and check them; STUDY=FILE for another study
-# make test   lint, types, import contracts and all tests
+# make test   lint, types, import contracts, and the tests that a change must pass
 # make help   the other targets
-
-ifneq ($(words $(CURDIR)),1)
-$(error $(CURDIR): Snakemake runs in no folder with a space; move the project)
-endif
 
 VENV := .venv
 BIN := $(VENV)/bin
-LIBRARY := $(VENV)/library
-READY := $(VENV)/ready
-CHUNKS := $(VENV)/chunks
-TOOLS := $(VENV)/tools
+INSTALLED := $(VENV)/installed
 COMPILED := $(VENV)/compiled
-LOCKS := library.lock results.lock chunks.lock requirements.lock pyproject.toml
-CORE := $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py')
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
-	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
+	$$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null && echo $$p && break; done)
 
-# What the user has for Python elsewhere stays out, byte code is kept, and nothing is written to a home that is not theirs.
-unexport PYTHONPATH PYTHONHOME PYTHONDONTWRITEBYTECODE
+ifneq ($(MAKECMDGOALS),help)
+ifneq ($(words $(CURDIR)),1)
+$(error $(CURDIR): Snakemake runs in no folder with a space; move the project)
+endif
+ifneq ($(shell test -w . && echo yes),yes)
+$(error $(CURDIR): cannot be written; make needs a folder of your own)
+endif
+ifneq ($(shell $(PYTHON) -c 'import sys; print((3, 11) <= sys.version_info < (3, 15))' 2>/dev/null),True)
+$(error Python 3.11 to 3.14 is needed, $(or $(PYTHON),none) was found; set PYTHON=/path/to/python)
+endif
+endif
+
+# Settings that a user has for other work stay out, and a home or cache that cannot be written is replaced.
+unexport PYTHONPATH PYTHONHOME PYTHONDONTWRITEBYTECODE MPLBACKEND SNAKEMAKE_PROFILE VIRTUAL_ENV
 export PYTHONNOUSERSITE := 1
-ifneq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),yes)
+CACHE_HOME := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)
+ifneq ($(shell test -w "$(HOME)" && mkdir -p "$(CACHE_HOME)" 2>/dev/null && test -w "$(CACHE_HOME)" && echo yes),yes)
 export HOME := $(CURDIR)/.snakemake/home
 export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-kinds test-slurm test-failures test-browser test-drags lint bench golden images dictionary \
-	schemas lock report manual clean help
+.PHONY: all test test-all test-slurm lint bench golden images dictionary schemas lock report manual clean help
 .DELETE_ON_ERROR:
 
-all: $(COMPILED) $(if $(STUDY),$(CHUNKS))
-	$(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY))
+# One make at a time: the lock goes with the process that holds it, and so does not outlive a kill.
+LOCK := exec 9>>.make.lock; $(PYTHON) -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX | fcntl.LOCK_NB)' 2>/dev/null || { \
+	echo "Another make is at work in this folder; waiting for it"; $(PYTHON) -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
 
-test: $(TOOLS) $(COMPILED) lint
-	$(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
+all: $(COMPILED)
+	@$(LOCK); $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY)) && $(BIN)/python -m planar_pushing.report.closing $(STUDY)
 
-test-kinds: $(TOOLS) $(COMPILED) ## compile what make test runs without the compiler, and test it; some minutes
-	EVERY_KIND=1 $(BIN)/pytest --numprocesses=auto tests/simulation/test_any_support.py tests/simulation/test_finger.py
+# An environment belongs to its folder and to the locked packages.
+STATE := $(CURDIR) $(shell cat requirements.lock pyproject.toml | cksum)
+ifneq ($(shell cat $(INSTALLED) 2>/dev/null),$(STATE))
+.PHONY: $(INSTALLED)
+endif
+UV := $(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps
+$(INSTALLED):
+	@$(LOCK); test "$$(cat $@ 2>/dev/null)" = "$(STATE)" || { \
+	echo "Installing the locked packages into $(VENV), with $(PYTHON)" && \
+	$(PYTHON) -m venv --clear $(VENV) && \
+	sed -n '/^uv==/,/[^\\]$$/p' requirements.lock > $(VENV)/uv.txt && \
+	$(BIN)/python -m pip install -qq --disable-pip-version-check --no-deps --require-hashes -r $(VENV)/uv.txt && \
+	$(UV) --require-hashes -r requirements.lock && $(UV) --no-build-isolation --editable . && \
+	echo "$(STATE)" > $@; }
 
-test-slurm: $(TOOLS) $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
-	$(BIN)/pytest tests/workflow/slurm.py
+$(COMPILED): $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py') | $(INSTALLED)
+	@$(LOCK); $(BIN)/planar-pushing compile && touch $@
 
-test-failures: $(TOOLS) $(COMPILED) ## kill runs, fill disks (root) and build twice; some minutes
-	$(BIN)/pytest tests/workflow/failures.py
+PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
+test: lint $(COMPILED)
+	$(PYTEST)
 
-test-browser: $(TOOLS) $(COMPILED) ## test the explorer in headless Chromium (Debian's chromium); some minutes
-	$(BIN)/pytest tests/browser/explorer.py
+test-all: $(COMPILED) ## the tests that take longer: kinds, workflow, manual, failures, browser, Slurm; some forty minutes
+	$(PYTEST) -m slow
+	$(BIN)/pytest -m alone
 
-test-drags: $(TOOLS) $(COMPILED) ## drag 20,000 times in the explorer for memory, latency and pictures a second; ten minutes on an idle machine
-	$(BIN)/pytest -s tests/browser/many_drags.py
+test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
+	$(BIN)/pytest -m alone tests/workflow/test_slurm.py
 
-lint: $(TOOLS)
+lint: $(INSTALLED)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual
 	$(BIN)/ruff format --check src tests workflow/scripts paper/manual
 	$(BIN)/snakefmt --check --diff Snakefile workflow
@@ -60,79 +78,36 @@ lint: $(TOOLS)
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
-bench: $(TOOLS) $(COMPILED) ## print how fast the mechanics and simulations are, as ratios in one run
+bench: $(COMPILED) ## print how fast the mechanics and simulations are, as ratios in one run
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
-golden: $(READY) ## compute the golden data anew and print the differences; WRITE=1 stores them
+golden: $(COMPILED) ## compute the golden data anew and print the differences; WRITE=1 stores them
 	$(BIN)/python -m planar_pushing.evidence.golden.update $(if $(WRITE),--write)
 
-images: $(READY) ## compare the figures with their stored images; WRITE=1 stores them
+images: $(COMPILED) ## compare the figures with their stored images; WRITE=1 stores them
 	$(BIN)/python -m planar_pushing.figures.images $(if $(WRITE),--write)
 
-dictionary: $(READY) ## write results/README.md from the attributes of the datasets
+dictionary: $(INSTALLED) ## write results/README.md from the attributes of the datasets
 	$(BIN)/python -m planar_pushing.study.dictionary
 
-schemas: $(READY) ## write workflow/schemas from the models of scene and study files
+schemas: $(INSTALLED) ## write workflow/schemas from the models of scene and study files
 	$(BIN)/python -m planar_pushing.study.files.schemas
 
-manual: $(TOOLS) $(COMPILED) ## write the manual to results/manual/index.html, from results that it builds where they are missing
-	$(BIN)/snakemake manual
+manual: $(COMPILED) ## write the manual to results/manual/index.html, from results that it builds where they are missing
+	@$(LOCK); $(BIN)/snakemake manual
 
 report: all ## write results/report.html, Snakemake's report of the last run
-	$(BIN)/snakemake --report results/report.html
+	@$(LOCK); $(BIN)/snakemake --report results/report.html
 
-LOCK := uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
-	--no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make lock"
-# What builds the paper's results, and what a user calls. A study may be in chunks; tests and manual take all.
-EXTRAS := workflow cluster figures report golden explore
-lock: ## resolve the dependencies anew (needs uv)
-	$(LOCK) --upgrade --all-extras --output-file requirements.lock pyproject.toml requirements.build
-	$(LOCK) --constraint requirements.lock $(EXTRAS:%=--extra %) --output-file results.lock pyproject.toml requirements.build
-	$(LOCK) --constraint requirements.lock $(EXTRAS:%=--extra %) --extra chunks --output-file chunks.lock pyproject.toml requirements.build
-	$(LOCK) --constraint requirements.lock --output-file library.lock pyproject.toml requirements.build
+lock: $(INSTALLED) ## resolve the dependencies anew
+	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
+		--no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make lock" \
+		--upgrade --all-extras --output-file requirements.lock pyproject.toml requirements.build
 
 clean: ## remove everything that was generated
-	rm -rf $(VENV) .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
+	rm -rf $(VENV) .make.lock .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
 	find src tests -name __pycache__ -prune -exec rm -rf {} +
 	find results -mindepth 1 -not -name README.md -delete
 
 help:
 	@grep -hE '^(# make|[a-z-]+:.*## )' $(MAKEFILE_LIST) | sed -E 's/^# //; s/^([a-z-]+):.*## /make \1\t/' | expand -t 20
-
-ifndef ALONE
-# One at a time: who has waited finds it made. The core is compiled while the packages are installed.
-WANTED = $(READY) $(COMPILED) $(filter $(CHUNKS) $(TOOLS),$@)
-$(READY) $(CHUNKS) $(TOOLS): $(LOCKS)
-$(COMPILED): $(CORE) | $(READY)
-$(READY) $(CHUNKS) $(TOOLS) $(COMPILED):
-	@test -n "$(PYTHON)" || { echo "make: needs Python 3.11 or newer on the path; or set PYTHON=/path/to/python" >&2; exit 1; }
-	@$(MAKE) --question --no-print-directory ALONE=1 $(WANTED) || \
-		$(PYTHON) workflow/alone.py $(MAKE) --no-print-directory --jobs=2 ALONE=1 PYTHON=$(PYTHON) $(WANTED)
-else
-# Without byte code: Python writes it for what is used. A lock file names all that is needed.
-PIP := $(BIN)/python -m pip install --disable-pip-version-check --no-compile --no-deps
-
-$(LIBRARY): $(LOCKS)
-	@echo "Setting up $(VENV) with $(PYTHON)"
-	rm -rf $(VENV)
-	$(PYTHON) -m venv $(VENV)
-	$(PIP) --require-hashes -r library.lock
-	$(PIP) --quiet --no-build-isolation --editable .
-	@touch $@
-
-$(READY): $(LIBRARY)
-	$(PIP) --require-hashes -r results.lock
-	@touch $@
-
-$(CHUNKS): $(READY)
-	$(PIP) --require-hashes -r chunks.lock
-	@touch $@
-
-$(TOOLS): $(READY)
-	$(PIP) --require-hashes -r requirements.lock
-	@touch $@
-
-$(COMPILED): $(LIBRARY) $(CORE)
-	$(BIN)/planar-pushing compile
-	@touch $@
-endif

@@ -1,0 +1,60 @@
+"""The last lines of `make`: the report, the golden verdicts, the claims, and where the results are."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+from planar_pushing.study.running.jobs import run_command
+from planar_pushing.study.studies import KEY, SLIDERS_FILE, chosen_study, study_folder, study_name
+
+#: The results that one rule or another of the check compares, besides the enclosures.
+OTHERS = ("residual", "exact", "derived")
+
+
+def closing_lines(folder: Path, others: tuple[Path, ...] = ()) -> list[str]:
+    """Four lines on a results folder, with the verdicts of other folders beside its own."""
+    report = folder / "paper.pdf"
+    verdicts = [_verdict(each) for each in (folder, *others) if (each / "data").is_dir()]
+    rows = {
+        "Report": str(report) if report.is_file() else "none; it is about the paper's own study",
+        "Golden": "; ".join(verdicts) or "no results",
+        "Claims": _claims(folder / "tables/claims.json"),
+        "Results": f"datasets in {folder}/data, figures in {folder}/figures; see results/README.md",
+    }
+    return [f"{name:<9}{text}" for name, text in rows.items()]
+
+
+def _read(path: Path) -> Any:
+    return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+
+
+def _verdict(folder: Path) -> str:
+    found = _read(folder / "tables/golden_verdict.json")
+    if found is None:
+        return f"{folder}: not compared, as the study names no golden data"
+    word = "passed" if found["passed"] else f"FAILED ({found['failed']} checks)"
+    rest = sum(found["rules"][rule]["values"] for rule in OTHERS)
+    return f"{word}: {found['values']:,} values enclosed, {rest:,} verified ({folder})"
+
+
+def _claims(path: Path) -> str:
+    found = _read(path)
+    if found is None:
+        return "not judged; they are about the paper's ring"
+    return ", ".join(f"{count} {verdict}" for verdict, count in found["counts"].items())
+
+
+def main() -> int:
+    """Print the lines on the study of the command line, or on the two default studies."""
+    given = sys.argv[1:]
+    file = chosen_study({KEY: given[0]} if given else {})
+    others = () if given else (study_folder(study_name(SLIDERS_FILE)),)
+    print(*closing_lines(study_folder(study_name(file)), others), sep="\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(run_command(main))
