@@ -23,8 +23,7 @@ if STUDY:
     include: "workflow/rules/golden.smk"
     include: "workflow/rules/claims.smk"
     include: "workflow/rules/paper.smk"
-    include: "workflow/rules/hard_cases.smk"
-    include: "workflow/rules/accuracy.smk"
+    include: "workflow/rules/evidence.smk"
 
     localrules:
         accuracy,
@@ -35,13 +34,11 @@ if STUDY:
         claims,
         paper,
         hard_cases,
-        counts,
 
 
 if GALLERY:
 
     include: "workflow/rules/sliders.smk"
-    include: "workflow/rules/sliders_golden.smk"
 
     localrules:
         sliders,
@@ -72,9 +69,15 @@ rule all:
                 rules.claims.input,
                 rules.paper.input,
                 rules.hard_cases.input,
-                rules.counts.input,
             ]
             if STUDY
             else []
         ),
         [rules.sliders.input, rules.sliders_golden.input] if GALLERY else [],
+
+
+onerror:
+    for job in workflow.scheduler.failed:
+        print(
+            failure_text(job.rule.name, job.message, list(job.log)), file=sys.stderr
+        )

@@ -14,11 +14,12 @@ rule claims_table:
     benchmark:
         "<results>/benchmarks/claims/claims_table.tsv"
     params:
-        code=code_of("evidence.claims.table"),
+        call="evidence.jobs:claims",
+        code=code_of("claims"),
     message:
         "Checking the claims of the paper"
     script:
-        "../scripts/claims.py"
+        "../scripts/run.py"
 
 
 rule claims:

@@ -1,5 +1,7 @@
 # The studies, validated before any job starts, and what the rules look up in them.
+import fcntl
 import sys
+from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
 
@@ -8,7 +10,9 @@ from planar_pushing.terms.extras import require_extra
 from planar_pushing.study.grids import effort
 from planar_pushing.study.catalog import DATASETS, SLIDERS, dataset_file
 from planar_pushing.study.grids.chunks import chunk_parts, chunk_slice, chunk_steps
-from planar_pushing.study.running.dependencies import code_of
+from planar_pushing.study.provenance import provenance, whole_digest
+from planar_pushing.study.running.code import BUILDERS, DRAWINGS, builder, code_of
+from planar_pushing.study.running.jobs import failure_text
 from planar_pushing.study.figures import (
     FIGURES,
     GALLERY as GALLERY_FIGURES,
@@ -18,7 +22,6 @@ from planar_pushing.study.figures import (
     shows,
 )
 from planar_pushing.study.files.models import FigureEntry, StudyFile
-from planar_pushing.study.running.locks import own_the_folder
 from planar_pushing.study.storage.parts import points, sizes
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.files.sliders_model import SlidersFile
@@ -27,8 +30,8 @@ from planar_pushing.study.studies import (
     PAPER_FILE,
     SLIDERS_FILE,
     chosen_studies,
-    provenance,
     study_folder,
+    study_name,
 )
 
 if any(" " in path for path in (sys.executable, workflow.basedir)):
@@ -43,8 +46,8 @@ try:
         LOADED |= {SLIDERS_FILE: load_any(SLIDERS_FILE)}
     if any(getattr(study, "chunks", {}) for study in LOADED.values()):
         require_extra("chunks")
-    #: Name of each study and digest of its file, which every dataset holds.
-    MARKS = {file: provenance(file) for file in LOADED}
+    #: Gives the attributes that name each study in a result.
+    MARKS = {file: provenance(study, file) for file, study in LOADED.items()}
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
 
@@ -56,16 +59,24 @@ def file_of(kind):
 
 def folder_of(file):
     """The folder that a study fills, and no other."""
-    return str(study_folder(MARKS[file]["study"])) if file else "results"
+    return str(study_folder(study_name(file))) if file else "results"
 
 
 STUDY_FILE, GALLERY_FILE = file_of(StudyFile), file_of(SlidersFile)
 STUDY, GALLERY = LOADED.get(STUDY_FILE), LOADED.get(GALLERY_FILE)
-PROVENANCE, RESULTS = MARKS.get(STUDY_FILE), folder_of(STUDY_FILE)
+RESULTS = folder_of(STUDY_FILE)
 
-# Not a job of another run, which may outlive the process that submitted it.
+# Snakemake notes a run by files, which a killed run leaves; the lock of the operating system goes with the
+# process. The run that holds it removes them. A job of a run is no run of its own.
 if workflow.is_main_process:
-    own_the_folder(".snakemake")
+    Path(".snakemake").mkdir(exist_ok=True)
+    OWNER = open(".snakemake/owner", "a")
+    try:
+        fcntl.flock(OWNER, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        for lock in Path(".snakemake/locks").glob("*.lock"):
+            lock.unlink(missing_ok=True)
+    except BlockingIOError:
+        pass  # Snakemake says that another run is at work
 
 #: Priorities: first what the golden check waits for, and last what nothing waits for, to run beside the report.
 FIRST, LAST = 1, -1
@@ -77,6 +88,35 @@ DRAWN = [name for name in FIGURES if STUDY and computes(STUDY, name)]
 CHUNKED = {name: chunk_parts(STUDY, name) for name in (STUDY.chunks if STUDY else ())}
 GATHERED = [name for name in CHUNKED if STUDY.gather.get(name, True)]
 WHOLE_DATASETS = [name for name in COMPUTED if name not in CHUNKED]
+
+
+#: Formats of every picture.
+KINDS = ["svg", "pdf", "png"]
+#: Figures on how this work computes, and the datasets on it that are compared with golden data.
+EVIDENCE_FIGURES = OURS | SUPPLEMENT
+COUNTS = (
+    ["hard_cases", "accuracy_errors", "evaluations"] if STUDY and STUDY.golden else []
+)
+#: The datasets whose evaluations are counted.
+GRIDS = ["limit_curves", "motion_cones", "contact_modes"]
+#: What the report and its supplement are set from, beside the results.
+SOURCES = sorted(
+    str(part)
+    for part in Path("paper").rglob("*")
+    if part.suffix in (".typ", ".md", ".bib", ".json") and "manual" not in part.parts
+)
+#: Captions and sections of the figures, which the report prints.
+REGISTRY = repr([FIGURES, OURS, GALLERY_FIGURES])
+
+
+def golden_files(study):
+    """Golden data and tolerances of a study."""
+    folder = Path(study.golden) if study.golden else None
+    return (
+        sorted(map(str, [*folder.glob("*.nc"), *folder.glob("*.yaml")]))
+        if folder
+        else []
+    )
 
 
 def one_of(names):
@@ -125,13 +165,25 @@ def gathering(wildcards):
 SHOWN = [name for name in GALLERY_FIGURES if GALLERY and shows(GALLERY, name)]
 
 
-def scene_files(wildcards):
-    """Scene files that a dataset reads."""
-    return (
-        [push.file for push in STUDY.scenes.values()]
-        if wildcards.dataset == "scenes"
-        else []
-    )
+def marks(wildcards):
+    """Attributes that name the study in a dataset, a simulation or a figure."""
+    if "simulation" in wildcards.keys():
+        return MARKS[STUDY_FILE](f"simulations/{wildcards.simulation}")
+    return MARKS[STUDY_FILE](wildcards.get("dataset") or wildcards.figure)
+
+
+def dataset_code(wildcards):
+    return code_of("dataset", builder(wildcards.dataset))
+
+
+def figure_code(entries):
+    """Code and entry of a figure, of one of these families."""
+
+    def code(wildcards):
+        entry = entries[wildcards.figure]
+        return [code_of("figure", entry.module), repr(entry)]
+
+    return code
 
 
 def dataset_files(wildcards):

@@ -5,10 +5,8 @@ rule data:
 
 
 rule dataset:
-    input:
-        scenes=scene_files,
     output:
-        "<results>/data/{dataset}.nc",
+        path="<results>/data/{dataset}.nc",
     log:
         "<results>/logs/data/{dataset}.log",
     benchmark:
@@ -21,24 +19,21 @@ rule dataset:
         mem_mb=job_memory,
         runtime=job_minutes,
     params:
-        # Not of study.builders, which imports the builders of the other datasets too.
-        code=lambda wildcards: code_of(
-            f"study.datasets.{wildcards.dataset}",
-            "study.slices",
-            "study.grids.streaming",
-        ),
+        call="study.running.builds:dataset",
+        code=dataset_code,
+        name="{dataset}",
         study=job_slice,
-        provenance=PROVENANCE,
+        marks=marks,
     message:
         "Computing {wildcards.dataset}"
     script:
-        "../scripts/dataset.py"
+        "../scripts/run.py"
 
 
 # A chunk does not know its study, so that it stays when the study changes elsewhere.
 rule chunk:
     output:
-        "<results>/chunks/{dataset}/{chunk}.nc",
+        path="<results>/chunks/{dataset}/{chunk}.nc",
     log:
         "<results>/logs/chunks/{dataset}/{chunk}.log",
     benchmark:
@@ -51,19 +46,21 @@ rule chunk:
         mem_mb=job_memory,
         runtime=job_minutes,
     params:
-        code=rules.dataset.params.code,
+        call="study.running.builds:chunk",
+        code=dataset_code,
+        name="{dataset}",
         study=job_slice,
     message:
         "Computing {wildcards.chunk} of {wildcards.dataset}"
     script:
-        "../scripts/chunk.py"
+        "../scripts/run.py"
 
 
 rule gather:
     input:
-        chunk_files,
+        chunks=chunk_files,
     output:
-        "<results>/data/{dataset}.nc",
+        path="<results>/data/{dataset}.nc",
     log:
         "<results>/logs/data/{dataset}.log",
     benchmark:
@@ -76,35 +73,35 @@ rule gather:
         mem_mb=job_memory,
         runtime=job_minutes,
     params:
-        code=code_of(
-            "study.storage.chunk_files", "study.grids.streaming", "study.describe"
-        ),
+        call="study.running.builds:gather",
+        code=dataset_code,
+        name="{dataset}",
         whole=gathering,
-        provenance=PROVENANCE,
+        marks=marks,
     message:
         "Gathering the chunks of {wildcards.dataset}"
     script:
-        "../scripts/gather.py"
+        "../scripts/run.py"
 
 
-# What stands for a dataset that stays in its chunks.
+# The index of a dataset that stays in its chunks.
 rule index:
     input:
-        chunk_files,
+        chunks=chunk_files,
     output:
-        "<results>/data/{dataset}.nc",
+        path="<results>/data/{dataset}.nc",
     log:
         "<results>/logs/data/{dataset}.log",
     wildcard_constraints:
         dataset=one_of([name for name in CHUNKED if name not in GATHERED]),
     priority: FIRST
     params:
-        code=code_of(
-            "study.storage.chunk_files", "study.grids.streaming", "study.describe"
-        ),
+        call="study.running.builds:index",
+        code=dataset_code,
+        name="{dataset}",
         whole=gathering,
-        provenance=PROVENANCE,
+        marks=marks,
     message:
         "Listing the chunks of {wildcards.dataset}"
     script:
-        "../scripts/index.py"
+        "../scripts/run.py"

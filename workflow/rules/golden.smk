@@ -1,7 +1,5 @@
 # The check: every value of every dataset and of what figures plot, by residual, exactly, or by computing it
 # anew, and the golden sample by enclosures.
-from pathlib import Path
-
 VERDICT = (
     expand("<results>/tables/golden_verdict.{kind}", kind=["txt", "json"])
     if STUDY.golden
@@ -16,24 +14,16 @@ rule golden:
 
 rule golden_verdict:
     input:
-        study=STUDY_FILE,
-        scenes=[
-            *(push.file for push in STUDY.scenes.values()),
-            *STUDY.simulations.values(),
-        ],
-        results=[
+        [
             expand("<results>/data/{dataset}.nc", dataset=COMPUTED),
             expand(
                 "<results>/data/simulations/{simulation}.nc",
                 simulation=STUDY.simulations,
             ),
-            expand(
-                "<results>/data/{name}.nc",
-                name=["hard_cases", "accuracy_errors", "evaluations"],
-            ),
+            expand("<results>/data/{name}.nc", name=COUNTS),
             expand("<results>/figures/data/{figure}.nc", figure=DRAWN),
         ],
-        golden=sorted(map(str, Path(STUDY.golden or ".").glob("*.nc"))),
+        golden_files(STUDY),
     output:
         data="<results>/tables/golden_verdict.json",
         text=report(
@@ -47,15 +37,11 @@ rule golden_verdict:
         "<results>/benchmarks/golden/golden_verdict.tsv"
     priority: FIRST
     params:
-        code=code_of(
-            "evidence.golden.check",
-            "evidence.golden.recount",
-            "evidence.golden.verdict",
-            "evidence.writing",
-            *(FIGURES[name].modules[1] for name in DRAWN),
-        ),
-        results=lambda wildcards: RESULTS,
+        call="evidence.jobs:golden",
+        code=[code_of("golden", *sorted(BUILDERS | DRAWINGS)), whole_digest(STUDY)],
+        study=STUDY_FILE,
+        results=RESULTS,
     message:
         "Checking every value of the results"
     script:
-        "../scripts/golden.py"
+        "../scripts/run.py"

@@ -9,29 +9,31 @@ rule manual_pages:
     input:
         rules.report_tables.input,
         rules.report_tables.output,
-        figures=rules.figures.input,
-        gallery=rules.sliders.input if GALLERY else [],
-        ours=[rules.hard_cases.input, rules.counts.input],
-        simulations=rules.simulations.input,
-        dictionary="results/README.md",
-        pages=[
+        rules.figures.input,
+        rules.sliders.input if GALLERY else [],
+        rules.hard_cases.input,
+        rules.simulations.input,
+        "results/README.md",
+        [
             str(path)
             for path in sorted(Path("paper/manual").rglob("*"))
             if path.is_file() and "__pycache__" not in path.parts
         ],
     output:
-        directory("<results>/manual"),
+        output=directory("<results>/manual"),
     log:
         "<results>/logs/manual/manual_pages.log",
     benchmark:
         "<results>/benchmarks/manual/manual_pages.tsv"
     params:
-        code=code_of("commands", "report.manual"),
+        call="report.manual:build_manual",
+        source="paper/manual",
+        code=code_of("manual"),
         measured=lambda wildcards: [path.read_text() for path in MEASURED],
     message:
         "Building the manual"
     script:
-        "../scripts/manual.py"
+        "../scripts/run.py"
 
 
 rule manual:

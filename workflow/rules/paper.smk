@@ -3,29 +3,18 @@
 WHOLE = COMPUTED == list(DATASETS) and DRAWN == list(FIGURES)
 REPORTED = STUDY.golden and WHOLE and GALLERY is not None
 
-#: What the report and its supplement are set from, beside the results.
-SOURCES = sorted(
-    str(part)
-    for part in Path("paper").rglob("*")
-    if part.suffix in (".typ", ".md", ".bib", ".json") and "manual" not in part.parts
-)
-
 
 rule report_tables:
     input:
-        data=expand("<results>/data/{dataset}.nc", dataset=DATASETS),
-        figures=expand("<results>/figures/data/{figure}.nc", figure=FIGURES),
-        costs=expand(
-            "<results>/data/{name}.nc",
-            name=["accuracy_errors", "evaluations", "hard_cases"],
-        ),
-        pictures=expand("<results>/figures/{figure}.png", figure=[*FIGURES, *OURS]),
-        supports="<sliders>/data/supports.nc",
-        gallery=expand("<sliders>/figures/{figure}.png", figure=GALLERY_FIGURES),
-        verdict="<results>/tables/golden_verdict.json",
-        claims="<results>/tables/claims.json",
-        study=STUDY_FILE,
-        golden=rules.golden_verdict.input.golden,
+        expand("<results>/data/{dataset}.nc", dataset=DATASETS),
+        expand("<results>/figures/data/{figure}.nc", figure=FIGURES),
+        expand("<results>/data/{name}.nc", name=COUNTS),
+        expand("<results>/figures/{figure}.png", figure=[*FIGURES, *OURS]),
+        "<sliders>/data/supports.nc",
+        expand("<sliders>/figures/{figure}.png", figure=GALLERY_FIGURES),
+        "<results>/tables/golden_verdict.json",
+        "<results>/tables/claims.json",
+        golden_files(STUDY),
     output:
         numbers="<results>/tables/numbers.json",
         figures="<results>/tables/figures.json",
@@ -89,25 +78,27 @@ rule report_tables:
         "<results>/benchmarks/paper/report_tables.tsv"
     priority: FIRST
     params:
-        code=code_of("report.tables", "report.costs.tables"),
-        golden=lambda wildcards: STUDY.golden,
-        results=lambda wildcards: RESULTS,
+        call="report.jobs:report_tables",
+        code=[code_of("report"), whole_digest(STUDY), REGISTRY],
+        study=STUDY_FILE,
+        golden=STUDY.golden,
+        results=RESULTS,
     message:
         "Reading the numbers of the report"
     script:
-        "../scripts/report_tables.py"
+        "../scripts/run.py"
 
 
 rule paper_pdf:
     input:
         rules.report_tables.output,
-        claims="<results>/tables/claims.json",
-        figures=expand("<results>/figures/{figure}.svg", figure=[*FIGURES, *OURS]),
-        gallery=expand("<sliders>/figures/{figure}.svg", figure=GALLERY_FIGURES),
+        "<results>/tables/claims.json",
+        expand("<results>/figures/{figure}.svg", figure=[*FIGURES, *OURS]),
+        expand("<sliders>/figures/{figure}.svg", figure=GALLERY_FIGURES),
+        SOURCES,
         source="paper/report.typ",
-        parts=SOURCES,
     output:
-        report(
+        output=report(
             "<results>/paper.pdf",
             category="Report",
             labels={"document": "the report"},
@@ -119,12 +110,14 @@ rule paper_pdf:
         "<results>/benchmarks/paper/paper_pdf.tsv"
     priority: FIRST
     params:
-        code=code_of("report.typeset"),
-        results=lambda wildcards: RESULTS,
+        call="report.typeset:typeset",
+        code=code_of("report"),
+        root=".",
+        results=RESULTS,
     message:
         "Setting the report"
     script:
-        "../scripts/paper.py"
+        "../scripts/run.py"
 
 
 rule paper:

@@ -7,33 +7,34 @@ rule simulations:
         expand(
             "<results>/figures/simulation_{simulation}.{kind}",
             simulation=STUDY.simulations,
-            kind=["svg", "pdf", "png"],
+            kind=KINDS,
         ),
 
 
+# What the scene file says is among the marks; its layout reruns nothing, so it is no input.
 rule simulation:
-    input:
-        scene=lambda wildcards: STUDY.simulations[wildcards.simulation],
     output:
-        "<results>/data/simulations/{simulation}.nc",
+        path="<results>/data/simulations/{simulation}.nc",
     log:
         "<results>/logs/data/simulation_{simulation}.log",
     benchmark:
         "<results>/benchmarks/data/simulation_{simulation}.tsv"
     priority: FIRST
     params:
-        code=code_of("study.simulations", "study.storage.store", "study.describe"),
-        provenance=PROVENANCE,
+        call="study.running.builds:simulation",
+        code=code_of("simulation"),
+        name="{simulation}",
+        scene=lambda wildcards: STUDY.simulations[wildcards.simulation],
+        marks=marks,
     message:
         "Simulating {wildcards.simulation}"
     script:
-        "../scripts/simulation.py"
+        "../scripts/run.py"
 
 
 rule simulation_figure:
     input:
-        data="<results>/data/simulations/{simulation}.nc",
-        style="src/planar_pushing/figures/paper.mplstyle",
+        source="<results>/data/simulations/{simulation}.nc",
     output:
         svg=report(
             "<results>/figures/simulation_{simulation}.svg",
@@ -49,8 +50,9 @@ rule simulation_figure:
         "<results>/benchmarks/figures/simulation_{simulation}.tsv"
     priority: LAST
     params:
-        code=code_of("figures.motion.simulation"),
+        call="figures.jobs:simulation_figure",
+        code=code_of("figure"),
     message:
         "Drawing the simulation {wildcards.simulation}"
     script:
-        "../scripts/simulation_figure.py"
+        "../scripts/run.py"

@@ -1,4 +1,12 @@
-# The study of sliders: its datasets, logs of motion over time and figures, in a folder of its own.
+# The study of sliders: its datasets, logs of motion over time and figures, in a folder of its own, and the
+# check of every value in its equation or computed anew, and of the golden sample.
+def sliders_marks(wildcards):
+    """Attributes that name the study of sliders in a dataset, a simulation or a figure."""
+    if "simulation" in wildcards.keys():
+        return MARKS[GALLERY_FILE](f"simulations/{wildcards.simulation}")
+    return MARKS[GALLERY_FILE](wildcards.get("dataset") or wildcards.figure)
+
+
 rule sliders:
     input:
         expand("<sliders>/data/{dataset}.nc", dataset=SLIDERS),
@@ -7,60 +15,54 @@ rule sliders:
             simulation=GALLERY.simulations,
         ),
         expand("<sliders>/figures/data/{figure}.nc", figure=SHOWN),
-        expand(
-            "<sliders>/figures/{figure}.{kind}",
-            figure=SHOWN,
-            kind=["svg", "pdf", "png"],
-        ),
+        expand("<sliders>/figures/{figure}.{kind}", figure=SHOWN, kind=KINDS),
 
 
 rule sliders_dataset:
     output:
-        "<sliders>/data/{dataset}.nc",
+        path="<sliders>/data/{dataset}.nc",
     log:
         "<sliders>/logs/data/{dataset}.log",
     benchmark:
         "<sliders>/benchmarks/data/{dataset}.tsv"
     wildcard_constraints:
-        dataset="|".join(SLIDERS),
+        dataset=one_of(SLIDERS),
     priority: FIRST
     params:
-        code=lambda wildcards: code_of(
-            f"study.datasets.sliders.{wildcards.dataset}",
-            "study.slices",
-            "study.storage.store",
-        ),
+        call="study.running.builds:dataset",
+        code=dataset_code,
+        name="{dataset}",
         study=lambda wildcards: study_slice(GALLERY, wildcards.dataset),
-        provenance=MARKS[GALLERY_FILE],
+        marks=sliders_marks,
     message:
         "Computing {wildcards.dataset}"
     script:
-        "../scripts/dataset.py"
+        "../scripts/run.py"
 
 
 rule sliders_simulation:
-    input:
-        scene=lambda wildcards: GALLERY.simulations[wildcards.simulation],
     output:
-        "<sliders>/data/simulations/{simulation}.nc",
+        path="<sliders>/data/simulations/{simulation}.nc",
     log:
         "<sliders>/logs/data/simulation_{simulation}.log",
     benchmark:
         "<sliders>/benchmarks/data/simulation_{simulation}.tsv"
     priority: FIRST
     params:
-        code=code_of("study.simulations", "study.storage.store", "study.describe"),
-        provenance=MARKS[GALLERY_FILE],
+        call="study.running.builds:simulation",
+        code=code_of("simulation"),
+        name="{simulation}",
+        scene=lambda wildcards: GALLERY.simulations[wildcards.simulation],
+        marks=sliders_marks,
     message:
         "Simulating {wildcards.simulation}"
     script:
-        "../scripts/simulation.py"
+        "../scripts/run.py"
 
 
 rule sliders_figure:
     input:
-        data=gallery_files,
-        style="src/planar_pushing/figures/paper.mplstyle",
+        gallery_files,
     output:
         data="<sliders>/figures/data/{figure}.nc",
         svg=report(
@@ -76,15 +78,59 @@ rule sliders_figure:
     benchmark:
         "<sliders>/benchmarks/figures/{figure}.tsv"
     wildcard_constraints:
-        figure="|".join(SHOWN),
+        figure=one_of(SHOWN),
+    priority: FIRST
     params:
-        code=lambda wildcards: code_of(*GALLERY_FIGURES[wildcards.figure].modules),
+        call="figures.jobs:figure",
+        code=figure_code(GALLERY_FIGURES),
+        name="{figure}",
         settings=GALLERY.slider.model_dump(),
-        results=lambda wildcards: folder_of(GALLERY_FILE),
-        provenance=MARKS[GALLERY_FILE],
+        results=folder_of(GALLERY_FILE),
+        marks=sliders_marks,
         caption=lambda wildcards: GALLERY_FIGURES[wildcards.figure].caption,
         promise=lambda wildcards: GALLERY_FIGURES[wildcards.figure].promise,
     message:
         "Drawing {wildcards.figure}"
     script:
-        "../scripts/figure.py"
+        "../scripts/run.py"
+
+
+rule sliders_golden:
+    input:
+        (
+            expand("<sliders>/tables/golden_verdict.{kind}", kind=["txt", "json"])
+            if GALLERY.golden
+            else []
+        ),
+
+
+rule sliders_verdict:
+    input:
+        expand("<sliders>/data/{dataset}.nc", dataset=SLIDERS),
+        expand(
+            "<sliders>/data/simulations/{simulation}.nc",
+            simulation=GALLERY.simulations,
+        ),
+        expand("<sliders>/figures/data/{figure}.nc", figure=SHOWN),
+        golden_files(GALLERY),
+    output:
+        data="<sliders>/tables/golden_verdict.json",
+        text=report(
+            "<sliders>/tables/golden_verdict.txt",
+            category="Golden check",
+            caption="../report/golden.rst",
+        ),
+    log:
+        "<sliders>/logs/golden/golden_verdict.log",
+    benchmark:
+        "<sliders>/benchmarks/golden/golden_verdict.tsv"
+    priority: FIRST
+    params:
+        call="evidence.jobs:golden",
+        code=[code_of("golden", *sorted(BUILDERS | DRAWINGS)), whole_digest(GALLERY)],
+        study=GALLERY_FILE,
+        results=folder_of(GALLERY_FILE),
+    message:
+        "Checking every value of the sliders' results"
+    script:
+        "../scripts/run.py"

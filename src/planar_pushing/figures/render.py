@@ -129,7 +129,7 @@ def render(
     settings : Settings
         The study's values for this figure.
     marks : mapping
-        Name of the study and digest of its file, as `provenance` gives them.
+        Attributes that name the study, as `provenance` gives them.
     data, svg, pdf, png : path
         Files to write. The picture is drawn from what `data` holds once it is written.
     """

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
 import platform
 from importlib.metadata import version
-from pathlib import Path
 
 import numpy as np
 
@@ -20,6 +18,8 @@ from planar_pushing.study.datasets.sliders.gallery import words
 from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.study.figures.base import Figure
 from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.provenance import whole_digest
+from planar_pushing.study.sliders_file import load_any
 from planar_pushing.terms.errors import InvalidFile
 
 #: Packages that the results and the report are made with.
@@ -130,8 +130,7 @@ def verdict_text(results: Results) -> str:
 
 def provenance_text(results: Results, study: PathLike) -> str:
     """Table of the versions behind the results, with the study and its digest."""
-    digest = hashlib.sha256(Path(study).read_bytes()).hexdigest()
-    rows = [("study", str(study)), ("SHA-256 of the study", digest[:16])]
+    rows = [("study", str(study)), ("SHA-256 of the study", whole_digest(load_any(study))[:16])]
     rows.append(("Python", platform.python_version()))
     rows += [(name, version(name)) for name in PACKAGES]
     marks = results.golden_marks()[0]

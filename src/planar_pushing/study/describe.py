@@ -54,7 +54,7 @@ def of_study(
     name : str
         Name of the dataset: what it holds becomes the title of what has none.
     study : mapping
-        Name of the study and digest of its file, as `provenance` gives them.
+        Attributes that name the study, as `provenance` gives them.
     """
     marks = {**GLOBAL, **study}
     title = (DATASETS | SLIDERS | EVIDENCE | TIMES).get(name, name)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -99,9 +98,3 @@ def _unknown(name: object, results: PathLike) -> InvalidValue:
     built = sorted(path.name for path in (Path(results) / "studies").glob("*"))
     allowed = ", ".join([PAPER, *built])
     return InvalidValue("study", name, allowed, "name a study that was built")
-
-
-def provenance(file: PathLike) -> dict[str, str]:
-    """Name of a study and digest of its file, as every dataset holds them."""
-    digest = hashlib.sha256(Path(file).read_bytes()).hexdigest()
-    return {"study": study_name(file), "study_digest": f"sha256:{digest}"}

@@ -14,14 +14,15 @@ from planar_pushing.evidence.golden.by_rule import check_dataset
 from planar_pushing.evidence.golden.compare import Check, compare
 from planar_pushing.evidence.golden.expected import Expectation, Groups
 from planar_pushing.evidence.golden.rules import Rule
+from planar_pushing.evidence.golden.tolerances import load_tolerances
 from planar_pushing.study.catalog import AXES, SIMULATIONS, SLIDERS
 from planar_pushing.study.figures import ALL, FIGURES, GALLERY, computes, shows
 from planar_pushing.study.files.models import FigureEntry, StudyFile
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.sliders_model import SlidersFile, Study
+from planar_pushing.study.provenance import Marks, provenance
 from planar_pushing.study.sliders_file import load_any
 from planar_pushing.study.storage.store import group_names, read_dataset
-from planar_pushing.study.studies import provenance
 from planar_pushing.terms.errors import InvalidFile
 
 #: Name of a file, and what gives the expectations of its groups.
@@ -102,7 +103,7 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
     folder : Path
         The results.
     file : path
-        The study: it says what they are to hold, and names the golden data and the tolerances.
+        The study: it says what they are to hold, and names the folder of golden data and tolerances.
 
     Returns
     -------
@@ -118,19 +119,19 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
     if not any(folder.glob("data/*.nc")):
         raise InvalidFile(f"{folder}: holds no datasets; build them with make or snakemake")
     checks = []
-    for name, groups in expectations(study, provenance(file), results):
+    for name, groups in expectations(study, provenance(study, file), results):
         checks += check_file(name, groups, results)
     return checks + (check_enclosures(results, study) if study.golden else [])
 
 
-def expectations(study: Study, marks: Mapping[str, str], results: Results) -> Iterator[Named]:
+def expectations(study: Study, marks: Marks, results: Results) -> Iterator[Named]:
     """Name of every file of a study, and what gives the expectations of its groups.
 
-    `marks` are the name of the study and the digest of its file, as `provenance` gives them.
+    `marks` gives the attributes that name the study, as `provenance` does.
     """
     every = _of_sliders if isinstance(study, SlidersFile) else _of_paper
     for name, groups in every(study, results):
-        yield name, partial(_in_study, name, groups, marks)
+        yield name, partial(_in_study, name, groups, marks(name))
 
 
 def _in_study(name: str, groups: Callable[[], Groups], marks: Mapping[str, str]) -> Groups:
@@ -216,6 +217,7 @@ def check_file(name: str, groups: Callable[[], Groups], results: Results) -> lis
 def check_enclosures(results: Results, study: Study) -> list[Check]:
     """Compare every golden file with what it certifies."""
     golden, checks = Path(study.golden or ""), []
+    tolerances = load_tolerances(golden)
     for name in golden_names(golden):
         stem, _, group = name.partition(".")
         try:
@@ -223,5 +225,5 @@ def check_enclosures(results: Results, study: Study) -> list[Check]:
         except Unreadable as error:
             checks.append(Check(file=name, problem=f"cannot be compared: {error}"))
             continue
-        checks += compare(name, result, read_dataset(golden / f"{name}.nc"), study.tolerances)
+        checks += compare(name, result, read_dataset(golden / f"{name}.nc"), tolerances)
     return checks

@@ -17,7 +17,7 @@ import xarray as xr
 
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
 from planar_pushing.evidence.golden.rules import Rule
-from planar_pushing.study.files.models import Tolerance
+from planar_pushing.evidence.golden.tolerances import Tolerance
 
 Floats = npt.NDArray[np.float64]
 #: A variable that no tolerance names must agree exactly.

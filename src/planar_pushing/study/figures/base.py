@@ -46,9 +46,9 @@ class Figure:
     promise: str = ""
 
     @property
-    def modules(self) -> tuple[str, str]:
-        """Modules that a job which draws it starts from."""
-        return "figures.render", self.drawing.partition(":")[0]
+    def module(self) -> str:
+        """Module that draws it."""
+        return self.drawing.partition(":")[0]
 
     def groups(self, dataset: str) -> tuple[str, ...]:
         """Groups of a dataset that it is drawn from."""

@@ -117,13 +117,6 @@ class FigureEntry(FileModel):
                 yield key, given if isinstance(given, tuple) else (given,), allowed
 
 
-class Tolerance(FileModel):
-    """Largest difference from a golden value: units in the last place plus an amount in its unit."""
-
-    ulp: NonNegative = 0.0
-    absolute: NonNegative = 0.0
-
-
 class StudyFile(FileModel):
     """The grid of every dataset, the scenes, and the values that the paper leaves open.
 
@@ -143,7 +136,6 @@ class StudyFile(FileModel):
     chunks: dict[Name, dict[Name, Count]] = Field(default_factory=dict)
     gather: dict[Name, Truth] = Field(default_factory=dict)
     golden: FilePath | None = None
-    tolerances: dict[str, Tolerance] = Field(default_factory=dict)
 
     def needed_values(self) -> Iterator[tuple[str, tuple[object, ...], tuple[object, ...]]]:
         """Grid axis, its values, and those among them that the figures cannot do without."""

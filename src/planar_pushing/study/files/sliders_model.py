@@ -21,7 +21,7 @@ from planar_pushing.study.files.fields import (
     Text,
     refuse,
 )
-from planar_pushing.study.files.models import StudyFile, Tolerance
+from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.support_model import SupportEntry
 
 #: The key that only a study of sliders has.
@@ -65,7 +65,6 @@ class SlidersFile(FileModel):
     grid: SlidersGrid
     simulations: dict[Name, FilePath] = Field(default_factory=dict)
     golden: FilePath | None = None
-    tolerances: dict[str, Tolerance] = Field(default_factory=dict)
 
     def gallery(self) -> dict[str, Any]:
         """Build the supports, by name."""

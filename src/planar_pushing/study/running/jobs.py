@@ -8,13 +8,16 @@ import platform
 import sys
 import time
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from importlib.metadata import version
+from pathlib import Path
 
 from planar_pushing.terms.errors import PlanarPushingError
 
 PACKAGE = "planar_pushing"
+#: Lines of a log that are shown of a job that failed.
+TAIL = 12
 
 
 @contextmanager
@@ -46,10 +49,20 @@ def _logged(path: str) -> Iterator[logging.Logger]:
         raise SystemExit(1) from None
     except Exception:
         logger.error("%s", traceback.format_exc())
-        raise
+        raise SystemExit(1) from None
     finally:
         logger.removeHandler(handler)
         handler.close()
+
+
+def failure_text(rule: str, message: str, logs: Sequence[str]) -> str:
+    """What is said of a job that failed: its name, the last lines of its log, and what to do."""
+    lines = [f"FAILED: {rule}" + (f" ({message})" if message else "")]
+    for log in logs:
+        path = Path(log)
+        said = path.read_text(encoding="utf-8").splitlines() if path.is_file() else ["no such file"]
+        lines += [f"  the end of {log}:", *(f"    {line}" for line in said[-TAIL:])]
+    return "\n".join([*lines, "  mend what it says, and run make again: it goes on from here"])
 
 
 def run_command(main: Callable[[], int]) -> int:

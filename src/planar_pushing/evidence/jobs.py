@@ -1,0 +1,96 @@
+"""What the workflow's jobs on evidence call; each imports what it needs, since some are never installed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from planar_pushing.evidence.writing import json_text, write_text
+from planar_pushing.study.describe import of_study
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.storage.store import read_dataset, write_dataset
+from planar_pushing.terms.errors import InvalidResult
+
+Attributes = Mapping[str, str]
+
+
+def golden(data: PathLike, text: PathLike, *, study: str, results: str) -> None:
+    """Compare the results of a study with its golden data, and write the verdict.
+
+    Raises
+    ------
+    InvalidResult
+        Where a value differs; the message is the verdict, and nothing is written.
+    """
+    from planar_pushing.evidence.golden.check import check_results
+    from planar_pushing.evidence.golden.verdict import verdict, verdict_text
+
+    found = verdict(check_results(Path(results), study))
+    if not found["passed"]:
+        raise InvalidResult(verdict_text(found))
+    write_text(verdict_text(found), text)
+    write_text(json_text(found), data)
+
+
+def claims(json: PathLike, csv: PathLike, *, ledger: str) -> None:
+    """Judge the claims of the ledger, and write the table.
+
+    Raises
+    ------
+    InvalidResult
+        Where a verdict is not the one that the ledger expects; nothing is written.
+    """
+    from planar_pushing.evidence.claims import table
+    from planar_pushing.evidence.claims.ledger import load_ledger
+
+    judged = table.judge_all(load_ledger(ledger))
+    if problem := table.complaint(judged):
+        raise InvalidResult(problem)
+    write_text(table.json_text(judged), json)
+    write_text(table.csv_text(judged), csv)
+
+
+def hard_cases(path: PathLike, *, marks: Attributes) -> None:
+    """Measure the hard cases against their references."""
+    from planar_pushing.evidence.hard_cases.dataset import build
+
+    write_dataset(of_study(build(), "hard_cases", marks), path)
+
+
+def sweep(path: PathLike) -> None:
+    """Count the failures over a million random and adversarial inputs."""
+    from planar_pushing.evidence.hard_cases.sweep.counts import FULL, sweep
+
+    write_text(json_text(sweep(FULL)), path)
+
+
+def accuracy_errors(path: PathLike, *, marks: Attributes) -> None:
+    """Compute errors and counts of evaluations of every method, the same in every run."""
+    from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
+
+    found = {"wrench": wrench_errors(), "cone": cone_errors()}
+    write_dataset(of_study(found, "accuracy_errors", marks), path)
+
+
+def accuracy(path: PathLike, *, marks: Attributes) -> None:
+    """Measure what accuracy costs on this machine."""
+    from planar_pushing.evidence.costs.measurements import measured
+
+    write_dataset(of_study(measured(), "accuracy", marks), path)
+
+
+def evaluations(path: PathLike, *, study: str, marks: Attributes) -> None:
+    """Count how often each effect is evaluated; for a process that does not compile."""
+    from planar_pushing.evidence.costs.effects import evaluations
+    from planar_pushing.study.study_file import load_study
+
+    write_dataset(of_study(evaluations(load_study(study)), "evaluations", marks), path)
+
+
+def effects(path: PathLike, *, counted: PathLike, study: str, marks: Attributes) -> None:
+    """Measure what each effect costs on this machine, beside its counts."""
+    from planar_pushing.evidence.costs.effects import measure
+    from planar_pushing.study.study_file import load_study
+
+    found = measure(load_study(study), read_dataset(counted))
+    write_dataset(of_study(found, "effects", marks), path)

@@ -1,0 +1,35 @@
+"""What the workflow's jobs on the report call."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from planar_pushing.evidence.writing import write_text
+from planar_pushing.report import supplement, tables
+from planar_pushing.report.costs.tables import COST_TABLES
+from planar_pushing.report.results import Results
+
+TABLES = {
+    "numbers": tables.numbers_text,
+    "figures": tables.figures_text,
+    "cones": tables.cones_text,
+    "ellipsoids": tables.ellipsoids_text,
+    "verdict": tables.verdict_text,
+    **COST_TABLES,
+}
+
+
+def report_tables(*, study: str, results: str, golden: str, **paths: str) -> None:
+    """Write the tables that the report is set from, each to the path under its name."""
+    found = Results(Path(results), Path(golden))
+    texts = {name: text(found) for name, text in TABLES.items()}
+    texts["provenance"] = tables.provenance_text(found, study)
+    for name, path in paths.items():
+        write_text(texts[name], path)
+
+
+def supplement_tables(*, results: str, golden: str, **paths: str) -> None:
+    """Write the tables that the supplement on time is set from."""
+    found = Results(Path(results), Path(golden))
+    for path in paths.values():
+        write_text(supplement.TABLES[Path(path).name](found), path)

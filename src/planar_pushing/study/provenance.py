@@ -1,0 +1,80 @@
+"""The part of a study that each of its results is computed from, and its digest, which the result holds."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from typing import Any
+
+from planar_pushing.mechanics.entries import to_json
+from planar_pushing.study.catalog import AXES, SIMULATIONS, SLIDERS_AXES
+from planar_pushing.study.figures import FIGURES, GALLERY
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.sliders_model import Study
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.studies import study_name
+
+#: Keys of a study that no value depends on: where it is compared with golden data, and how it is cut.
+ASIDE = {"golden", "chunks", "gather"}
+#: Results on how the whole study is computed, and the keys that they do not read.
+COUNTED, UNCOUNTED = ("evaluations", "effects"), ("simulations", "figures")
+
+#: Gives the attributes that name the study in a result, by the name of the result.
+Marks = Callable[[str], dict[str, str]]
+
+
+def provenance(study: Study, file: PathLike) -> Marks:
+    """Attributes `study` and `study_digest` of each result of a study, by its name.
+
+    The digest is that of the validated values that the result is computed from: comments, layout, and
+    values of other results leave it as it is. Results are named as in `open_dataset`, a figure without
+    its folder. Scene files are read once, here.
+    """
+    name, whole = study_name(file), contents(study)
+
+    def marks(result: str) -> dict[str, str]:
+        return {"study": name, "study_digest": f"sha256:{digest(_read(study, whole, result))}"}
+
+    return marks
+
+
+def digest(values: object) -> str:
+    """SHA-256 of plain values."""
+    return hashlib.sha256(to_json(values).encode()).hexdigest()
+
+
+def whole_digest(study: Study) -> str:
+    """Digest of every value that a result of a study is computed from."""
+    return digest(contents(study))
+
+
+def contents(study: Study) -> dict[str, Any]:
+    """Plain values of a study, with what its scene files hold in the place of their paths."""
+
+    def scene(path: str) -> dict[str, Any]:
+        return load_scene_file(path).model_dump()
+
+    values = study.model_dump(exclude=ASIDE)
+    values["simulations"] = {name: scene(path) for name, path in study.simulations.items()}
+    for push in values.get("scenes", {}).values():
+        push["file"] = scene(push["file"])
+    return values
+
+
+def _read(study: Study, whole: dict[str, Any], result: str) -> object:
+    """The values that a result is computed from: none for one that is the same for every study."""
+    folder, _, name = result.rpartition("/")
+    if folder == SIMULATIONS:
+        return whole[SIMULATIONS][name]
+    if name == "scenes":
+        return whole["scenes"]
+    if name in AXES or name in SLIDERS_AXES:
+        return study_slice(study, name)
+    if name in FIGURES:
+        return whole["figures"].get(name)
+    if name in GALLERY:
+        return whole["slider"]
+    if name in COUNTED:
+        return {key: each for key, each in whole.items() if key not in UNCOUNTED}
+    return None

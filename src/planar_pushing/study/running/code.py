@@ -1,0 +1,66 @@
+"""The code that a job of the workflow runs: its change makes the job's results stale.
+
+Snakemake follows a script, not what it imports. Each job has a digest of the packages that it runs among
+its parameters, and of its own module where it is one of a family: a line of a figure redraws it alone.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import planar_pushing
+from planar_pushing.study.catalog import DATASETS, SLIDERS
+from planar_pushing.study.figures import ALL
+
+ROOT = Path(planar_pushing.__path__[0])
+#: What every job runs: the terms, the mechanics and the study without its datasets.
+LIBRARY = ("terms", "mechanics", "study")
+#: The packages that each kind of job runs.
+PACKAGES = {
+    "dataset": LIBRARY,
+    "simulation": (*LIBRARY, "simulation"),
+    "figure": (*LIBRARY, "figures"),
+    "golden": (*LIBRARY, "simulation", "figures", "certified", "evidence"),
+    "claims": (*LIBRARY, "certified", "evidence.claims", "evidence.writing"),
+    "hard_cases": (*LIBRARY, "certified", "evidence.hard_cases", "evidence.writing"),
+    "costs": (*LIBRARY, "simulation", "certified", "evidence.costs"),
+    "report": (*LIBRARY, "evidence.writing", "report"),
+    "manual": (".",),
+}
+
+
+def builder(dataset: str) -> str:
+    """Module that builds a dataset."""
+    return f"study.datasets.{'sliders.' if dataset in SLIDERS else ''}{dataset}"
+
+
+#: Modules of which a job runs those that it names; the figures' entries are parameters of their jobs.
+BUILDERS = frozenset(map(builder, [*DATASETS, *SLIDERS]))
+DRAWINGS = frozenset(figure.module for figure in ALL.values())
+ENTRIES = frozenset({"study.figures"})
+MEMBERS = BUILDERS | DRAWINGS | ENTRIES
+
+
+@cache
+def code_of(job: str, *members: str) -> str:
+    """Digest of the packages that a kind of job runs, and of the members of families that it names."""
+    whole = hashlib.sha256()
+    for file in sorted({file for part in (*PACKAGES[job], *members) for file in files(part)}):
+        whole.update(f"{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
+    return whole.hexdigest()
+
+
+def files(part: str) -> Iterator[Path]:
+    """Files of a package, without the members of families in it, or of a module."""
+    place = ROOT.joinpath(*part.split("."))
+    if not place.is_dir():
+        yield place.with_suffix(".py")
+        return
+    others = {ROOT.joinpath(*name.split(".")) for name in MEMBERS - {part}}
+    for file in place.rglob("*.*"):
+        within = {file.with_suffix(""), *file.parents}
+        if "__pycache__" not in file.parts and not within & others and file.is_file():
+            yield file
