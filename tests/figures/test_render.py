@@ -1,8 +1,5 @@
 """Selecting, drawing and saving by name."""
 
-import subprocess
-import sys
-
 import pytest
 from matplotlib.figure import Figure
 
@@ -10,7 +7,6 @@ from planar_pushing.figures import render, style
 from planar_pushing.figures.parts import arrows, drawing
 from planar_pushing.study.figures import ALL, FIGURES, GALLERY
 from planar_pushing.study.files.models import FigureEntry
-from planar_pushing.study.running.dependencies import modules
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -24,24 +20,6 @@ def test_every_entry_names_a_drawing(name):
     found = render.drawing(name)
     assert callable(found.draw)
     assert (name in FIGURES | GALLERY) == hasattr(found, "select")
-
-
-@pytest.mark.parametrize(
-    "name", ["figure_06", "figure_11", "figure_15", "figure_19", "accuracy_motion"]
-)
-def test_a_drawing_imports_nothing_that_the_digest_of_its_job_does_not_see(name):
-    code = f"""
-import sys
-from planar_pushing.figures import render
-render.drawing({name!r})
-for name, module in sys.modules.items():
-    if name.startswith("planar_pushing.") and not hasattr(module, "__path__"):
-        print(name)
-"""
-    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    loaded = set(said.stdout.split())
-    assert f"planar_pushing.{ALL[name].modules[1]}" in loaded
-    assert loaded <= set(modules(*ALL[name].modules))
 
 
 def test_an_unknown_kind_of_file_is_named(tmp_path):

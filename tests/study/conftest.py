@@ -10,11 +10,11 @@ from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import AXES, DATASETS, SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.provenance import provenance
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.storage.store import group_names, write_dataset
-from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -25,12 +25,16 @@ SLIDERS_SMOKE = "workflow/config/sliders_smoke.yaml"
 def results(tmp_path_factory):
     """Folder of results with the datasets of the smoke study."""
     folder = tmp_path_factory.mktemp("results")
-    study, marks = load_study(SMOKE), provenance(SMOKE)
+    study = load_study(SMOKE)
+    marks = provenance(study, SMOKE)
     for name in DATASETS:
-        built = of_study(build_dataset(name, study_slice(study, name)), name, marks)
+        built = of_study(build_dataset(name, study_slice(study, name)), name, marks(name))
         write_dataset(built, folder / f"data/{name}.nc")
     log = simulate_file(load_scene_file(study.simulations["figure_15"]))
-    write_dataset(of_study(log, "figure_15", marks), folder / "data/simulations/figure_15.nc")
+    write_dataset(
+        of_study(log, "figure_15", marks("simulations/figure_15")),
+        folder / "data/simulations/figure_15.nc",
+    )
     return folder
 
 
@@ -44,9 +48,10 @@ def every(results):
 @pytest.fixture(scope="session")
 def sliders(results):
     """The same folder, with the datasets of the smoke study of sliders beside them."""
-    study, marks = load_sliders(SLIDERS_SMOKE), provenance(SLIDERS_SMOKE)
+    study = load_sliders(SLIDERS_SMOKE)
+    marks = provenance(study, SLIDERS_SMOKE)
     for name in SLIDERS:
-        built = of_study(build_dataset(name, study_slice(study, name)), name, marks)
+        built = of_study(build_dataset(name, study_slice(study, name)), name, marks(name))
         write_dataset(built, results / f"studies/sliders/data/{name}.nc")
     return results
 

@@ -55,7 +55,7 @@ def test_paths_are_relative_to_the_file():
          "figures plot; add it"),
         ("title:", "effects: [inertia]\ntitle:",
          "effects: ['inertia'] given; allowed: the keys title, slider, supports, grid, simulations, "
-         "golden, tolerances; remove the key"),
+         "golden; remove the key"),
         ("tripod.yaml", "figure_08.yaml", "simulations.tripod: "),
         ("simulations:", "golden: nowhere\nsimulations:", "golden: "),
     ],

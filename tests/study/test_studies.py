@@ -1,6 +1,5 @@
 """Studies side by side: which one is chosen, what it is called, and the folder that it fills."""
 
-import hashlib
 import shutil
 from pathlib import Path
 
@@ -11,7 +10,6 @@ from planar_pushing.study.storage.store import write_dataset
 from planar_pushing.study.studies import (
     chosen_studies,
     chosen_study,
-    provenance,
     study_folder,
     study_name,
 )
@@ -63,11 +61,6 @@ def test_a_name_that_is_no_folder_of_its_own_is_refused(tmp_path, name):
 def test_each_study_fills_a_folder_of_its_own():
     assert study_folder("paper") == study_folder(None) == Path("results")
     assert study_folder("smoke", "out") == Path("out/studies/smoke")
-
-
-def test_the_digest_is_that_of_the_file():
-    digest = hashlib.sha256(Path(PAPER).read_bytes()).hexdigest()
-    assert provenance(PAPER) == {"study": "paper", "study_digest": f"sha256:{digest}"}
 
 
 def test_a_dataset_of_another_study_is_opened_by_the_studys_name(results, tmp_path):

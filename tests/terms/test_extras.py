@@ -73,7 +73,7 @@ for command in (
 
 def test_the_library_runs_without_any_extra(tmp_path, cones):
     extras = [name for names in EXTRAS.values() for name in names]
-    ended = run([*extras, "snakemake"], COMMANDS, str(tmp_path), cones)
+    ended = run(extras, COMMANDS, str(tmp_path), cones)
     assert ended.returncode == 0, ended.stderr
     assert json.loads(ended.stdout[: ended.stdout.index("\n}\n") + 2])["outcome"] == "UNIQUE"
 
@@ -89,7 +89,6 @@ STUDY = "planar_pushing.study"
     ("golden", "flint", "import planar_pushing.certified.ring"),
     ("golden", "flint", "import planar_pushing.evidence.claims.proofs.verdicts"),
     ("chunks", "dask", f"from {STUDY}.storage.chunk_files import open_chunks as o; o(0, {{}}, {{}})"),
-    ("workflow", "grimp", f"from {STUDY}.running.dependencies import code_of; code_of('terms')"),
 ])  # fmt: skip
 def test_a_missing_extra_is_named_where_it_is_needed(extra, missing, body):
     ended = run([missing], body)

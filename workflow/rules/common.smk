@@ -11,7 +11,7 @@ from planar_pushing.study.grids import effort
 from planar_pushing.study.catalog import DATASETS, SLIDERS, dataset_file
 from planar_pushing.study.grids.chunks import chunk_parts, chunk_slice, chunk_steps
 from planar_pushing.study.provenance import provenance, whole_digest
-from planar_pushing.study.running.code import BUILDERS, DRAWINGS, builder, code_of
+from planar_pushing.study.running.code import builder, code_of
 from planar_pushing.study.running.jobs import failure_text
 from planar_pushing.study.figures import (
     FIGURES,
@@ -174,6 +174,12 @@ def marks(wildcards):
 
 def dataset_code(wildcards):
     return code_of("dataset", builder(wildcards.dataset))
+
+
+def golden_code(datasets, entries, names):
+    """Code that checks these datasets and figures: it builds parts of them anew."""
+    drawings = sorted({entries[name].module for name in names})
+    return code_of("golden", *map(builder, datasets), *drawings)
 
 
 def figure_code(entries):

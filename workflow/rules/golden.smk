@@ -38,7 +38,7 @@ rule golden_verdict:
     priority: FIRST
     params:
         call="evidence.jobs:golden",
-        code=[code_of("golden", *sorted(BUILDERS | DRAWINGS)), whole_digest(STUDY)],
+        code=[golden_code(COMPUTED, FIGURES, DRAWN), whole_digest(STUDY)],
         study=STUDY_FILE,
         results=RESULTS,
     message:

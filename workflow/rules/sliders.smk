@@ -127,7 +127,7 @@ rule sliders_verdict:
     priority: FIRST
     params:
         call="evidence.jobs:golden",
-        code=[code_of("golden", *sorted(BUILDERS | DRAWINGS)), whole_digest(GALLERY)],
+        code=[golden_code(SLIDERS, GALLERY_FIGURES, SHOWN), whole_digest(GALLERY)],
         study=GALLERY_FILE,
         results=folder_of(GALLERY_FILE),
     message:

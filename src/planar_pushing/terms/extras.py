@@ -8,7 +8,7 @@ from planar_pushing.terms.errors import MissingExtra
 
 #: Extras of the package, as `pip install` names them, and what a part of the package imports of each.
 EXTRAS = {
-    "workflow": ("grimp",),
+    "workflow": ("snakemake",),
     "chunks": ("dask",),
     "cluster": ("snakemake_executor_plugin_slurm",),
     "figures": ("matplotlib", "PIL"),

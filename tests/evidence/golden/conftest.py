@@ -3,7 +3,7 @@
 import pytest
 
 from evidence.golden.studies import write_results
-from planar_pushing.study.studies import provenance
+from planar_pushing.study.provenance import provenance
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -15,8 +15,8 @@ def smoke():
 
 
 @pytest.fixture(scope="session")
-def smoke_marks():
-    return provenance(SMOKE)
+def smoke_marks(smoke):
+    return provenance(smoke, SMOKE)
 
 
 @pytest.fixture(scope="session")

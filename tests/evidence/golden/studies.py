@@ -7,24 +7,26 @@ from planar_pushing.study.describe import of_study
 from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.provenance import provenance
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.storage.store import write_dataset
-from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 
 
 def write_results(file, folder):
     """Write the datasets of a study, and the numbers of its figures."""
-    study, marks = load_study(file), provenance(file)
+    study = load_study(file)
+    marks = provenance(study, file)
     for name in DATASETS:
         built = build_dataset(name, study_slice(study, name))
-        write_dataset(of_study(built, name, marks), folder / f"data/{name}.nc")
+        write_dataset(of_study(built, name, marks(name)), folder / f"data/{name}.nc")
     for name, scene in study.simulations.items():
         log = simulate_file(load_scene_file(scene))
-        write_dataset(of_study(log, name, marks), folder / f"data/simulations/{name}.nc")
+        log = of_study(log, name, marks(f"simulations/{name}"))
+        write_dataset(log, folder / f"data/simulations/{name}.nc")
     for name in FIGURES:
         settings = study.figures.get(name, FigureEntry())
-        plotted = of_study(select(name, folder, settings), name, marks)
+        plotted = of_study(select(name, folder, settings), name, marks(name))
         write_dataset(plotted, folder / f"figures/data/{name}.nc")
     return folder

@@ -7,14 +7,15 @@ import pytest
 from evidence.golden.studies import write_results
 from planar_pushing.evidence.golden import check
 from planar_pushing.evidence.golden.rules import RULES
+from planar_pushing.evidence.golden.tolerances import load_tolerances
 from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.figures.images import TOLERANCE, difference
 from planar_pushing.figures.render import picture, save
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.catalog import DATASETS, SLIDERS
 from planar_pushing.study.figures import FIGURES
+from planar_pushing.study.provenance import provenance
 from planar_pushing.study.storage.store import read_dataset, write_dataset
-from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
@@ -45,7 +46,7 @@ def test_every_tolerance_is_of_a_golden_variable():
     variables = {
         name for each in check.golden_names(GOLDEN) for name in read_dataset(GOLDEN / f"{each}.nc")
     }
-    assert set(STUDY.tolerances) <= variables
+    assert set(load_tolerances(GOLDEN)) <= variables
 
 
 def test_results_agree_with_the_golden_data(results):
@@ -56,7 +57,7 @@ def test_results_agree_with_the_golden_data(results):
 
 def test_every_value_is_verified(results):
     opened, checks = check.Results(results), []
-    for name, groups in check.expectations(STUDY, provenance(PAPER), opened):
+    for name, groups in check.expectations(STUDY, provenance(STUDY, PAPER), opened):
         if opened.path(name).is_file():  # the costs are built by jobs of their own
             checks += check.check_file(name, groups, opened)
     assert all(each.passed for each in checks), verdict_text(verdict(checks))

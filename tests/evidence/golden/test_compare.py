@@ -8,7 +8,7 @@ import xarray as xr
 
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
 from planar_pushing.evidence.golden.compare import compare
-from planar_pushing.study.files.models import Tolerance
+from planar_pushing.evidence.golden.tolerances import Tolerance
 
 VALUES = np.array([[1.0, 2.0, np.inf], [4.0, 5.0, 0.0]])
 

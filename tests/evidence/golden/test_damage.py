@@ -8,8 +8,8 @@ import pytest
 from planar_pushing.commands import main
 from planar_pushing.evidence.golden import check
 from planar_pushing.evidence.golden.verdict import verdict, verdict_text
+from planar_pushing.study.provenance import provenance
 from planar_pushing.study.storage.store import read_dataset, write_dataset
-from planar_pushing.study.studies import provenance
 from planar_pushing.terms.errors import InvalidFile
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -23,7 +23,7 @@ def folder(smoke_results, tmp_path):
 
 def file_checks(name, study, folder):
     results = check.Results(folder)
-    groups = dict(check.expectations(study, provenance(SMOKE), results))[name]
+    groups = dict(check.expectations(study, provenance(study, SMOKE), results))[name]
     return [each for each in check.check_file(name, groups, results) if not each.passed]
 
 

@@ -9,17 +9,21 @@ from planar_pushing.evidence.golden.build.enclosures import golden_variables
 from planar_pushing.evidence.golden.by_rule import check_dataset
 from planar_pushing.evidence.golden.compare import compare
 from planar_pushing.evidence.golden.rules import RULES, Rule
+from planar_pushing.evidence.golden.tolerances import load_tolerances
 from planar_pushing.evidence.golden.verdict import verdict
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.catalog import SLIDERS
 from planar_pushing.study.describe import of_study
+from planar_pushing.study.provenance import provenance
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.storage.store import read_dataset, write_dataset
-from planar_pushing.study.studies import SLIDERS_FILE, provenance
+from planar_pushing.study.studies import SLIDERS_FILE
 
 SMOKE = "workflow/config/sliders_smoke.yaml"
 STUDY, FULL = load_sliders(SMOKE), load_sliders(SLIDERS_FILE)
+MARKS = provenance(STUDY, SMOKE)
+TOLERANCES = load_tolerances(check.Path(FULL.golden))
 #: Variables by dataset.
 VARIABLES = [(name, variable) for name in SLIDERS for variable in RULES[name]]
 #: Means and maxima over motions, which are computed anew without balls.
@@ -31,7 +35,7 @@ def results(tmp_path_factory):
     """The datasets of the smallest study of sliders."""
     folder = tmp_path_factory.mktemp("results")
     for name in SLIDERS:
-        built = of_study(build_dataset(name, study_slice(STUDY, name)), name, provenance(SMOKE))
+        built = of_study(build_dataset(name, study_slice(STUDY, name)), name, MARKS(name))
         write_dataset(built, folder / f"data/{name}.nc")
     return check.Results(folder)
 
@@ -39,7 +43,7 @@ def results(tmp_path_factory):
 @pytest.fixture(scope="module")
 def expected(results):
     """What each dataset must be."""
-    found = dict(check.expectations(STUDY, provenance(SMOKE), results))
+    found = dict(check.expectations(STUDY, MARKS, results))
     return {name: found[name]()[""] for name in SLIDERS}
 
 
@@ -103,7 +107,7 @@ def test_every_variable_in_balls_has_golden_data():
 
 def test_every_tolerance_is_of_a_golden_number():
     names = {each for name in SLIDERS for each in read_dataset(f"{FULL.golden}/{name}.nc")}
-    assert {each for each in names if f"{each}_radius" in names} == set(FULL.tolerances)
+    assert {each for each in names if f"{each}_radius" in names} == set(TOLERANCES)
 
 
 def test_golden_data_of_the_sliders_are_small():
@@ -114,10 +118,8 @@ def test_golden_data_of_the_sliders_are_small():
 def test_a_wrong_value_leaves_its_enclosure(name):
     golden = read_dataset(f"{FULL.golden}/{name}.nc")
     result = golden[golden_variables(golden)]
-    assert all(each.passed for each in compare(name, result, golden, FULL.tolerances))
+    assert all(each.passed for each in compare(name, result, golden, TOLERANCES))
     for variable in result:
         changed = with_one_wrong(result, variable)
-        wrong = [
-            each for each in compare(name, changed, golden, FULL.tolerances) if not each.passed
-        ]
+        wrong = [each for each in compare(name, changed, golden, TOLERANCES) if not each.passed]
         assert [(each.variable, each.failed) for each in wrong] == [(variable, 1)]

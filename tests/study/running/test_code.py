@@ -1,32 +1,98 @@
-"""The code that a job depends on."""
+"""The code that a job depends on, against the imports of what it calls."""
 
-from planar_pushing.study.running.dependencies import code_of, modules
+import shutil
+
+import grimp
+import pytest
+
+from planar_pushing.study.catalog import DATASETS, SLIDERS
+from planar_pushing.study.figures import ALL
+from planar_pushing.study.running import code
+
+GRIDS = ("limit_curves", "motion_cones", "contact_modes")
+GRAPH = grimp.build_graph("planar_pushing", cache_dir=None)
+#: What each kind of job calls, and the members of families among it.
+CALLS = {
+    **{f"dataset {name}": ("dataset", "study.running.builds", code.builder(name))
+       for name in (*DATASETS, *SLIDERS)},
+    **{f"figure {name}": ("figure", "figures.jobs", entry.module) for name, entry in ALL.items()},
+    "simulation": ("simulation", "study.running.builds", "study.simulations"),
+    "claims": ("claims", "evidence.claims.table"),
+    "hard_cases": ("hard_cases", "evidence.hard_cases.dataset"),
+    "sweep": ("hard_cases", "evidence.hard_cases.sweep.counts"),
+    "measurements": ("costs", "evidence.costs.measurements"),
+    "effects": ("costs", "evidence.costs.effects", *map(code.builder, GRIDS)),
+    "golden": ("golden", "evidence.golden.check", *code.BUILDERS, *code.DRAWINGS),
+    "report": ("report", "report.jobs"),
+    "manual": ("manual", "report.manual"),
+}  # fmt: skip
+#: Modules that call by name what a job does not run: each is followed from the job's own member.
+TABLES = {
+    "planar_pushing.study.builders",
+    "planar_pushing.study.figures",
+    "planar_pushing.study.simulations",
+}
 
 
-def test_a_builder_does_not_depend_on_another():
-    reached = modules("study.datasets.contact_modes", "study.slices", "study.storage.store")
-    datasets = {name for name in reached if name.startswith("planar_pushing.study.datasets.")}
-    assert datasets == {
-        f"planar_pushing.study.datasets.{name}" for name in ("base", "contact_modes")
+def reached(names):
+    """These modules and all that they import, without what the tables of builders import."""
+    found, ahead = set(), {f"planar_pushing.{name}" for name in names}
+    while ahead:
+        found |= ahead
+        ahead = {
+            each
+            for name in ahead
+            if name not in TABLES or name.removeprefix("planar_pushing.") in names
+            for each in GRAPH.find_modules_directly_imported_by(name)
+        } - found
+    return found
+
+
+@pytest.mark.parametrize("call", CALLS)
+def test_the_digest_holds_all_that_a_job_imports(call):
+    job, *names = CALLS[call]
+    members = [name for name in names if name in code.MEMBERS]
+    held = {
+        file.relative_to(code.ROOT).with_suffix("")
+        for part in (*code.PACKAGES[job], *members)
+        for file in code.files(part)
     }
-    assert {"planar_pushing.mechanics.scene", "planar_pushing.study.files.replacing"} <= set(
-        reached
-    )
+    for module in reached(set(names)):
+        place = code.ROOT.joinpath(*module.split(".")[1:])
+        file = (place / "__init__" if place.is_dir() else place).relative_to(code.ROOT)
+        free = str(file) == "__init__" or str(file).startswith("study/figures")
+        assert free or file in held, module
 
 
-def test_the_builders_depend_on_each_of_them():
-    names = {f"planar_pushing.study.datasets.{name}" for name in ("contact_modes", "scenes")}
-    assert names <= set(modules("study.builders"))
+def test_a_member_of_a_family_counts_where_it_is_named_alone(tmp_path, monkeypatch):
+    shutil.copytree(code.ROOT, tmp_path / "copy", ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setattr(code, "ROOT", tmp_path / "copy")
 
+    def digests():
+        code.code_of.cache_clear()
+        return {
+            "cones": code.code_of("dataset", "study.datasets.motion_cones"),
+            "modes": code.code_of("dataset", "study.datasets.contact_modes"),
+            "figure 5": code.code_of("figure", "figures.paper.figure_05"),
+            "figure 6": code.code_of("figure", "figures.paper.figure_06"),
+            "claims": code.code_of("claims"),
+        }
 
-def test_the_digest_is_of_what_is_reached():
-    assert code_of("study.slices") == code_of("study.slices")
-    assert code_of("study.slices") != code_of("study.storage.store")
+    def changed(file):
+        before = digests()
+        path = code.ROOT / file
+        path.write_text(path.read_text(encoding="utf-8") + "\n# an edit\n", encoding="utf-8")
+        after = digests()
+        return {name for name in before if before[name] != after[name]}
 
-
-def test_a_module_depends_on_the_packages_around_it():
-    reached = modules("figures.paper.figure_06")
-    assert {
-        f"planar_pushing.{name}" for name in ("figures", "figures.paper", "terms.extras")
-    } <= set(reached)
-    assert "planar_pushing" not in reached
+    try:
+        every = set(digests())
+        assert changed("figures/paper/figure_05.py") == {"figure 5"}
+        assert changed("study/datasets/motion_cones.py") == {"cones"}
+        assert changed("study/datasets/base.py") == every
+        assert changed("mechanics/cones.py") == every
+        assert changed("figures/paper.mplstyle") == {"figure 5", "figure 6"}
+        assert changed("study/figures/paper.py") == set()  # an entry is a parameter of its job
+        assert changed("commands/query.py") == set()
+    finally:
+        code.code_of.cache_clear()

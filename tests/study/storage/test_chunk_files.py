@@ -8,11 +8,11 @@ from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.grids.chunks import chunk_parts, chunk_slice, chunk_steps
 from planar_pushing.study.grids.streaming import stream_dataset
+from planar_pushing.study.provenance import provenance
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.storage.chunk_files import index_of, open_chunks
 from planar_pushing.study.storage.parts import sizes
 from planar_pushing.study.storage.store import write_dataset
-from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -32,12 +32,14 @@ def chunked(tmp_path_factory):
         for chunk, part in chunk_parts(STUDY, name).items():
             built = build_dataset(name, chunk_slice(STUDY, name, part))
             write_dataset(built, folder / f"chunks/{name}/{chunk}.nc")
-        index = of_study(index_of(opened(folder, name), chunk_steps(STUDY, name)), name, MARKS)
+        index = of_study(
+            index_of(opened(folder, name), chunk_steps(STUDY, name)), name, MARKS(name)
+        )
         write_dataset(index, folder / f"data/{name}.nc")
     return folder
 
 
-MARKS = provenance(SMOKE)
+MARKS = provenance(load_study(SMOKE), SMOKE)
 
 
 def opened(folder, name):
@@ -57,7 +59,7 @@ def test_chunks_open_as_the_whole_dataset(chunked, results, name):
 
 @pytest.mark.parametrize("name", CHUNKS)
 def test_gathered_chunks_are_the_whole_file(chunked, results, tmp_path, name):
-    marked = of_study(opened(chunked, name), name, MARKS)
+    marked = of_study(opened(chunked, name), name, MARKS(name))
     path = tmp_path / "gathered.nc"
     lengths = sizes(name, study_slice(STUDY, name))
     stream_dataset(lambda part: marked.isel(part).load(), lengths, path, most=10**6)

@@ -27,7 +27,7 @@ PACKAGES = {
     "claims": (*LIBRARY, "certified", "evidence.claims", "evidence.writing"),
     "hard_cases": (*LIBRARY, "certified", "evidence.hard_cases", "evidence.writing"),
     "costs": (*LIBRARY, "simulation", "certified", "evidence.costs"),
-    "report": (*LIBRARY, "evidence.writing", "report"),
+    "report": (*LIBRARY, "certified", "evidence.claims", "evidence.writing", "report"),
     "manual": (".",),
 }
 
