@@ -38,7 +38,7 @@ def run(names, body, *arguments):
 
 
 def names_of(requirements):
-    return {re.split("[<>=]", each)[0] for each in requirements}
+    return {re.split(r"[\[<>=]", each)[0] for each in requirements}
 
 
 @pytest.mark.parametrize("extra", EXTRAS)

@@ -13,8 +13,6 @@ from workflow.conftest import PROJECT
 STUDY = "workflow/config/split.yaml"
 RESULTS = "results/studies/split"
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(PROJECT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
-#: What drawings need of the sources.
-STYLE = "src/planar_pushing/figures/paper.mplstyle"
 
 
 def copy_workflow(root: Path, *lines: str) -> Path:
@@ -22,8 +20,6 @@ def copy_workflow(root: Path, *lines: str) -> Path:
     shutil.copytree(PROJECT / "workflow", root / "workflow", dirs_exist_ok=True)
     for name in ("Snakefile", "profiles"):
         shutil.copy(PROJECT / name, root / name, follow_symlinks=False)
-    (root / STYLE).parent.mkdir(parents=True)
-    shutil.copy(PROJECT / STYLE, root / STYLE)
     smoke = (PROJECT / "workflow/config/smoke.yaml").read_text(encoding="utf-8")
     (root / STUDY).write_text("".join([smoke, *lines]), encoding="utf-8")
     return root

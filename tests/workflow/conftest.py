@@ -69,6 +69,16 @@ class Copy:
         assert done.returncode == code, said
         return said
 
+    def dry(self, *arguments: str, code: int = 0) -> str:
+        """Make a dry run of whatever the arguments choose, the paper's study by default."""
+        run = [sys.executable, "-m", "snakemake", "--dry-run", "--cores", "1", *arguments]
+        done = subprocess.run(
+            run, cwd=self.root, env=self.environment, capture_output=True, text=True, check=False
+        )
+        said = done.stdout + done.stderr
+        assert done.returncode == code, said
+        return said
+
     def digests(self) -> dict[str, str]:
         """Digest of every artefact; logs and benchmarks hold times and are none."""
         results = self.results

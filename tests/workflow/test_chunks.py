@@ -10,10 +10,12 @@ import xarray as xr
 import planar_pushing as pp
 from planar_pushing.study.builders import build_dataset
 from planar_pushing.study.describe import of_study
+from planar_pushing.study.provenance import provenance
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.studies import provenance
 from planar_pushing.study.study_file import load_study
 from workflow.chunked import ENVIRONMENT, RESULTS, STUDY, copy_workflow, files, snakemake
+
+pytestmark = pytest.mark.slow
 
 CHUNKS = """
 chunks: {motion_cones: {friction_coefficient: 3}, acceleration_centers: {force_angle: 8}}
@@ -33,7 +35,7 @@ def root(tmp_path_factory):
 
 def planned(root, *arguments):
     """The chunks that a run would compute."""
-    said = snakemake(root, "--dry-run", *arguments, *TARGETS)
+    said = snakemake(root, "--dry-run", "--quiet", "host", *arguments, *TARGETS)
     return set(re.findall(r"Computing (\S+) of \w+", said)), said
 
 
@@ -57,7 +59,7 @@ def test_the_datasets_are_those_in_one_piece(root):
     for name in ("motion_cones", "acceleration_centers"):
         found = pp.open_dataset(name, root / "results", study="split")
         whole = build_dataset(name, study_slice(load_study(SMOKE), name))
-        expected = of_study(whole, name, provenance(root / STUDY))
+        expected = of_study(whole, name, provenance(load_study(root / STUDY), root / STUDY)(name))
         xr.testing.assert_identical(found.compute(), expected)
     assert found.chunks
 

@@ -2,6 +2,10 @@
 
 import json
 
+import pytest
+
+pytestmark = pytest.mark.slow
+
 LEDGER = "paper/claims.yaml"
 TABLE = "tables/claims.json"
 

@@ -1,9 +1,7 @@
-"""The Makefile's set-up: one at a time, in its own environment, and in no folder with a space."""
+"""The Makefile's set-up: one at a time, in an environment of its own, and from any shell."""
 
 import os
-import re
 import shutil
-import signal
 import subprocess
 import sys
 
@@ -11,22 +9,24 @@ import pytest
 
 from workflow.conftest import PROJECT
 
-LOCKS = ("library.lock", "results.lock", "chunks.lock", "requirements.lock")
-#: A Python that sets up nothing, and notes that it was asked to.
+pytestmark = pytest.mark.slow
+
+#: A Python that installs nothing, and notes that it was asked to make an environment.
 PYTHON = """#!/bin/sh
-if [ "$1" = workflow/alone.py ]; then exec {python} "$@"; fi
-echo "set up" >> log
+if [ "$1" = -c ]; then exec {python} "$@"; fi
+sleep 0.3
+echo "$@" >> log
 mkdir -p .venv/bin
-printf '#!/bin/sh\\nsleep 0.3\\n' > .venv/bin/python
-for each in planar-pushing snakemake; do cp .venv/bin/python .venv/bin/$each; done
-chmod +x .venv/bin/*
+for each in python uv planar-pushing snakemake; do
+    printf '#!/bin/sh\\nexit 0\\n' > .venv/bin/$each
+    chmod +x .venv/bin/$each
+done
 """
 
 
 @pytest.fixture
 def folder(tmp_path):
-    for name in ("Makefile", *LOCKS, "pyproject.toml", "workflow/alone.py"):
-        (tmp_path / name).parent.mkdir(exist_ok=True)
+    for name in ("Makefile", "requirements.lock", "pyproject.toml"):
         shutil.copy(PROJECT / name, tmp_path / name)
     for name in ("mechanics", "simulation"):
         (tmp_path / "src/planar_pushing" / name).mkdir(parents=True)
@@ -42,74 +42,72 @@ def start(folder, *arguments, **variables):
     )  # fmt: skip
 
 
+def make(folder, *arguments, code=0, **variables):
+    run = start(folder, *arguments, **variables)
+    said = run.communicate()[0]
+    assert run.returncode == code, said
+    return said
+
+
 def test_of_two_at_once_the_second_waits_and_finds_it_made(folder):
     runs = [start(folder, ".venv/compiled") for _ in range(2)]
     said = [run.communicate()[0] for run in runs]
     assert [run.returncode for run in runs] == [0, 0], said
-    assert (folder / "log").read_text() == "set up\n"
-    assert any("another make is setting up this folder; waiting for it" in each for each in said)
+    assert (folder / "log").read_text() == "-m venv --clear .venv\n"
+    assert any("Another make is at work in this folder; waiting for it" in each for each in said)
 
 
-def test_ctrl_c_ends_the_setting_up_without_a_traceback(tmp_path):
-    run = subprocess.Popen(
-        [sys.executable, PROJECT / "workflow/alone.py", "sh", "-c", "echo started; exec sleep 60"],
-        cwd=tmp_path, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-    )  # fmt: skip
-    assert run.stdout.readline() == "started\n"
-    run.send_signal(signal.SIGINT)
-    assert run.communicate()[0] == ""
-    assert run.returncode == 130
+def test_what_is_made_is_not_made_again_but_for_other_packages_or_in_another_place(folder):
+    make(folder)
+    make(folder)
+    assert (folder / "log").read_text().count("venv") == 1
+    with (folder / "requirements.lock").open("a") as lock:
+        lock.write("# another package\n")
+    make(folder)
+    assert (folder / "log").read_text().count("venv") == 2
+    moved = folder.rename(folder.with_name("moved"))
+    assert "Installing the locked packages" in make(moved)
+    assert "Installing" not in make(moved)
 
 
-def test_what_python_has_elsewhere_and_a_home_that_is_not_ours_stay_out(folder):
+@pytest.mark.parametrize(
+    "variables",
+    [{"HOME": "/nonexistent"}, {"XDG_CACHE_HOME": "/proc/none"}, {"HOME": "/dev/null/home"}],
+)
+def test_settings_of_other_work_stay_out_and_a_home_that_is_not_ours_is_replaced(folder, variables):
+    foreign = dict.fromkeys(
+        ("PYTHONPATH", "MPLBACKEND", "SNAKEMAKE_PROFILE", "VIRTUAL_ENV", "PYTHONHOME"), "foreign"
+    )
     show = ("--eval=show: ; @env", "show")
-    said = start(folder, *show, PYTHONPATH="/foreign", HOME="/nonexistent").communicate()[0]
+    said = make(folder, *show, **foreign | variables)
     found = dict(line.split("=", 1) for line in said.splitlines() if "=" in line)
-    assert "PYTHONPATH" not in found
+    assert not foreign.keys() & found.keys()
     assert found["HOME"] == str(folder / ".snakemake/home")
-    assert found["XDG_CACHE_HOME"].startswith(found["HOME"])
-    mine = start(folder, *show, HOME=str(folder)).communicate()[0]
-    assert f"HOME={folder}\n" in mine
+    assert found["XDG_CACHE_HOME"] == f"{found['HOME']}/.cache"
+    assert f"HOME={folder}\n" in make(folder, *show, HOME=str(folder), XDG_CACHE_HOME="")
 
 
-def pins(name):
-    """Versions by package; for which systems they are meant follows from who needs them."""
-    lines = (PROJECT / name).read_text(encoding="utf-8").splitlines()
-    return dict(re.split("==| ", line)[:2] for line in lines if re.match(r"[\w-]+==", line))
-
-
-def test_what_a_part_needs_is_locked_as_everything_is():
-    library, results, chunks, everything = map(pins, LOCKS)
-    assert {"numba", "numpy", "xarray"} <= set(library)
-    assert {"snakemake", "matplotlib", "bokeh", "python-flint"} <= set(results)
-    assert "dask" in chunks
-    assert not {"pytest", "sphinx", "distributed"} & set(chunks)
-    # xarray imports dask wherever it is, in every job.
-    assert "dask" not in results
-    assert library.items() <= results.items() <= chunks.items() <= everything.items()
-
-
-def test_chunks_tests_and_manual_have_packages_of_their_own(folder):
-    for wanted, brought in (
-        ("all", set()),
-        ("STUDY=a.yaml", {"chunks"}),
-        (".venv/tools", {"chunks", "tools"}),
-    ):
-        run = start(folder, wanted)
-        assert run.communicate()[0]
-        assert run.returncode == 0
-        assert {path.name for path in (folder / ".venv").iterdir() if path.is_file()} == {
-            "library", "ready", "compiled", *brought,
-        }  # fmt: skip
-    assert (folder / "log").read_text() == "set up\n"
-
-
-def test_a_folder_with_a_space_is_refused_with_one_message(folder):
+def test_a_folder_with_a_space_is_refused_with_one_line_but_help_works(folder):
     spaced = folder / "a folder"
     spaced.mkdir()
     shutil.copy(PROJECT / "Makefile", spaced)
-    run = start(spaced)
-    said = run.communicate()[0]
-    assert run.returncode == 2
+    said = make(spaced, code=2)
     assert "a folder: Snakemake runs in no folder with a space; move the project" in said
-    assert said.count("***") == 1
+    assert len(said.splitlines()) == 1
+    assert "make test-all" in make(spaced, "help")
+
+
+def test_a_python_that_is_too_old_is_refused_with_one_line(folder):
+    (folder / "old").write_text("#!/bin/sh\necho False\n", encoding="utf-8")
+    (folder / "old").chmod(0o755)
+    said = make(folder, "PYTHON=./old", code=2)
+    assert "Python 3.11 to 3.14 is needed, ./old was found; set PYTHON=/path/to/python" in said
+    assert len(said.splitlines()) == 1
+
+
+def test_the_lock_pins_uv_with_its_hash_and_names_no_index():
+    lock = (PROJECT / "requirements.lock").read_text(encoding="utf-8")
+    start = lock.index("\nuv==")
+    assert "--hash=sha256:" in lock[start : lock.index("==", start + 6)]
+    assert "http" not in lock
+    assert [path.name for path in PROJECT.glob("*.lock")] == ["requirements.lock"]

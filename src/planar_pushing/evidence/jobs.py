@@ -12,6 +12,8 @@ from planar_pushing.study.storage.store import read_dataset, write_dataset
 from planar_pushing.terms.errors import InvalidResult
 
 Attributes = Mapping[str, str]
+#: Lines of a verdict that failed which are shown, the worst first.
+WORST = 10
 
 
 def golden(data: PathLike, text: PathLike, *, study: str, results: str) -> None:
@@ -20,15 +22,18 @@ def golden(data: PathLike, text: PathLike, *, study: str, results: str) -> None:
     Raises
     ------
     InvalidResult
-        Where a value differs; the message is the verdict, and nothing is written.
+        Where a value differs; the message holds the worst, and nothing is written.
     """
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 
     found = verdict(check_results(Path(results), study))
+    lines = verdict_text(found)
     if not found["passed"]:
-        raise InvalidResult(verdict_text(found))
-    write_text(verdict_text(found), text)
+        failed = [line for line in lines.splitlines() if line.startswith("FAIL")]
+        more = [f"and {len(failed) - WORST} more"] if len(failed) > WORST else []
+        raise InvalidResult("\n".join(failed[:WORST] + more))
+    write_text(lines, text)
     write_text(json_text(found), data)
 
 

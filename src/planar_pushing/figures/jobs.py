@@ -18,7 +18,7 @@ def figure(
     **paths: PathLike,
 ) -> None:
     """Write the numbers that a figure plots, and the picture in three formats; paths as in `render`."""
-    render(name, results, SimpleNamespace(**settings), marks=marks, **paths)  # type: ignore[arg-type]
+    render(name, results, SimpleNamespace(**settings), marks=marks, **paths)
 
 
 def file_figure(source: PathLike, *, name: str, **paths: PathLike) -> None:
