@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/installed
 COMPILED := $(VENV)/compiled
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
-	$$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null && echo $$p && break; done)
+	$$p -E -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null && echo $$p && break; done)
 
 ifneq ($(MAKECMDGOALS),help)
 ifneq ($(words $(CURDIR)),1)
@@ -16,7 +16,7 @@ endif
 ifneq ($(shell test -w . && echo yes),yes)
 $(error $(CURDIR): cannot be written; make needs a folder of your own)
 endif
-ifneq ($(shell $(PYTHON) -c 'import sys; print((3, 11) <= sys.version_info < (3, 15))' 2>/dev/null),True)
+ifneq ($(shell $(PYTHON) -E -c 'import sys; print((3, 11) <= sys.version_info < (3, 15))' 2>/dev/null),True)
 $(error Python 3.11 to 3.14 is needed, $(or $(PYTHON),none) was found; set PYTHON=/path/to/python)
 endif
 endif
@@ -35,8 +35,8 @@ endif
 .DELETE_ON_ERROR:
 
 # One make at a time: the lock goes with the process that holds it, and so does not outlive a kill.
-LOCK := exec 9>>.make.lock; $(PYTHON) -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX | fcntl.LOCK_NB)' 2>/dev/null || { \
-	echo "Another make is at work in this folder; waiting for it"; $(PYTHON) -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
+LOCK := exec 9>>.making; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX | fcntl.LOCK_NB)' 2>/dev/null || { \
+	echo "Another make is at work in this folder; waiting for it"; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
 
 all: $(COMPILED)
 	@$(LOCK); $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY)) && $(BIN)/python -m planar_pushing.report.closing $(STUDY)
@@ -105,7 +105,7 @@ lock: $(INSTALLED) ## resolve the dependencies anew
 		--upgrade --all-extras --output-file requirements.lock pyproject.toml requirements.build
 
 clean: ## remove everything that was generated
-	rm -rf $(VENV) .make.lock .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
+	rm -rf $(VENV) .making .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
 	find src tests -name __pycache__ -prune -exec rm -rf {} +
 	find results -mindepth 1 -not -name README.md -delete
 
