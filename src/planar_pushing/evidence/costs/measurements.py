@@ -28,7 +28,7 @@ from planar_pushing.study.catalog import EVIDENCE
 from planar_pushing.study.describe import describe
 
 #: Repeats in the default build: a round of all methods at the ratios of `TIMED` takes 0.1 s.
-ROUNDS = 25
+ROUNDS = 15
 
 
 def wrench_times(spin_ratios: Array = SPIN_RATIOS, repeats: int = REPEATS) -> Variables:
