@@ -11,13 +11,13 @@ import pytest
 from planar_pushing.report import supplement
 from planar_pushing.report.costs.numbers import absent_evaluations, listed_evaluations
 from planar_pushing.report.costs.tables import COST_TABLES, case_text, spin_ratio_text
-from planar_pushing.report.parts.costs import ACCURACY, EFFECTS, HARD_CASES
+from planar_pushing.report.parts.costs import ACCURACY, EFFECTS, HARD_CASES, TIMES
 from planar_pushing.report.results import MEASURED, Results
 from planar_pushing.study.storage.store import read_dataset
 from planar_pushing.terms.errors import InvalidFile
 from report.costs import STORED, evaluations, write_costs, write_times
 
-NUMBERS = ACCURACY | HARD_CASES | EFFECTS
+NUMBERS = ACCURACY | TIMES | HARD_CASES | EFFECTS
 
 
 @pytest.fixture(scope="module")
@@ -47,6 +47,13 @@ def rows(text):
         ("rim-quartic", "0.19"),
         ("ellipsoid-cone-error", "9.6"),
         ("quartic-cone-error", "0.31"),
+        # Least times grow by 1 us along the spin ratios, and by 4 us from setting to setting.
+        ("closed-form-time-least", "1000"),
+        ("closed-form-time-most", "4000"),
+        ("quad-time-least", str(4 * 32 + 1)),
+        ("quad-time-most", str(4 * 32 + 4)),
+        ("quad-time-ratio", str((4 * 32 + 4) // 4)),
+        ("trapezoid-time", "0.1"),
         ("hard-cases", "8"),
         ("hard-well", "7"),
         ("hard-ill", "1"),

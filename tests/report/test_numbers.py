@@ -248,10 +248,19 @@ def test_provenance_names_versions_and_no_folder(results):
 def test_figures_table(results):
     found = json.loads(figures_text(results))
     assert list(found) == [*FIGURES, *GALLERY, *OURS]
-    assert [found[name]["number"] for name in OURS] == ["21", "22"]
+    assert [found[name]["number"] for name in OURS] == ["21", "22", "23"]
     assert found["figure_06"]["file"] == "figures/figure_06"
     assert found["figure_16"]["file"] == "studies/sliders/figures/figure_16"
     assert found["figure_06"]["section"].startswith("Sec. 3.1")
+
+
+def test_a_caption_names_the_machine_where_times_are_shown(results):
+    found = json.loads(figures_text(results))
+    machine = "Machine: Some Processor, number of cores: 6, Python 3.98, NumPy 9.9."
+    named = [name for name, entry in found.items() if "Machine:" in entry["caption"]]
+    assert named == ["accuracy_time"]
+    assert found["accuracy_time"]["caption"] == f"{OURS['accuracy_time'].caption} {machine}"
+    assert found["hard_cases"]["caption"] == OURS["hard_cases"].caption
 
 
 def test_ellipsoids_by_support(results):

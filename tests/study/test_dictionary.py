@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import planar_pushing as pp
+from planar_pushing.evidence.costs.measurements import accuracy_time
 from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
 from planar_pushing.evidence.hard_cases.dataset import build as hard_cases
 from planar_pushing.figures.render import select
@@ -51,6 +52,7 @@ def whole(results, sliders):
         write_dataset(select(name, own, rod), own / f"figures/data/{name}.nc")
     errors = {"wrench": wrench_errors(), "cone": cone_errors()}
     write_dataset(errors, results / "data/accuracy_errors.nc")
+    write_dataset(accuracy_time(1), results / "data/accuracy_time.nc")
     write_dataset(hard_cases(), results / "data/hard_cases.nc")
     counted = str(results / "data/evaluations.nc")
     python = os.environ | {"NUMBA_DISABLE_JIT": "1"}

@@ -16,6 +16,7 @@ NUMBERS: Numbers = {
     **mechanics.MODES,
     **any_slider.CLAIMS,
     **costs.ACCURACY,
+    **costs.TIMES,
     **costs.HARD_CASES,
     **costs.EFFECTS,
     **evidence.GOLDEN,

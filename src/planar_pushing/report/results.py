@@ -18,7 +18,7 @@ from planar_pushing.terms.errors import InvalidFile
 EFFECTS: tuple[str, ...] = get_args(EffectsName)
 FRICTION, INERTIA, BOTH = EFFECTS
 #: Datasets on how this work computes; a group is named behind a slash.
-MEASURED = ("accuracy", "accuracy_errors", "effects", "evaluations", "hard_cases")
+MEASURED = ("accuracy", "accuracy_errors", "accuracy_time", "effects", "evaluations", "hard_cases")
 
 
 #: The study of sliders, whose datasets are named behind it and a slash.

@@ -20,20 +20,11 @@ RUNS = {"event-driven": 1e-10, "time-stepping": 1000.0}
 ASKED = {name: asked for (scene, name), asked in COMPUTED.items() if scene == "one slider"}
 
 
-def _range(prefix: str, name: str, per: float = times.NANO, unit: str = "ns") -> Numbers:
-    """Least and largest time of a method over the spin ratios."""
-    ends = {"least": np.min, "most": np.max}
-    return {
-        f"{prefix}-{end}": computed(WRENCH, times.wrench_time, name, which, per, unit=unit)
-        for end, which in ends.items()
-    }
-
-
 NUMBERS: Numbers = {
-    **_range("closed-form", "closed form"),
-    **_range("hypergeometric", "hyp2f1"),
-    **_range("carlson", "Carlson"),
-    **_range("quad", "quad", times.MICRO, "us"),
+    **times.time_range(WRENCH, "closed-form", "closed form"),
+    **times.time_range(WRENCH, "hypergeometric", "hyp2f1"),
+    **times.time_range(WRENCH, "carlson", "Carlson"),
+    **times.time_range(WRENCH, "quad", "quad", times.MICRO, "us"),
     "cone-time": computed(CONE, times.cone_time, "closed form", digits=2, unit="us"),
     "brentq-ratio": computed(CONE, times.cone_ratio, "brentq on quad"),
     "root-ratio": computed(CONE, times.cone_ratio, "find_root"),

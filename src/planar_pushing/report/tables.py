@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import platform
+import re
 from importlib.metadata import version
 
 import numpy as np
 
 from planar_pushing.evidence.writing import csv_text, json_text
+from planar_pushing.report.costs.times import machine
 from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.margins import margins
 from planar_pushing.report.numbers import numbers
@@ -47,13 +49,18 @@ def numbers_text(results: Results) -> str:
 def figures_text(results: Results) -> str:
     """Table of the figures: captions, what the paper's promise, files, and margins in points.
 
-    Figures about our own work are numbered on from those of the paper's subjects and of any slider.
+    Figures about our own work are numbered on from those of the paper's subjects and of any slider. The
+    caption of one that shows times ends with the machine.
     """
     found = {name: _figure(results, figure, "figures") for name, figure in FIGURES.items()}
     for name, figure in GALLERY.items():
         found[name] = _figure(results, figure, f"studies/{SLIDERS}/figures")
     for number, (name, figure) in enumerate(OURS.items(), len(found) + 1):
-        found[name] = _figure(results, figure, "figures") | {"number": str(number)}
+        caption = figure.caption + _machine(results, figure)
+        found[name] = _figure(results, figure, "figures") | {
+            "caption": caption,
+            "number": str(number),
+        }
     return json_text(found)
 
 
@@ -66,6 +73,17 @@ def _figure(results: Results, figure: Figure, folder: str) -> dict[str, object]:
         "file": file,
         "margins": margins(results.folder / f"{file}.png"),
     }
+
+
+def _machine(results: Results, figure: Figure) -> str:
+    """Sentence that names the machine on which a figure's dataset was measured, if it was."""
+    data = results.dataset(figure.datasets[0])
+    if "machine" not in data.attrs:
+        return ""
+    found = machine(data)
+    processor = re.sub(r"\((R|TM)\)", "", found["processor"])
+    versions = f"Python {found['python']}, NumPy {found['numpy']}"
+    return f" Machine: {processor}, number of cores: {found['cores']}, {versions}."
 
 
 def ellipsoids_text(results: Results) -> str:

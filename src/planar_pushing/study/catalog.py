@@ -31,9 +31,10 @@ FIGURES = "figures"
 #: The folders of both in the results: a file for each name.
 FOLDERS = {SIMULATIONS: "data/simulations", FIGURES: "figures/data"}
 
-#: Datasets on how this work computes: what each holds.
+#: Datasets on how this work computes: what each holds; `accuracy_time` differs from run to run.
 EVIDENCE = {
     "accuracy_errors": "errors and evaluations of every method, a group for each quantity",
+    "accuracy_time": "errors of the methods for the friction wrench and their times on one machine",
     "evaluations": "how often each effect is evaluated",
     "hard_cases": "results in doubles against references of 40 digits, where numbers get hard",
 }

@@ -16,7 +16,7 @@ GOLDEN = Path(__file__).parents[2] / "evidence/costs/golden_accuracy.nc"
 
 
 GROUPS = {
-    name: figure.datasets[0].partition("/")[2]
+    name: figure.datasets[0].partition("/")[2] or "wrench"
     for name, figure in (OURS | SUPPLEMENT).items()
     if name.startswith("accuracy_")
 }

@@ -5,16 +5,14 @@ import pytest
 
 from figures.evidence.conftest import markers
 from planar_pushing.evidence.costs import tables
-from planar_pushing.figures.evidence import (
-    accuracy_wrench,
-)
+from planar_pushing.figures.evidence.work_precision import LIMITS, TITLES
 from planar_pushing.study.storage.store import read_dataset
 
 
 @pytest.mark.parametrize("index", range(9))
 def test_wrench_markers_are_least_times_and_errors_within_the_axis(pictures, data, index):
     one = read_dataset(data, "wrench").isel(spin_ratio=index)
-    low, high = accuracy_wrench.LIMITS
+    low, high = LIMITS
     wanted = np.column_stack([one.wrench_seconds.min("repeat"), np.clip(one.error, low, high)])
     shown = markers(pictures["accuracy_wrench"].axes[index])
     assert np.array_equal(shown[np.lexsort(shown.T)], wanted[np.lexsort(wanted.T)])
@@ -29,7 +27,7 @@ def test_nan_is_marked_where_it_stands(pictures):
 
 
 def test_panels_are_in_the_order_of_the_spin_ratios():
-    assert len(accuracy_wrench.TITLES) == tables.SPIN_RATIOS.size
-    for k, title in zip(tables.SPIN_RATIOS, accuracy_wrench.TITLES, strict=True):
+    assert list(TITLES) == tables.SPIN_RATIOS.tolist()
+    for k, title in TITLES.items():
         formula = title.split("$")[1].removeprefix("k = ").replace("{", "(").replace("}", ")")
         assert eval(formula.replace("^", "**").replace("10**", "10.0**")) == k

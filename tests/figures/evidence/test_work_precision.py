@@ -8,7 +8,9 @@ from planar_pushing.figures.evidence.work_precision import setting_text
 from planar_pushing.study.storage.store import read_dataset
 
 
-@pytest.mark.parametrize("name", ["accuracy_wrench", "accuracy_cone", "accuracy_evaluations"])
+@pytest.mark.parametrize(
+    "name", ["accuracy_wrench", "accuracy_cone", "accuracy_evaluations", "accuracy_time"]
+)
 def test_the_legend_names_every_method(pictures, data, name):
     (legend,) = pictures[name].legends
     given = set(read_dataset(data, GROUPS[name]).method.values)
@@ -23,7 +25,7 @@ def test_settings_are_written_in_one_way(value, text):
     assert setting_text(value) == text
 
 
-@pytest.mark.parametrize("name", ["accuracy_wrench", "accuracy_evaluations"])
+@pytest.mark.parametrize("name", ["accuracy_wrench", "accuracy_evaluations", "accuracy_time"])
 def test_no_mark_stands_on_the_frame(pictures, name):
     for ax in pictures[name].axes:
         low, high = ax.get_ylim()

@@ -14,26 +14,61 @@ from planar_pushing.evidence.costs.methods.cones import cone_methods, edges
 from planar_pushing.evidence.costs.methods.wrench import batch, wrench_methods
 from planar_pushing.evidence.costs.tables import (
     SPIN_RATIOS,
+    TIMED,
+    VARIABLES,
     Variables,
     cone_errors,
     described,
     labelled,
     wrench_errors,
 )
-from planar_pushing.evidence.costs.timing import seconds, stamped
+from planar_pushing.evidence.costs.timing import REPEATS, seconds, stamped
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.study.catalog import EVIDENCE
+from planar_pushing.study.describe import describe
+
+#: Repeats in the default build: a round of all methods at the ratios of `TIMED` takes 0.1 s.
+ROUNDS = 15
 
 
-def wrench_times() -> Variables:
+def wrench_times(spin_ratios: Array = SPIN_RATIOS, repeats: int = REPEATS) -> Variables:
     """Seconds for a wrench at every setting and spin ratio, each repeat."""
     rows = [(each, setting) for each in wrench_methods() for setting in each.settings]
     count = np.array([batch(each, setting) for each, setting in rows])
     calls = [
         partial(each.run, np.full(size, k), setting)
         for (each, setting), size in zip(rows, count, strict=True)
-        for k in SPIN_RATIOS
+        for k in spin_ratios
     ]
-    taken = seconds(calls).reshape(len(rows), SPIN_RATIOS.size, -1) / count[:, None, None]
+    taken = seconds(calls, repeats).reshape(len(rows), spin_ratios.size, -1)
+    taken /= count[:, None, None]
     return {"wrench_seconds": (("point", "spin_ratio", "repeat"), taken), "batch": ("point", count)}
+
+
+def accuracy_time(repeats: int = ROUNDS) -> xr.Dataset:
+    """Measure what the accuracy of the friction wrench costs in time, on this machine.
+
+    Parameters
+    ----------
+    repeats : int
+        Number of times that each method is timed, the methods in turns.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `point`, a row for each setting of a method, and `spin_ratio`, the four ratios of `TIMED`:
+        `error`, the same as in `wrench_errors`, and `wrench_seconds`, which has the dimension `repeat`
+        as well. The attribute `machine` names the processor, its cores and the versions.
+    """
+    errors = wrench_errors().sel(spin_ratio=TIMED).drop_vars("evaluations")
+    dataset = describe(
+        errors.assign(wrench_times(TIMED, repeats)),
+        title=EVIDENCE["accuracy_time"].capitalize(),
+        source="Eqs. (2)-(3)",
+        parameters={"repeats": repeats},
+        quantities=VARIABLES,
+    )
+    return stamped(dataset)
 
 
 def cone_times() -> Variables:

@@ -15,6 +15,8 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.quantities import DATASET, Quantities, attributes
 
 SPIN_RATIOS = np.array([1e-8, 0.1, 0.9, 1 - 1e-3, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e8])
+#: Those at which the default build measures times: regular, next to the ring, on it, a spin.
+TIMED = np.array([0.1, 1 - 1e-9, 1, 1e8])
 
 #: Units and long names; a name may mean something else than in the other datasets.
 VARIABLES: Quantities = {

@@ -7,26 +7,15 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.evidence.work_precision import (
+    LIMITS,
+    TITLES,
+    best,
     handles,
+    mark_errors,
     methods,
-    name_limits,
     work_precision,
 )
 from planar_pushing.figures.style import GREY, NOTE_SIZE
-
-#: Where errors of zero, and NaN, are marked.
-LIMITS = (1e-19, 1e4)
-TITLES = (
-    r"$k = 10^{-8}$, almost a translation",
-    r"$k = 0.1$",
-    r"$k = 0.9$",
-    r"$k = 1 - 10^{-3}$",
-    r"$k = 1 - 10^{-9}$",
-    r"$k = 1$, centre on the ring",
-    r"$k = 1 + 10^{-9}$",
-    r"$k = 3$",
-    r"$k = 10^{8}$, almost a spin in place",
-)
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:
@@ -34,17 +23,13 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
     axes = figure.subplots(3, 3, sharex=True, sharey=True)
     figure.subplots_adjust(left=0.085, right=0.985, bottom=0.065, top=0.875, hspace=0.2, wspace=0.1)
     names = data.method.values
-    for index, (ax, title) in enumerate(zip(axes.flat, TITLES, strict=True)):
-        one = data.isel(spin_ratio=index)
+    for ax, (spin_ratio, title) in zip(axes.flat, TITLES.items(), strict=True):
+        one = data.sel(spin_ratio=spin_ratio)
         work_precision(ax, names, one.wrench_seconds, one.error.values, LIMITS)
-        ax.axhline(np.finfo(float).eps, color=GREY, linewidth=0.6, linestyle=":")
         ax.set_title(title)
         ax.margins(x=0.08)
         ax.set_xticks(10.0 ** np.arange(-7, -2, 2))
-        name_limits(ax, LIMITS)
-        for row in np.flatnonzero(~np.isfinite(one.error.values)):
-            place = float(one.wrench_seconds[row].min()), LIMITS[1]
-            ax.annotate("NaN", place, (6, -3), textcoords="offset points", fontsize=NOTE_SIZE)
+        mark_errors(ax, best(one.wrench_seconds), one.error.values)
     for ax in axes[-1]:
         ax.set_xlabel("time for one wrench, seconds")
     for ax in axes[:, 0]:

@@ -1,19 +1,20 @@
-"""Work-precision diagrams: error against time, a line for each method and a marker for each setting."""
+"""Work-precision diagrams: error against cost, a line for each method and a marker for each setting."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from planar_pushing.figures.style import DARK, GREY, NOTE_SIZE
 from planar_pushing.mechanics.plane import Array
 
-#: Marker, colour and filling of each method; ours is the largest.
+#: Marker, color and filling of each method; ours is the largest.
 LOOKS: dict[str, dict[str, Any]] = {
     "closed form": {"marker": "*", "color": "#D55E00", "markersize": 11, "zorder": 6},
     "hyp2f1": {"marker": "s", "color": "#0072B2"},
@@ -33,6 +34,23 @@ LOOKS: dict[str, dict[str, Any]] = {
     "convex quartic": {"marker": "d", "color": DARK, "markersize": 6, "markerfacecolor": "white"},
 }
 
+#: Where relative errors of zero, and NaN, are marked.
+LIMITS = (1e-19, 1e4)
+#: Titles of the panels by spin ratio.
+TITLES = {
+    1e-8: r"$k = 10^{-8}$, almost a translation",
+    0.1: r"$k = 0.1$",
+    0.9: r"$k = 0.9$",
+    1 - 1e-3: r"$k = 1 - 10^{-3}$",
+    1 - 1e-9: r"$k = 1 - 10^{-9}$",
+    1.0: r"$k = 1$, centre on the ring",
+    1 + 1e-9: r"$k = 1 + 10^{-9}$",
+    3.0: r"$k = 3$",
+    1e8: r"$k = 10^{8}$, almost a spin in place",
+}
+#: Spin ratios of a row of panels: regular, next to the ring, on it, a spin.
+SHOWN = (0.1, 1 - 1e-9, 1.0, 1e8)
+
 #: Factor by which the axis of errors reaches beyond its limits, so that marks there stay inside.
 MARGIN = 6.0
 
@@ -40,6 +58,34 @@ MARGIN = 6.0
 def best(times: xr.DataArray) -> Array:
     """Least of the repeated times."""
     return np.asarray(times.min("repeat").values)
+
+
+def row_of_panels(
+    figure: Figure, data: xr.Dataset, costs: str, draw: Callable[[Axes, xr.Dataset], Array]
+) -> None:
+    """Draw a panel for each spin ratio of `SHOWN`, with one legend.
+
+    `draw` draws the errors of one spin ratio and returns the costs, of shape (point,), at which the
+    markers stand; `costs` names them.
+    """
+    axes = figure.subplots(1, len(SHOWN), sharey=True)
+    figure.subplots_adjust(left=0.085, right=0.985, bottom=0.15, top=0.77, wspace=0.09)
+    for ax, spin_ratio in zip(axes, SHOWN, strict=True):
+        one = data.sel(spin_ratio=spin_ratio)
+        mark_errors(ax, draw(ax, one), one.error.values)
+        ax.set_title(TITLES[spin_ratio].partition(",")[0])
+    axes[0].set_ylabel("relative error")
+    figure.supxlabel(costs, fontsize=9, y=0.01)
+    figure.legend(handles=handles(methods(data)), loc="upper center", ncols=5, fontsize=8)
+
+
+def mark_errors(ax: Axes, costs: Array, errors: Array) -> None:
+    """Mark the rounding of a double, the places of zero and of NaN, and each result of NaN."""
+    ax.axhline(np.finfo(float).eps, color=GREY, linewidth=0.6, linestyle=":")
+    name_limits(ax, LIMITS)
+    for row in np.flatnonzero(~np.isfinite(errors)):
+        place = float(costs[row]), LIMITS[1]
+        ax.annotate("NaN", place, (6, -3), textcoords="offset points", fontsize=NOTE_SIZE)
 
 
 def methods(data: xr.Dataset) -> list[str]:

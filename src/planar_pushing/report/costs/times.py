@@ -1,4 +1,4 @@
-"""Numbers of the supplement: least times of repeated runs on one machine."""
+"""Numbers that are times: the least of repeated runs on one machine."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
+
+from planar_pushing.report.quantities import Numbers, computed
 
 NANO, MICRO, MILLI, MEGA = 1e9, 1e6, 1e3, 1e6
 
@@ -28,6 +30,28 @@ def wrench_time(
 ) -> float:
     """Extreme over the spin ratios of the least time for a wrench, most accurate setting."""
     return per * float(which(_least(wrench, "wrench_seconds", name)))
+
+
+def time_range(
+    dataset: str, prefix: str, name: str, per: float = NANO, unit: str = "ns"
+) -> Numbers:
+    """Least and largest time of a method for the wrench over the spin ratios of a dataset."""
+    ends = {"least": np.min, "most": np.max}
+    return {
+        f"{prefix}-{end}": computed(dataset, wrench_time, name, which, per, unit=unit)
+        for end, which in ends.items()
+    }
+
+
+def wrench_time_at(wrench: xr.Dataset, name: str, spin_ratio: float, per: float) -> float:
+    """Least time for a wrench at one spin ratio, most accurate setting."""
+    return wrench_time(wrench.sel(spin_ratio=[spin_ratio]), name, np.min, per)
+
+
+def wrench_ratio(wrench: xr.Dataset, name: str) -> float:
+    """Least over the spin ratios of a method's time for a wrench, in units of that of the closed form."""
+    ours, other = (_least(wrench, "wrench_seconds", each) for each in ("closed form", name))
+    return float(np.min(other / ours))
 
 
 def cone_time(cone: xr.Dataset, name: str) -> float:

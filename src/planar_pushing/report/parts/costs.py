@@ -1,14 +1,15 @@
-"""The numbers of the parts on accuracy, hard cases and effects; none is a time."""
+"""The numbers of the parts on accuracy, hard cases and effects; those of `TIMES` differ from run to run."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from planar_pushing.report.costs import numbers as costs
+from planar_pushing.report.costs import times
 from planar_pushing.report.quantities import Numbers, Quantity, computed, magnitude, picked
 
 WRENCH, CONE = "accuracy_errors/wrench", "accuracy_errors/cone"
-HARD, COUNTS = "hard_cases", "evaluations"
+TIME, HARD, COUNTS = "accuracy_time", "hard_cases", "evaluations"
 #: Spin ratios that the prose speaks about: next to a translation, to the ring, on it, next to a spin.
 NEAR, SPIN = 1 - 1e-9, 1e8
 
@@ -42,6 +43,15 @@ ACCURACY: Numbers = {
     ),
     "rim-ellipsoid": picked(CONE, "rim_error", {"model": "ellipsoid"}),
     "rim-quartic": picked(CONE, "rim_error", {"model": "quartic"}),
+}
+
+TIMES: Numbers = {
+    **times.time_range(TIME, "closed-form-time", "closed form"),
+    **times.time_range(TIME, "quad-time", "quad", times.MICRO, "us"),
+    "quad-time-ratio": computed(TIME, times.wrench_ratio, "quad"),
+    "trapezoid-time": computed(
+        TIME, times.wrench_time_at, "trapezoid", 1.0, times.MILLI, digits=1, unit="ms"
+    ),
 }
 
 HARD_CASES: Numbers = {

@@ -69,6 +69,18 @@ OURS = by_name(
         ),
     ),
     Figure(
+        name="accuracy_time",
+        drawing="figures.evidence.accuracy_time",
+        datasets=("accuracy_time",),
+        size=(PAGE_WIDTH, 2.7),
+        caption=(
+            "Error of the friction wrench against the time that one wrench takes, for the methods, "
+            "settings and spin ratios of the previous figure. A marker stands at the least time of "
+            "repeated runs, and a hair leads to their median; methods that take arrays are timed on "
+            "arrays. Other machines, and other runs, give other times. Dotted: rounding of a double."
+        ),
+    ),
+    Figure(
         name="hard_cases",
         drawing="figures.evidence.hard_cases",
         datasets=("hard_cases",),

@@ -1,0 +1,34 @@
+"""What accuracy costs in time: the friction wrench at four spin ratios, measured on one machine."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from planar_pushing.figures.evidence.work_precision import (
+    LIMITS,
+    best,
+    row_of_panels,
+    work_precision,
+)
+from planar_pushing.mechanics.plane import Array
+
+#: Factor by which the axis of times reaches beyond the fastest and the slowest method.
+BEYOND = 2.5
+TICKS = 10.0 ** np.arange(-7, -2, 2)
+
+
+def draw(figure: Figure, data: xr.Dataset) -> None:
+    """Draw four panels of error against time with one legend."""
+    row_of_panels(figure, data, "time for one wrench, seconds", _panel)
+    least, median = data.wrench_seconds.min(), data.wrench_seconds.median("repeat").max()
+    for ax in figure.axes:
+        ax.set_xticks(TICKS)
+        ax.set_xlim(float(least) / BEYOND, float(median) * BEYOND)
+
+
+def _panel(ax: Axes, one: xr.Dataset) -> Array:
+    work_precision(ax, one.method.values, one.wrench_seconds, one.error.values, LIMITS)
+    return best(one.wrench_seconds)
