@@ -97,6 +97,8 @@ EVIDENCE_FIGURES = OURS | SUPPLEMENT
 COUNTS = (
     ["hard_cases", "accuracy_errors", "evaluations"] if STUDY and STUDY.golden else []
 )
+#: Times that are measured on this machine, which nothing is compared with.
+TIMES = ["accuracy_time"] if COUNTS else []
 #: The datasets whose evaluations are counted.
 GRIDS = ["limit_curves", "motion_cones", "contact_modes"]
 #: What the report and its supplement are set from, beside the results.

@@ -3,7 +3,7 @@
 # the golden check; `snakemake accuracy` measures the others, `snakemake sweep` a million random inputs.
 rule hard_cases:
     input:
-        expand("<results>/data/{name}.nc", name=COUNTS),
+        expand("<results>/data/{name}.nc", name=COUNTS + TIMES),
         expand(
             "<results>/figures/{figure}.{kind}",
             figure=OURS if STUDY.golden else [],
@@ -81,12 +81,30 @@ rule evaluations:
         "../scripts/run.py"
 
 
+rule accuracy_time:
+    output:
+        path="<results>/data/accuracy_time.nc",
+    log:
+        "<results>/logs/accuracy/accuracy_time.log",
+    benchmark:
+        "<results>/benchmarks/accuracy/accuracy_time.tsv"
+    # Nothing else may run beside a measurement.
+    threads: workflow.cores
+    params:
+        call="evidence.jobs:accuracy_time",
+        code=code_of("costs"),
+        marks=MARKS[STUDY_FILE]("accuracy_time"),
+    message:
+        "Measuring the time that accuracy costs"
+    script:
+        "../scripts/run.py"
+
+
 rule accuracy_data:
     output:
         path="<results>/data/accuracy.nc",
     log:
         "<results>/logs/accuracy/accuracy.log",
-    # Nothing else may run beside a measurement.
     threads: workflow.cores
     params:
         call="evidence.jobs:accuracy",

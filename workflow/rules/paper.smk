@@ -8,7 +8,7 @@ rule report_tables:
     input:
         expand("<results>/data/{dataset}.nc", dataset=DATASETS),
         expand("<results>/figures/data/{figure}.nc", figure=FIGURES),
-        expand("<results>/data/{name}.nc", name=COUNTS),
+        expand("<results>/data/{name}.nc", name=COUNTS + TIMES),
         expand("<results>/figures/{figure}.png", figure=[*FIGURES, *OURS]),
         "<sliders>/data/supports.nc",
         expand("<sliders>/figures/{figure}.png", figure=GALLERY_FIGURES),

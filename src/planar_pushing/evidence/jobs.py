@@ -77,6 +77,13 @@ def accuracy_errors(path: PathLike, *, marks: Attributes) -> None:
     write_dataset(of_study(found, "accuracy_errors", marks), path)
 
 
+def accuracy_time(path: PathLike, *, marks: Attributes) -> None:
+    """Measure the time that the accuracy of a wrench costs on this machine."""
+    from planar_pushing.evidence.costs.measurements import accuracy_time
+
+    write_dataset(of_study(accuracy_time(), "accuracy_time", marks), path)
+
+
 def accuracy(path: PathLike, *, marks: Attributes) -> None:
     """Measure what accuracy costs on this machine."""
     from planar_pushing.evidence.costs.measurements import measured

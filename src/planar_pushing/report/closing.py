@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +18,11 @@ OTHERS = ("residual", "exact", "derived")
 def closing_lines(folder: Path, others: tuple[Path, ...] = ()) -> list[str]:
     """Four lines on a results folder, with the verdicts of other folders beside its own."""
     report = folder / "paper.pdf"
-    verdicts = [_verdict(each) for each in (folder, *others) if (each / "data").is_dir()]
     rows = {
         "Report": str(report) if report.is_file() else "none; it is about the paper's own study",
-        "Golden": "; ".join(verdicts) or "no results",
+        "Golden": _verdict([folder, *others]),
         "Claims": _claims(folder / "tables/claims.json"),
-        "Results": f"datasets in {folder}/data, figures in {folder}/figures; see results/README.md",
+        "Results": f"{folder}/data and {folder}/figures; results/README.md describes them",
     }
     return [f"{name:<9}{text}" for name, text in rows.items()]
 
@@ -31,13 +31,16 @@ def _read(path: Path) -> Any:
     return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
 
 
-def _verdict(folder: Path) -> str:
-    found = _read(folder / "tables/golden_verdict.json")
-    if found is None:
-        return f"{folder}: not compared, as the study names no golden data"
-    word = "passed" if found["passed"] else f"FAILED ({found['failed']} checks)"
-    rest = sum(found["rules"][rule]["values"] for rule in OTHERS)
-    return f"{word}: {found['values']:,} values enclosed, {rest:,} verified ({folder})"
+def _verdict(folders: Sequence[Path]) -> str:
+    """The verdicts of studies together: a build that ends has none that failed."""
+    files = [folder / "tables/golden_verdict.json" for folder in folders]
+    found = [each for each in map(_read, files) if each]
+    if not found:
+        return "not compared, as the study names no golden data"
+    word = "passed" if all(each["passed"] for each in found) else "FAILED"
+    enclosed = sum(each["values"] for each in found)
+    rest = sum(each["rules"][rule]["values"] for each in found for rule in OTHERS)
+    return f"{word}: {enclosed:,} values enclosed, {rest:,} entries verified by other rules"
 
 
 def _claims(path: Path) -> str:

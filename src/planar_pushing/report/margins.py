@@ -30,6 +30,6 @@ def margins(path: PathLike) -> dict[str, float]:
         height = image.height
         rows = np.flatnonzero((np.asarray(image.convert("L")) < 255).any(axis=1))
     if not rows.size:
-        raise InvalidFile(f"{path}: shows nothing; build it anew")
+        raise InvalidFile(f"{path}: shows nothing; remove it and build it anew")
     white = {"top": rows[0], "bottom": height - 1 - rows[-1]}
     return {side: round(max(0.0, float(count) * scale - KEPT), 1) for side, count in white.items()}

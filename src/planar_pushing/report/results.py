@@ -110,5 +110,7 @@ class Results:
         except FileNotFoundError:
             raise InvalidFile(f"{path}: no such table; build it with make or snakemake") from None
         except json.JSONDecodeError as error:
-            raise InvalidFile(f"{path}: is not JSON ({error}); build it anew") from None
+            raise InvalidFile(
+                f"{path}: is not JSON ({error}); remove it and build it anew"
+            ) from None
         return found

@@ -18,15 +18,16 @@ from planar_pushing.study.figures import ALL
 ROOT = Path(planar_pushing.__path__[0])
 #: What every job runs: the terms, the mechanics and the study without its datasets.
 LIBRARY = ("terms", "mechanics", "study")
+EVIDENCE = ("evidence.jobs", "evidence.writing")
 #: The packages that each kind of job runs.
 PACKAGES = {
     "dataset": LIBRARY,
     "simulation": (*LIBRARY, "simulation"),
     "figure": (*LIBRARY, "figures"),
     "golden": (*LIBRARY, "simulation", "figures", "certified", "evidence"),
-    "claims": (*LIBRARY, "certified", "evidence.claims", "evidence.writing"),
-    "hard_cases": (*LIBRARY, "certified", "evidence.hard_cases", "evidence.writing"),
-    "costs": (*LIBRARY, "simulation", "certified", "evidence.costs"),
+    "claims": (*LIBRARY, *EVIDENCE, "certified", "evidence.claims"),
+    "hard_cases": (*LIBRARY, *EVIDENCE, "certified", "evidence.hard_cases"),
+    "costs": (*LIBRARY, *EVIDENCE, "simulation", "certified", "evidence.costs"),
     "report": (*LIBRARY, "certified", "evidence.claims", "evidence.writing", "report"),
     "manual": (".",),
 }

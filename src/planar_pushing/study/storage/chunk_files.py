@@ -65,7 +65,9 @@ def behind_index(found: xr.Dataset, path: Path) -> xr.Dataset:
     folder = path.parent.parent / "chunks" / path.stem
     whole = open_chunks(folder, {dim: found.sizes[dim] for dim in steps}, steps)
     if not all(whole[dim].equals(found[dim]) for dim in steps):
-        raise InvalidFile(f"{path}: its chunks are those of another grid; build it anew")
+        raise InvalidFile(
+            f"{path}: its chunks are those of another grid; remove it and build it anew"
+        )
     return whole.assign_attrs({key: each for key, each in found.attrs.items() if key != ATTRIBUTE})
 
 
@@ -76,5 +78,5 @@ def _steps(index: xr.Dataset, path: Path) -> dict[str, int]:
     except (TypeError, ValueError, AttributeError):
         steps = {}
     if not steps or not set(steps) <= set(SPLIT.get(path.stem, ())) or min(steps.values()) < 1:
-        raise InvalidFile(f"{path}: names no chunks; build it anew")
+        raise InvalidFile(f"{path}: names no chunks; remove it and build it anew")
     return steps

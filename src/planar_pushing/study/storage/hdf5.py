@@ -53,7 +53,9 @@ def reading(path: PathLike) -> Iterator[None]:
     except Exception as error:
         number = error.errno if isinstance(error, OSError) else None
         reason = f" ({os.strerror(number)})" if number else ""
-        raise InvalidFile(f"{path}: is not a netCDF4 file{reason}; build it anew") from None
+        raise InvalidFile(
+            f"{path}: is not a netCDF4 file{reason}; remove it and build it anew"
+        ) from None
 
 
 def _look(path: PathLike) -> None:
@@ -64,9 +66,13 @@ def _look(path: PathLike) -> None:
         for count, variable in enumerate(_variables(file)):
             declared += variable.nbytes
             if variable.external or variable.is_virtual:
-                raise InvalidFile(f"{path}: {variable.name} is stored elsewhere; build it anew")
+                raise InvalidFile(
+                    f"{path}: {variable.name} is stored elsewhere; remove it and build it anew"
+                )
             if count > OBJECTS or declared > EXPANSION * Path(path).stat().st_size:
-                raise InvalidFile(f"{path}: declares more than it holds; build it anew")
+                raise InvalidFile(
+                    f"{path}: declares more than it holds; remove it and build it anew"
+                )
 
 
 def _walk_heaps(path: PathLike) -> None:
@@ -93,7 +99,7 @@ def _walk_heap(path: PathLike, file: BinaryIO, start: int, size: int) -> None:
         # The size of free space, index 0, includes its header.
         step = HEADER + -(-length // 8) * 8 if index else length
         if not HEADER <= step <= end - place:
-            raise InvalidFile(f"{path}: has a damaged heap; build it anew")
+            raise InvalidFile(f"{path}: has a damaged heap; remove it and build it anew")
         place += step
 
 
@@ -111,7 +117,7 @@ def _variables(file: h5py.File) -> Iterator[h5py.Dataset]:
         for name in group:
             seen += 1
             if not isinstance(group.get(name, getlink=True), h5py.HardLink):
-                raise InvalidFile(f"{file.filename}: {name} is a link; build it anew")
+                raise InvalidFile(f"{file.filename}: {name} is a link; remove it and build it anew")
             found = group[name]
             if isinstance(found, h5py.Dataset):
                 yield found

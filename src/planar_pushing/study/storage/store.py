@@ -74,7 +74,7 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
         Where the file is missing, is not netCDF4, has no such group, or does not hold its own values.
     """
     if group and group not in group_names(path):
-        raise InvalidFile(f"{path}: has no group {group!r}; build it anew")
+        raise InvalidFile(f"{path}: has no group {group!r}; remove it and build it anew")
     with readable(path):
         # A file that is HDF5 and no netCDF4 names no dimensions; no dataset holds dates.
         opened = xr.open_dataset(
