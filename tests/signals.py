@@ -1,4 +1,4 @@
-"""Ctrl-C in tests, whatever started them: `make test &` and nohup hand an ignored SIGINT to their children."""
+"""Ctrl-C in tests: `make test &` and nohup hand an ignored SIGINT to their children."""
 
 from __future__ import annotations
 
