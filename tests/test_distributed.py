@@ -1,8 +1,8 @@
 """Array calls on dask's own cluster, as in a notebook."""
 
 import numpy as np
+import pytest
 import xarray as xr
-from distributed import Client, LocalCluster
 
 import planar_pushing as pp
 
@@ -12,7 +12,10 @@ def scenes(length):
     return pp.Scene(slider=slider, contact=pp.Coulomb(2.0), effects=(pp.RingFriction(),))
 
 
+@pytest.mark.slow
 def test_two_worker_processes_solve_scenes():
+    from distributed import Client, LocalCluster
+
     length = xr.DataArray(np.linspace(0.5, 5.0, 40), dims="rod_length")
     angle = xr.DataArray(np.deg2rad(np.arange(-30.0, 180.0, 15.0)), dims="pusher_angle")
     lazy = pp.solve(scenes(length.chunk(rod_length=10)), angle)

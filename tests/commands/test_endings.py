@@ -6,9 +6,12 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import contextmanager
 
 import pytest
 import xarray as xr
+
+from signals import interruptible
 
 SCENE = "workflow/scenes/figure_14a.yaml"
 COMMAND = [sys.executable, "-m", "planar_pushing.commands"]
@@ -16,15 +19,17 @@ COMMAND = [sys.executable, "-m", "planar_pushing.commands"]
 SMALL = 8192
 
 
-def ended(arguments, limit=None, **options):
-    def limited():
-        if limit:
-            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
-
-    return subprocess.run(
-        [*COMMAND, *map(str, arguments)], stderr=subprocess.PIPE, text=True, check=False,
-        preexec_fn=limited, **options,
-    )  # fmt: skip
+@contextmanager
+def full_disk(limit=SMALL):
+    """Let writes fail in this process, which may not leave the first part of Python's bytecode either."""
+    before, written = resource.getrlimit(resource.RLIMIT_FSIZE), sys.dont_write_bytecode
+    sys.dont_write_bytecode = True
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        sys.dont_write_bytecode = written
 
 
 @pytest.mark.parametrize(("command", "name"), [
@@ -33,19 +38,23 @@ def ended(arguments, limit=None, **options):
     (["draw", SCENE], "scene.png"),
     (["animate", "LOG", "--frames", "20"], "motion.gif"),
 ], ids=str)  # fmt: skip
-def test_a_full_disk_is_one_line_and_leaves_no_file(log, tmp_path, command, name):
+def test_a_full_disk_is_one_line_and_leaves_no_file(run, log, tmp_path, command, name):
     path = tmp_path / name
-    words = [log if word == "LOG" else word for word in command]
-    found = ended([*words, "-o", path], SMALL, stdout=subprocess.PIPE)
-    assert (found.returncode, found.stdout) == (2, ""), found.stderr
+    words = [str(log) if word == "LOG" else word for word in command]
+    with full_disk():
+        found = run(*words, "-o", str(path))
     said = f"planar-pushing {command[0]}: {path}: cannot be written (File too large); name another file"
-    assert found.stderr == said + "\n"
+    assert found == (2, "", said + "\n")
     assert not list(tmp_path.iterdir())
 
 
 def test_a_full_disk_behind_the_output_is_one_line(tmp_path):
-    with (tmp_path / "out").open("w") as out:
-        found = ended(["solve", SCENE, "--pusher-angle", "1", "--json"], 64, stdout=out)
+    command = [*COMMAND, "solve", SCENE, "--pusher-angle", "1", "--json"]
+    environment = os.environ | {"PYTHONDONTWRITEBYTECODE": "1"}
+    with (tmp_path / "out").open("w") as out, full_disk(64):
+        found = subprocess.run(
+            command, stdout=out, stderr=subprocess.PIPE, text=True, check=False, env=environment
+        )
     assert (found.returncode, found.stderr) == (2, "planar-pushing: File too large\n")
 
 
@@ -81,7 +90,11 @@ commands._run = run
 sys.exit(commands.main())
 """
     found = subprocess.run(
-        [sys.executable, "-c", program], stderr=subprocess.PIPE, text=True, check=False
+        [sys.executable, "-c", program],
+        stderr=subprocess.PIPE,
+        text=True,
+        check=False,
+        preexec_fn=interruptible,
     )
     assert (found.returncode, found.stderr) == (130, "planar-pushing: interrupted\n")
 
@@ -89,7 +102,9 @@ sys.exit(commands.main())
 def test_ctrl_c_is_one_line_and_leaves_what_was_logged(tmp_path):
     path = tmp_path / "log.nc"
     words = ["simulate", SCENE, "-o", str(path), "--samples", "3000000"]
-    process = subprocess.Popen([*COMMAND, *words], stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [*COMMAND, *words], stderr=subprocess.PIPE, text=True, preexec_fn=interruptible
+    )
     while not path.is_file() or path.stat().st_size < 200_000:
         assert process.poll() is None
         time.sleep(0.02)
@@ -100,20 +115,16 @@ def test_ctrl_c_is_one_line_and_leaves_what_was_logged(tmp_path):
         assert (found.attrs["finished"], found.sizes["time"] > 0) == (0, True)
 
 
-def test_what_is_written_takes_the_place_of_what_is_there_whole_or_not_at_all(tmp_path):
+def test_what_is_written_takes_the_place_of_what_is_there_whole_or_not_at_all(run, tmp_path):
     path = tmp_path / "scene.svg"
     path.write_text("old", encoding="utf-8")
-    assert ended(["draw", SCENE, "-o", path], SMALL, stdout=subprocess.PIPE).returncode == 2
+    with full_disk():
+        assert run("draw", SCENE, "-o", str(path))[0] == 2
     assert [each.name for each in tmp_path.iterdir()] == ["scene.svg"]
     assert path.read_text(encoding="utf-8") == "old"
 
 
-def test_a_folder_is_no_file_to_write(tmp_path):
+def test_a_folder_is_no_file_to_write(refused, tmp_path):
     path = tmp_path / "scene.svg"
     path.mkdir()
-    found = ended(["draw", SCENE, "-o", path], stdout=subprocess.PIPE)
-    assert (found.returncode, found.stdout) == (2, "")
-    assert found.stderr.startswith(
-        f"planar-pushing draw: {path}: cannot be written (Is a directory)"
-    )
-    assert found.stderr.count("\n") == 1
+    refused(["draw", SCENE, "-o", str(path)], f"{path}: cannot be written (Is a directory)")

@@ -17,6 +17,8 @@ from planar_pushing.study.files.scenes import load_scene
 from planar_pushing.study.sliders_file import load_any
 from shown import FLAGS, Checker, agrees
 
+pytestmark = pytest.mark.slow
+
 PROJECT = Path(__file__).parents[2]
 WITH_BLOCKS = [page for page in PAGES if blocks(page)]
 

@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.slow
+
 EXAMPLES = Path("paper/manual/examples")
 #: What rounding on another machine may move of the numbers that each prints: a unit of the last digit where
 #: least squares converge, more where a plan starts from the end of another.

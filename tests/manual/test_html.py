@@ -14,6 +14,8 @@ from planar_pushing.report.manual import build_manual
 from planar_pushing.terms.errors import InvalidFile
 from report.setting import Setting, set_up
 
+pytestmark = pytest.mark.slow
+
 #: Attributes that name what a page loads by itself.
 LOADED = {("script", "src"), ("img", "src"), ("link", "href"), ("source", "src")}
 

@@ -9,6 +9,8 @@ from manual.pages import FOLDER
 from planar_pushing.commands import parser
 from planar_pushing.commands.completion import _options
 
+pytestmark = pytest.mark.slow
+
 ENTRY = re.compile(r"^\.\. auto\w+:: planar_pushing\.(\w+)\n(.*?)(?=^\.\. auto|^```)", re.M | re.S)
 TEXT = "\n".join(page.read_text(encoding="utf-8") for page in FOLDER.glob("reference/*.md"))
 ENTRIES = ENTRY.findall(TEXT)

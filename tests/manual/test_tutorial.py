@@ -7,6 +7,8 @@ import matplotlib
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.slow
+
 TEXT = Path("paper/manual/tutorial.md").read_text(encoding="utf-8")
 CELL = re.compile(
     r"^```\{code-cell\} ipython3\n((?::[^\n]*\n)*)(.*?)^```$", re.MULTILINE | re.DOTALL

@@ -60,6 +60,7 @@ print(json.dumps(found))
 """
 
 
+@pytest.mark.slow
 @needs_compiler
 def test_code_compiled_for_inertia_alone_holds_no_elliptic_integral(copy):
     """The second kernel shows that the names would be seen if they were there."""
@@ -131,6 +132,7 @@ FORMULAS = {
 }
 
 
+@pytest.mark.slow
 @needs_compiler
 @pytest.mark.parametrize("part", FORMULAS)
 def test_the_tests_of_the_mechanics_pass_without_the_compiler(part):

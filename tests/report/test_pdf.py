@@ -15,6 +15,8 @@ from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.terms.errors import InvalidFile
 from report.setting import REPORT, SUPPLEMENT, set_up
 
+pytestmark = pytest.mark.slow
+
 #: Minus sign and quote as they are typed.
 PLAIN = str.maketrans("\u2212\u2019", "-'")
 

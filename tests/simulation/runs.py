@@ -7,23 +7,19 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numba
 import numpy as np
-import pytest
 
 import planar_pushing as pp
 
-UNCOMPILED = bool(numba.config.DISABLE_JIT)
-#: The compiler takes up to two minutes for the events of a set of effects, and a run without it a second.
-#: So all sets are run without it, and compiled by `make test-kinds` alone.
-EVERY_KIND = UNCOMPILED or "EVERY_KIND" in os.environ
-starts_uncompiled = pytest.mark.skipif(EVERY_KIND, reason="its sets are run in this process")
 
+def run_slow_uncompiled(file):
+    """Run the slow tests of a file without the compiler; what pytest said of each.
 
-def run_uncompiled(file):
-    """Run all tests of a file without the compiler; what pytest said of each."""
+    The compiler takes up to two minutes for the events of a set of effects, and a run without it a second:
+    so the sets that `planar-pushing compile` leaves out are slow, and are run compiled by `make test-all`.
+    """
     found = subprocess.run(
-        [sys.executable, "-m", "pytest", "-vv", "-p", "no:cacheprovider", file],
+        [sys.executable, "-m", "pytest", "-vv", "-p", "no:cacheprovider", "-m", "slow", file],
         capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2],
         env=os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)},
     )  # fmt: skip

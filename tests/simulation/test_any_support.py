@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
-from simulation.runs import EVERY_KIND, check, final, run, run_uncompiled, starts_uncompiled
+from simulation.runs import check, final, run, run_slow_uncompiled
 
 #: A ring that takes the general route.
 RING = pp.Composite([(1.0, pp.Ring(1.0))])
@@ -23,21 +23,25 @@ MASSES = {"friction": (), "both": (HEAVY,), "offset": (ASIDE,)}
 
 
 def runs(*names):
-    """Masses and a method; those with inertia are run where every kind is."""
+    """Masses and a method."""
     return pytest.mark.parametrize(
         ("masses", "options"),
         [
-            pytest.param(MASSES[name], options, id=f"{name}-{method}")
+            pytest.param(MASSES[name], options, id=f"{name}-{method}", marks=speed(name, method))
             for name in names for method, options in METHODS.items()
-            if EVERY_KIND or name == "friction"
         ],
     )  # fmt: skip
 
 
-@starts_uncompiled
-def test_inertia_without_the_compiler():
-    said = run_uncompiled(__file__)
-    assert all(f"{name}-{method}] PASSED" in said for name in MASSES for method in METHODS)
+def speed(name, method="time-stepping"):
+    """Sets with inertia take long to compile, and so do steps."""
+    return () if (name, method) == ("friction", "event-driven") else pytest.mark.slow
+
+
+def test_inertia_and_steps_without_the_compiler():
+    said = run_slow_uncompiled(__file__)
+    ran = [f"{name}-{method}" for name in MASSES for method in METHODS if speed(name, method)]
+    assert all(f"{each}] PASSED" in said for each in ran)
 
 
 def simulated(friction, masses, **options):
@@ -68,7 +72,7 @@ def test_the_work_of_the_fence_is_stored_or_dissipated(support, masses, options)
     assert final(log, "work") > 0.1
 
 
-@pytest.mark.parametrize("name", ["friction", "offset"] if EVERY_KIND else ["friction"])
+@pytest.mark.parametrize("name", [pytest.param(n, marks=speed(n)) for n in ("friction", "offset")])
 def test_steps_converge_to_the_event_driven_motion(name):
     friction, masses = pp.SupportFriction(support=SQUARE), MASSES[name]
     exact = final(simulated(friction, masses), "rod_angle")

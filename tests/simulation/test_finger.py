@@ -4,15 +4,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from simulation.runs import (
-    EVERY_KIND,
-    check,
-    final,
-    heading,
-    run,
-    run_uncompiled,
-    starts_uncompiled,
-)
+from simulation.runs import check, final, heading, run, run_slow_uncompiled
 from simulation.straight import Pushed
 
 POINTS, SHARES = [(1, 0), (-0.5, np.sqrt(0.75)), (-0.4, -np.sqrt(0.75))], [0.2, 0.5, 0.3]
@@ -21,17 +13,21 @@ TRIPOD = pp.SupportFriction(support=pp.Points(POINTS, SHARES))
 RIM = [(np.cos(angle), np.sin(angle)) for angle in 2 * np.pi * np.arange(400) / 400]
 HEAVY, ASIDE = (pp.Inertia(mass=0.7, gyration_radius=0.9, center=c) for c in ((0, 0), (0.2, 0.1)))
 FRICTION = {"ring": (pp.RingFriction(),), "tripod": (TRIPOD,)}
-EVERY = FRICTION | {
+EFFECTS = FRICTION | {
     "inertia": (HEAVY,), "both": (pp.RingFriction(), HEAVY), "tripod, aside": (TRIPOD, ASIDE),
 }  # fmt: skip
-#: One set without inertia and one with it are compiled.
-EFFECTS = {name: EVERY[name] for name in (EVERY if EVERY_KIND else ("ring", "inertia"))}
 SLIPPING = heading(68)
 
-of_every_kind = pytest.mark.skipif(
-    not EVERY_KIND, reason="test_every_effect_without_the_compiler runs it"
+
+def of_each(*names):
+    """Names of sets of effects; those but the ring's take long to compile."""
+    return [pytest.param(name, marks=() if name == "ring" else pytest.mark.slow) for name in names]
+
+
+every_effect = pytest.mark.parametrize(
+    "effects",
+    [pytest.param(EFFECTS[p.values[0]], marks=p.marks, id=p.values[0]) for p in of_each(*EFFECTS)],
 )
-every_effect = pytest.mark.parametrize("effects", EFFECTS.values(), ids=EFFECTS)
 
 
 SLICK = pp.Coulomb(0.1)
@@ -47,13 +43,12 @@ def pushed(pushed_scene, velocity, duration=0.7, *, shape="finger", samples=5, *
     return run(pushed_scene, pusher, duration, samples=samples, **options)
 
 
-@starts_uncompiled
 def test_every_effect_without_the_compiler():
-    said = run_uncompiled(__file__)
-    assert all(f"[jerk-{name}] PASSED" in said for name in EVERY)
+    said = run_slow_uncompiled(__file__)
+    assert all(f"[jerk-{name}] PASSED" in said for name in EFFECTS if name != "ring")
 
 
-@pytest.mark.parametrize("name", [name for name in FRICTION if name in EFFECTS])
+@pytest.mark.parametrize("name", of_each(*FRICTION))
 @pytest.mark.parametrize("degrees", [68, 90, 165])
 def test_the_first_instant_is_a_solution_from_rest(name, degrees):
     effects = FRICTION[name]
@@ -101,10 +96,10 @@ def straight(effects, velocity, rate=(0.0, 0.0)):
     return Pushed(2.0, 1.2, points, shares, 0.1, -1, (velocity, rate), mass)
 
 
-FOLLOWED = [name for name in EFFECTS if name != "inertia"]
+followed = pytest.mark.parametrize("name", of_each("ring", "tripod", "both", "tripod, aside"))
 
 
-@pytest.mark.parametrize("name", FOLLOWED)
+@followed
 @pytest.mark.parametrize("rate", [(0.0, 0.0), (0.3, 0.5)], ids=["steady", "faster"])
 def test_a_slip_along_the_side_is_that_of_scipy(name, rate):
     start, slope = np.array(SLIPPING), np.array(rate)
@@ -119,7 +114,7 @@ def test_a_slip_along_the_side_is_that_of_scipy(name, rate):
     assert along > 0.3
 
 
-@pytest.mark.parametrize("name", FOLLOWED)
+@followed
 def test_the_finger_leaves_the_side_at_its_end(name):
     log = pushed(scene(EFFECTS[name], side=(-1.0, 0.2)), SLIPPING)
     time, state, _ = straight(EFFECTS[name], SLIPPING).follow(0.7, log.twist.values[0], until=0.2)
@@ -140,6 +135,7 @@ def test_a_slider_without_inertia_stays_where_the_finger_leaves_it():
     assert not after.twist.values.any()
 
 
+@pytest.mark.slow
 def test_a_slider_without_friction_flies_on_where_the_finger_leaves_it():
     slick = scene((HEAVY,), side=(-1.0, 0.2))
     after = pushed(slick, SLIPPING).pipe(lambda log: log.isel(time=log.parted.values))
@@ -147,6 +143,7 @@ def test_a_slider_without_friction_flies_on_where_the_finger_leaves_it():
     assert after.twist.values == pytest.approx(np.tile(after.twist.values[0], (len(after.time), 1)))
 
 
+@pytest.mark.slow
 def test_a_finger_may_pass_beside_the_side():
     """From below it goes past the end, and then up."""
     beside = [(0, (1.0, 0.0)), (0.5, (0.0, 1.0))]
@@ -178,7 +175,7 @@ def test_mirrored_scenes_have_mirrored_motions(effects):
     assert np.ptp(one.contact_position.values) > 0.01
 
 
-@of_every_kind
+@pytest.mark.slow
 def test_a_ring_of_any_support_is_a_ring():
     general = pp.SupportFriction(support=pp.Composite([(1.0, pp.Ring(1.0))]))
     for masses in ((), (HEAVY,)):
@@ -215,7 +212,7 @@ def check_energy(log):
     check(log.assign(gap=log.gap.where(~log.parted, 0.0)))
 
 
-@pytest.mark.parametrize("name", [name for name in ("ring", "both") if name in EFFECTS])
+@pytest.mark.parametrize("name", of_each("ring", "both"))
 def test_a_batch_has_the_numbers_of_simulate(name):
     effects = EFFECTS[name]
     angles, ends = np.array([60.0, 68.0, 120.0]), np.array([0.1, 0.3, np.inf])

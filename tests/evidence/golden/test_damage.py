@@ -12,6 +12,8 @@ from planar_pushing.study.provenance import provenance
 from planar_pushing.study.storage.store import read_dataset, write_dataset
 from planar_pushing.terms.errors import InvalidFile
 
+pytestmark = pytest.mark.slow
+
 SMOKE = "workflow/config/smoke.yaml"
 
 

@@ -7,6 +7,8 @@ from evidence.golden import tampering
 from planar_pushing.evidence.golden import check
 from planar_pushing.evidence.golden.by_rule import check_dataset
 
+pytestmark = pytest.mark.slow
+
 #: Changes that are drawn.
 COUNT = 120
 

@@ -51,6 +51,7 @@ def test_plotted_numbers_survive_the_file(plotted, name, tmp_path):
     xr.testing.assert_identical(store.read_dataset(tmp_path / "data.nc"), plotted[name])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_rendering_twice_gives_the_same_bytes(sources, tmp_path, name):
     for folder in (tmp_path / "a", tmp_path / "b"):

@@ -6,6 +6,15 @@ import threading
 import pytest
 
 from planar_pushing.simulation.log.interrupts import undisturbed
+from signals import interruptible, uninterruptible
+
+
+@pytest.fixture(autouse=True)
+def heard():
+    before = signal.getsignal(signal.SIGINT)
+    interruptible()
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 def test_ctrl_c_comes_after_the_block():
@@ -21,6 +30,13 @@ def test_ctrl_c_comes_after_the_block():
     assert written == ["all"]
     with pytest.raises(KeyboardInterrupt):
         signal.raise_signal(signal.SIGINT)
+
+
+def test_ctrl_c_that_is_ignored_stays_so():
+    uninterruptible()
+    with undisturbed():
+        signal.raise_signal(signal.SIGINT)
+    signal.raise_signal(signal.SIGINT)
 
 
 def test_an_error_of_the_block_goes_on():

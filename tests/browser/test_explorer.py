@@ -19,6 +19,7 @@ from planar_pushing.explore.words import outcome
 from planar_pushing.figures.motion.timeline import plotted
 from planar_pushing.study.files.scenes import load_scene_file
 
+pytestmark = pytest.mark.alone
 IMAGES = Path(__file__).with_name("images")
 
 
