@@ -62,7 +62,7 @@ def test_flipped_bits_end_in_one_line(path, tmp_path):
 @pytest.mark.parametrize("size", [0, 7, 100, 1000])
 def test_a_cut_file_ends_in_one_line(path, size):
     path.write_bytes(path.read_bytes()[:size])
-    with pytest.raises(pp.InvalidFile, match="is not a netCDF4 file; build it anew"):
+    with pytest.raises(pp.InvalidFile, match="is not a netCDF4 file; remove it and build it anew"):
         read_dataset(path)
 
 
@@ -76,7 +76,7 @@ def test_a_heap_in_which_the_library_goes_round_is_refused(path, index, size, wi
     content[place : place + 2] = index.to_bytes(2, "little")
     content[place + 8 : place + 16] = size.to_bytes(8, "little")
     path.write_bytes(content)
-    with pytest.raises(pp.InvalidFile, match="has a damaged heap; build it anew"):
+    with pytest.raises(pp.InvalidFile, match="has a damaged heap; remove it and build it anew"):
         read_dataset(path)
 
 
@@ -91,7 +91,7 @@ def test_a_huge_sparse_array_is_refused_before_it_is_read(path):
     with h5py.File(path, "a") as file:
         file.create_dataset("huge", shape=(10**6, 10**6), dtype="f8", chunks=(100, 100))
     assert path.stat().st_size < 10**5
-    with pytest.raises(pp.InvalidFile, match="declares more than it holds; build it anew"):
+    with pytest.raises(pp.InvalidFile, match="declares more than it holds; remove it and build it anew"):
         read_dataset(path)
 
 
@@ -99,7 +99,7 @@ def test_external_storage_is_not_followed(path, tmp_path):
     (tmp_path / "secret").write_bytes(bytes(64))
     with h5py.File(path, "a") as file:
         file.create_dataset("out", (8,), "f8", external=[(str(tmp_path / "secret"), 0, 64)])
-    with pytest.raises(pp.InvalidFile, match="/out is stored elsewhere; build it anew"):
+    with pytest.raises(pp.InvalidFile, match="/out is stored elsewhere; remove it and build it anew"):
         read_dataset(path)
 
 
@@ -108,7 +108,7 @@ def test_a_virtual_dataset_is_not_followed(path, tmp_path):
     layout[:] = h5py.VirtualSource(str(tmp_path / "other.nc"), "step", (3,))
     with h5py.File(path, "a") as file:
         file.create_virtual_dataset("out", layout)
-    with pytest.raises(pp.InvalidFile, match="/out is stored elsewhere; build it anew"):
+    with pytest.raises(pp.InvalidFile, match="/out is stored elsewhere; remove it and build it anew"):
         read_dataset(path)
 
 
@@ -116,7 +116,7 @@ def test_a_virtual_dataset_is_not_followed(path, tmp_path):
 def test_links_are_not_followed(path, link):
     with h5py.File(path, "a") as file:
         file["elsewhere"] = link
-    with pytest.raises(pp.InvalidFile, match="elsewhere is a link; build it anew"):
+    with pytest.raises(pp.InvalidFile, match="elsewhere is a link; remove it and build it anew"):
         read_dataset(path)
 
 

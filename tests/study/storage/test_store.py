@@ -118,7 +118,7 @@ def test_groups_and_attributes_are_listed(path):
 @pytest.mark.parametrize("group", ["angle", "absent"])
 def test_a_group_that_is_none_is_named(path, group):
     write_dataset(DATASET, path)
-    with pytest.raises(InvalidFile, match=f"has no group '{group}'; build it anew"):
+    with pytest.raises(InvalidFile, match=f"has no group '{group}'; remove it and build it anew"):
         read_dataset(path, group)
 
 
@@ -171,7 +171,7 @@ def test_open_dataset_that_is_not_built(tmp_path):
 def test_open_damaged_dataset(tmp_path):
     (tmp_path / "data").mkdir()
     (tmp_path / "data/motion_cones.nc").write_bytes(b"not netCDF")
-    with pytest.raises(pp.InvalidFile, match=r"cones\.nc: is not a netCDF4 file; build it anew"):
+    with pytest.raises(pp.InvalidFile, match=r"cones\.nc: is not a netCDF4 file; remove it and build it anew"):
         pp.open_dataset("motion_cones", tmp_path)
 
 
