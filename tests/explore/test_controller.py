@@ -2,6 +2,7 @@
 
 import json
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -43,12 +44,22 @@ def page(slow):
     found.close()
 
 
+def play(page, kind):
+    """The page's loop calls what waits for it; how many calls there were."""
+    waiting = [
+        each for each in page.document.session_callbacks if type(each).__name__ == f"{kind}Callback"
+    ]
+    for each in waiting:
+        each.callback()
+    return len(waiting)
+
+
 def finish(page):
     """Let the worker end, and the page's loop take its result."""
-    page.painter.worker.pool.submit(lambda: None).result(20)
-    for callback in page.document.session_callbacks:
-        if type(callback).__name__ == "NextTickCallback":
-            callback.callback()
+    end = time.monotonic() + 20
+    while page.painter.worker.busy and not play(page, "NextTick"):
+        assert time.monotonic() < end
+        time.sleep(0.001)
 
 
 def take(page):
@@ -69,11 +80,11 @@ def content(page):
 
 def test_a_slow_first_picture_is_said_to_be_compiled(page, slow, monkeypatch):
     monkeypatch.setattr(drawing, "LONG", 0.0)
-    page._look()
+    play(page, "Periodic")
     assert "Compiling this kind of slider" in page.view.status.text
     slow.may.set()
     finish(page)
-    page._look()
+    play(page, "Periodic")
     assert page.view.status.text == ""
     assert "The contact sticks" in content(page)["words"]
 
@@ -138,5 +149,5 @@ def test_widgets_follow_a_drag_once_it_rests(page, slow):
     move(page, "grab", places(page.state, None)[Handle.PUSHER])
     move(page, "drag", (0.0, 1.0))
     assert angle.value == before
-    page._came_to_rest()
+    play(page, "Timeout")
     assert angle.value == pytest.approx(90.0)

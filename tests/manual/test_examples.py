@@ -36,10 +36,6 @@ def printed(name):
     return done.stdout.splitlines()
 
 
-def test_example_is_short(name):
-    assert len((EXAMPLES / f"{name}.py").read_text(encoding="utf-8").splitlines()) < 80
-
-
 def test_page_shows_what_is_printed(name, printed):
     shown = (EXAMPLES / f"{name}.txt").read_text(encoding="utf-8").splitlines()
     assert [NUMBER.sub("", line).split() for line in printed] == [

@@ -22,7 +22,9 @@ def test_a_picture_up_to_its_edge_keeps_it(tmp_path):
 
 def test_an_empty_or_missing_picture_is_refused(tmp_path):
     Image.new("RGB", (10, 10), "white").save(tmp_path / "picture.png")
-    with pytest.raises(InvalidFile, match=r"picture\.png: shows nothing; remove it and build it anew"):
+    with pytest.raises(
+        InvalidFile, match=r"picture\.png: shows nothing; remove it and build it anew"
+    ):
         margins(tmp_path / "picture.png")
     with pytest.raises(InvalidFile, match=r"none\.png: no such picture"):
         margins(tmp_path / "none.png")

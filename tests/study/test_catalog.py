@@ -7,14 +7,9 @@ from hypothesis import strategies as st
 
 from planar_pushing.study.catalog import (
     AXES,
-    DATASETS,
     DIMS,
-    EVIDENCE,
-    SLIDERS,
     SLIDERS_AXES,
-    TIMES,
     dataset_file,
-    dataset_place,
     number_label,
 )
 from planar_pushing.study.files.models import Grid
@@ -32,13 +27,6 @@ def test_axes_are_those_of_the_grid():
 def test_scenes_share_a_file_and_simulations_have_one_each():
     assert dataset_file("scenes/figure_08") == "data/scenes.nc"
     assert dataset_file("simulations/figure_15") == "data/simulations/figure_15.nc"
-
-
-def test_every_file_has_a_name():
-    assert dataset_file("figures/figure_06") == "figures/data/figure_06.nc"
-    assert dataset_place("accuracy_errors/cone") == ("data/accuracy_errors.nc", "cone")
-    for name in DATASETS | SLIDERS | EVIDENCE | TIMES:
-        assert dataset_place(name) == (f"data/{name}.nc", None)
 
 
 @pytest.mark.parametrize(

@@ -40,15 +40,6 @@ def test_a_study_of_sliders_names_itself_its_supports_and_the_paper(sliders):
         assert json.loads(dataset.attrs["unit_notes"]) == quantities.SLIDERS_NOTES
 
 
-def test_units_are_those_of_udunits(every):
-    """Scaled numbers have none, and say what they are scaled by."""
-    for name, dataset in every:
-        for key, variable in dataset.variables.items():
-            units = variable.attrs["units"]
-            assert units in {"1", "degree", "radian-1"}, f"{name}: {key}"
-            assert ("quantity" in variable.attrs) == (unit_of(variable.attrs) != units)
-
-
 def test_conventions_paper_licence_and_study(results, every):
     simulation = pp.open_dataset("simulations/figure_15", results)
     whole = read_attributes(results / "data/scenes.nc")

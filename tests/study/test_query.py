@@ -32,7 +32,9 @@ def test_damage_in_what_is_read_late_is_one_line(tmp_path):
     middle = len(content) // 2
     content[middle : middle + 4000] = bytes(4000)
     (tmp_path / "large.nc").write_bytes(content)
-    with pytest.raises(InvalidFile, match=r"large\.nc: is not a netCDF4 file; remove it and build it anew"):
+    with pytest.raises(
+        InvalidFile, match=r"large\.nc: is not a netCDF4 file; remove it and build it anew"
+    ):
         select(read_dataset(tmp_path / "large.nc"), {})
 
 

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import mpmath as mp
 import pytest
-from flint import acb, arb, ctx, fmpq
+from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import PRECISION, Undecided, in_degrees
 from planar_pushing.certified.motion import trajectories
-from planar_pushing.certified.motion.quadrature import _arm, arm, stick_angle
+from planar_pushing.certified.motion.quadrature import stick_angle
 from planar_pushing.evidence.golden.build import motions
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.storage.store import read_dataset
@@ -77,14 +77,6 @@ def test_slip_is_the_integral_of_its_rate():
 
         (half,) = trajectories.slipping(scene("figure_15"), [fmpq(3, 2)])
         assert abs(exact(half.slip) - mp.quad(rate, [0, 1.5])) < 1e-18
-
-
-def test_the_derivative_of_the_moment_arm():
-    with ctx.workprec(PRECISION):
-        k, h = arb("0.4"), arb(2) ** -40
-        value, slope = (each.real for each in _arm(acb(k), True))
-        assert value.overlaps(arm(k))
-        assert abs((arm(k + h) - arm(k - h)) / (2 * h) - slope) < 1e-20
 
 
 def test_the_sticking_angle_rises_with_the_spin_ratio():

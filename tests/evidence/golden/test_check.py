@@ -14,7 +14,6 @@ from planar_pushing.figures.render import picture, save
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.catalog import DATASETS, SLIDERS
 from planar_pushing.study.figures import FIGURES
-from planar_pushing.study.provenance import provenance
 from planar_pushing.study.storage.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
@@ -55,15 +54,6 @@ def test_results_agree_with_the_golden_data(results):
     assert sum(each.count for each in checks) > 500_000
 
 
-def test_every_value_is_verified(results):
-    opened, checks = check.Results(results), []
-    for name, groups in check.expectations(STUDY, provenance(STUDY, PAPER), opened):
-        if opened.path(name).is_file():  # the costs are built by jobs of their own
-            checks += check.check_file(name, groups, opened)
-    assert all(each.passed for each in checks), verdict_text(verdict(checks))
-    assert sum(each.count for each in checks) > 21_000_000
-
-
 def test_every_variable_of_a_dataset_has_one_rule(results):
     for name in set(RULES) - set(SLIDERS):
         file = {"scenes": "scenes", "simulations": "simulations/figure_15"}.get(name, name)
@@ -77,10 +67,6 @@ def test_picture(results, tmp_path, name):
         data = read_dataset(results / f"figures/data/{name}.nc")
         save(picture(name, data), tmp_path / "figure.png")
     assert difference(tmp_path / "figure.png", GOLDEN / "images" / f"{name}.png") <= TOLERANCE
-
-
-def test_golden_data_are_small():
-    assert sum(path.stat().st_size for path in GOLDEN.rglob("*.*")) < 5e6
 
 
 def test_a_folder_without_golden_data_is_refused(tmp_path):

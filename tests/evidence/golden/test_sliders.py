@@ -91,11 +91,12 @@ VALUES = {"force_angle", "force_angle_end", "motion_angle", "spin"}
 
 
 @pytest.mark.parametrize("kind", [k for k in tampering.KINDS if k not in (tampering.value,)])
-@pytest.mark.parametrize("name", SLIDERS)
-def test_every_kind_of_change_is_seen(results, expected, name, kind):
-    changed = kind(results.dataset(name), np.random.default_rng(5))
-    if changed is not None:  # some datasets lack nothing that could be filled
-        assert failed(name, changed[0], expected), changed[1]
+def test_every_kind_of_change_is_seen(results, expected, kind):
+    changes = {name: kind(results.dataset(name), np.random.default_rng(5)) for name in SLIDERS}
+    made = {name: each for name, each in changes.items() if each is not None}
+    assert made
+    for name, (changed, what) in made.items():
+        assert failed(name, changed, expected), what
 
 
 def test_every_variable_in_balls_has_golden_data():
@@ -108,10 +109,6 @@ def test_every_variable_in_balls_has_golden_data():
 def test_every_tolerance_is_of_a_golden_number():
     names = {each for name in SLIDERS for each in read_dataset(f"{FULL.golden}/{name}.nc")}
     assert {each for each in names if f"{each}_radius" in names} == set(TOLERANCES)
-
-
-def test_golden_data_of_the_sliders_are_small():
-    assert sum(path.stat().st_size for path in check.Path(FULL.golden).glob("*.nc")) < 1e6
 
 
 @pytest.mark.parametrize("name", SLIDERS)

@@ -8,7 +8,6 @@ import xarray as xr
 from matplotlib.text import Text
 
 import planar_pushing as pp
-from planar_pushing.figures import render
 from planar_pushing.figures.sliders import figure_17, figure_18, gallery
 from planar_pushing.figures.sliders.flats import flats
 from planar_pushing.figures.style import paper_style
@@ -31,16 +30,6 @@ def test_plotted_numbers_have_units_names_and_a_source_and_survive_the_file(
     assert plotted[name].attrs["title"]
     store.write_dataset(plotted[name], tmp_path / "data.nc")
     xr.testing.assert_identical(store.read_dataset(tmp_path / "data.nc"), plotted[name])
-
-
-@pytest.mark.parametrize("name", GALLERY)
-def test_rendering_twice_gives_the_same_bytes(results, study, tmp_path, name):
-    for folder in (tmp_path / "a", tmp_path / "b"):
-        paths = {kind: folder / f"{name}.{kind}" for kind in ("svg", "pdf", "png")}
-        render.render(name, results, study.slider, data=folder / f"{name}.nc", **paths)
-    for path in sorted((tmp_path / "a").iterdir()):
-        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes(), path.name
-    assert len(list((tmp_path / "a").iterdir())) == 4
 
 
 @pytest.mark.parametrize("name", GALLERY)

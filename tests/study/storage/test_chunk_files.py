@@ -85,7 +85,9 @@ def test_a_chunk_that_is_missing_is_named(chunked, tmp_path):
 @pytest.mark.parametrize("steps", ["3", "{}", '{"mode": 1}', '{"contact": 0}', "no JSON"])
 def test_an_index_that_names_no_chunks_is_refused(tmp_path, steps):
     write_dataset(xr.Dataset(attrs={"chunks": steps}), tmp_path / "data/contact_modes.nc")
-    with pytest.raises(pp.InvalidFile, match=r"modes\.nc: names no chunks; remove it and build it anew"):
+    with pytest.raises(
+        pp.InvalidFile, match=r"modes\.nc: names no chunks; remove it and build it anew"
+    ):
         pp.open_dataset("contact_modes", tmp_path)
 
 

@@ -91,7 +91,9 @@ def test_a_huge_sparse_array_is_refused_before_it_is_read(path):
     with h5py.File(path, "a") as file:
         file.create_dataset("huge", shape=(10**6, 10**6), dtype="f8", chunks=(100, 100))
     assert path.stat().st_size < 10**5
-    with pytest.raises(pp.InvalidFile, match="declares more than it holds; remove it and build it anew"):
+    with pytest.raises(
+        pp.InvalidFile, match="declares more than it holds; remove it and build it anew"
+    ):
         read_dataset(path)
 
 
@@ -99,7 +101,9 @@ def test_external_storage_is_not_followed(path, tmp_path):
     (tmp_path / "secret").write_bytes(bytes(64))
     with h5py.File(path, "a") as file:
         file.create_dataset("out", (8,), "f8", external=[(str(tmp_path / "secret"), 0, 64)])
-    with pytest.raises(pp.InvalidFile, match="/out is stored elsewhere; remove it and build it anew"):
+    with pytest.raises(
+        pp.InvalidFile, match="/out is stored elsewhere; remove it and build it anew"
+    ):
         read_dataset(path)
 
 
@@ -108,7 +112,9 @@ def test_a_virtual_dataset_is_not_followed(path, tmp_path):
     layout[:] = h5py.VirtualSource(str(tmp_path / "other.nc"), "step", (3,))
     with h5py.File(path, "a") as file:
         file.create_virtual_dataset("out", layout)
-    with pytest.raises(pp.InvalidFile, match="/out is stored elsewhere; remove it and build it anew"):
+    with pytest.raises(
+        pp.InvalidFile, match="/out is stored elsewhere; remove it and build it anew"
+    ):
         read_dataset(path)
 
 

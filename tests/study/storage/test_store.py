@@ -171,7 +171,9 @@ def test_open_dataset_that_is_not_built(tmp_path):
 def test_open_damaged_dataset(tmp_path):
     (tmp_path / "data").mkdir()
     (tmp_path / "data/motion_cones.nc").write_bytes(b"not netCDF")
-    with pytest.raises(pp.InvalidFile, match=r"cones\.nc: is not a netCDF4 file; remove it and build it anew"):
+    with pytest.raises(
+        pp.InvalidFile, match=r"cones\.nc: is not a netCDF4 file; remove it and build it anew"
+    ):
         pp.open_dataset("motion_cones", tmp_path)
 
 

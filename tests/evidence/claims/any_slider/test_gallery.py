@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.evidence.claims.any_slider.gallery import _forces
-from planar_pushing.evidence.claims.any_slider.supports import GALLERY, L_SHAPE, SYMMETRIC, stacked
+from planar_pushing.evidence.claims.any_slider.gallery import curve_of_l_leans
+from planar_pushing.evidence.claims.any_slider.supports import GALLERY, L_SHAPE, SYMMETRIC
+from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 
 
 def test_centres_of_pressure_are_on_the_rod():
@@ -24,20 +25,21 @@ def test_symmetric_supports_have_symmetric_friction(name):
     assert (abs(power[0] - power[1]) < 1e-14) == (name in SYMMETRIC)
 
 
-def test_forces_on_the_curve_are_those_of_the_motion_there():
-    """The power of the force in its own motion is that of friction."""
-    turns, rods = np.array([-30.0, 30.0]), np.array([0.5, 2.0])
-    found = _forces(stacked([L_SHAPE, GALLERY["square"]]), rods, turns)
-    for (i, j, k), size in np.ndenumerate(found):
-        support = (L_SHAPE, GALLERY["square"])[i]
-        length = support.extent * rods[j]
-        slider = pp.Slider(rod_length=length, rod_angle=np.pi / 2)
-        scene = pp.Scene(
-            slider=slider, contact=pp.PerfectlyRough(),
-            effects=(pp.SupportFriction(support=support),),
-        )  # fmt: skip
-        (stick,) = [
-            each for each in pp.solve(scene, pp.motion_angle(scene, np.pi / 2 + np.deg2rad(turns[k])))
-            if each.mode is pp.ContactMode.STICK
-        ]  # fmt: skip
-        assert np.hypot(*stick.force) == pytest.approx(size, rel=1e-10)
+def sticking_force(length, turn):
+    """Force of the L in the motion that its limit curve gives, at an angle from the rod."""
+    scene = pp.Scene(
+        slider=pp.Slider(rod_length=L_SHAPE.extent * length, rod_angle=np.pi / 2),
+        contact=pp.PerfectlyRough(), effects=(pp.SupportFriction(support=L_SHAPE),),
+    )  # fmt: skip
+    motion = pp.motion_angle(scene, np.pi / 2 + np.deg2rad(turn))
+    (stick,) = (each for each in pp.solve(scene, motion) if each.mode is pp.ContactMode.STICK)
+    return np.hypot(*stick.force)
+
+
+@pytest.mark.parametrize("length", [0.5, 2.0])
+def test_the_curve_of_the_l_holds_the_forces_of_its_motions(length):
+    leans = sticking_force(length, -30.0) - sticking_force(length, 30.0)
+    assert abs(leans) > 1e-3
+    for wrong, verdict in ((0.0, Verdict.VERIFIED), (1e-8, Verdict.REFUTED)):
+        given = {"rod_length": length, "turn": 30.0, "difference": leans + wrong, "within": 1e-9}
+        assert curve_of_l_leans(**given).verdict is verdict

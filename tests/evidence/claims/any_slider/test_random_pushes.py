@@ -3,7 +3,6 @@
 import numpy as np
 
 import planar_pushing as pp
-from planar_pushing.evidence.claims.any_slider.random_pushes import _only
 from planar_pushing.evidence.claims.any_slider.supports import (
     everywhere,
     random_scenes,
@@ -24,10 +23,10 @@ def test_every_kind_is_drawn_and_every_run_has_the_same():
 
 def test_other_pushes_slip():
     scenes = random_scenes(MEMBERS, 5)
-    sticks, slips = (_only(scenes, np.deg2rad(a), pp.ContactMode.STICK) for a in (90.0, 179.0))
-    assert sticks.shape == (40, 5)
-    assert sticks.all()
-    assert 20 < slips.sum() < 180
+    normal, along = (pp.solve(scenes, np.deg2rad(angle)) for angle in (90.0, 179.0))
+    assert normal.solutions.shape == (40, 5)
+    assert (normal.mode[..., 0] == pp.ContactMode.STICK).all()
+    assert 20 < (along.mode[..., 0] != pp.ContactMode.STICK).sum() < 180
 
 
 def test_a_failure_is_named():
