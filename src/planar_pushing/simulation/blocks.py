@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import announced, inlined, kernel, owning
+from planar_pushing.mechanics.compiled import inlined, kernel, owning
 from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
@@ -90,7 +90,6 @@ def run_scenes(problem: Problem, scenes: Scenes, times: Array) -> tuple[Any, Any
             body, state, rows, found[part], changes[part],
         )  # fmt: skip
 
-    with announced(kernel):
-        run(0)
+    run(0)  # which compiles where it must, before the threads do
     in_threads(run, range(block, size, block))
     return found, changes
