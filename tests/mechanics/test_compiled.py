@@ -1,17 +1,17 @@
-"""Bodies by type, the folder of the cache, and what is said of compilations."""
+"""Bodies by type, and the folder of the cache."""
 
 from __future__ import annotations
 
+import os
 import shutil
 from pathlib import Path
 from typing import NamedTuple
 
-import numba
 import pytest
+from numba.core.caching import CompileResultCacheImpl, FunctionCache
 
-from mechanics.builders import needs_compiler
 from planar_pushing.mechanics import compiled as core
-from planar_pushing.mechanics.compiled import announced, compiled, generic, inlined, kernel
+from planar_pushing.mechanics.compiled import compiled, generic, inlined, kernel
 
 
 class Metres(NamedTuple):
@@ -100,11 +100,50 @@ def test_the_cache_is_beside_the_sources_or_in_the_users_folder(tmp_path, monkey
         core._folder()
 
 
+@pytest.fixture
+def temporary(tmp_path, monkeypatch):
+    """The folder of the cache where only the temporary folder can be written."""
+    (tmp_path / "file").touch()
+    monkeypatch.setattr(core, "PACKAGE", tmp_path / "file")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
+    monkeypatch.setattr(core.tempfile, "gettempdir", lambda: str(tmp_path))
+    return tmp_path / f"planar-pushing-{os.getuid()}"
+
+
+def test_a_cache_in_the_temporary_folder_is_closed_to_others(temporary):
+    assert core._folder().parent == temporary
+    assert temporary.stat().st_mode & 0o777 == 0o700
+    assert core._folder().parent == temporary
+
+
+def test_a_temporary_cache_that_others_may_write_is_refused(temporary):
+    temporary.mkdir()
+    temporary.chmod(0o770)
+    with pytest.raises(OSError, match="set XDG_CACHE_HOME"):
+        core._folder()
+
+
+def test_a_link_to_a_temporary_cache_is_refused(temporary):
+    (temporary.parent / "elsewhere").mkdir(mode=0o700)
+    temporary.symlink_to("elsewhere")
+    with pytest.raises(OSError, match="set XDG_CACHE_HOME"):
+        core._folder()
+
+
+def test_a_temporary_cache_of_another_user_is_refused(temporary, monkeypatch):
+    temporary.mkdir(mode=0o700)
+    status = temporary.lstat()
+    other = os.stat_result((*status[:4], status.st_uid + 1, *status[5:10]))
+    monkeypatch.setattr(Path, "lstat", lambda _: other)
+    with pytest.raises(OSError, match="set XDG_CACHE_HOME"):
+        core._folder()
+
+
 def test_other_packages_keep_their_cache_folder():
-    before = numba.config.CACHE_LOCATOR_CLASSES
-    kernel(compiled(lambda x: x))
-    assert before == numba.config.CACHE_LOCATOR_CLASSES
-    assert "planar_pushing" not in before
+    for caching in (FunctionCache, CompileResultCacheImpl):
+        assert core.Locator not in getattr(caching, "_locator_classes", ())
+    found = core.Cache(test_other_packages_keep_their_cache_folder)
+    assert Path(found.cache_path).is_relative_to(core.CACHE)
 
 
 def test_a_compiled_function_is_kept_by_its_place_in_the_package(tmp_path, monkeypatch):
@@ -113,32 +152,6 @@ def test_a_compiled_function_is_kept_by_its_place_in_the_package(tmp_path, monke
     assert Path(here.get_cache_path()) == core.CACHE / "a/b"
     other = core.Locator(test_other_packages_keep_their_cache_folder, __file__)
     assert Path(other.get_cache_path()).parent == core.CACHE
-
-
-@needs_compiler
-def test_a_call_that_compiles_says_so_once(caplog):
-    @numba.njit
-    def doubled(x):
-        return 2 * x
-
-    def call(value):
-        caplog.clear()
-        with caplog.at_level("INFO", "planar_pushing"), announced(doubled):
-            doubled(value)
-        return caplog.messages
-
-    ready = core.CACHE
-    (message,) = call(1.0)
-    assert message.startswith("compiled doubled in 0 s; later runs read it from")
-    assert str(ready) in message
-    assert call(2.0) == []
-    assert len(call(2)) == 1
-
-
-def test_a_python_function_is_not_announced(caplog):
-    with caplog.at_level("INFO", "planar_pushing"), announced(print):
-        pass
-    assert caplog.messages == []
 
 
 @inlined

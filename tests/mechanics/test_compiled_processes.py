@@ -212,3 +212,61 @@ def test_a_changed_callee_leaves_no_stale_code(copy):
     assert changed != text
     callee.write_text(changed)
     assert run(PROFILE, copy) == [2.0 * force, 0]
+
+
+# --- What is said of a compilation, and a damaged cache ------------------------------------------------
+
+FRESH = """
+import sys
+from pathlib import Path
+from planar_pushing.mechanics import compiled as core
+
+core.CACHE = Path(sys.argv[1])
+core.SLOW["planar_pushing.mechanics.wrench._spin_ratios"] = "ring_spin_ratios", 1
+from planar_pushing.mechanics import solve, wrench
+"""
+INVERT = "wrench.ring_spin_ratios(1.0); wrench.ring_spin_ratios([2.0])"
+SOLVE = """
+from planar_pushing.commands import main
+
+index = Path(solve._modes._cache._cache_file._index_path)
+index.parent.mkdir(parents=True)
+index.touch()
+sys.exit(main(["solve", "workflow/scenes/figure_02.yaml", "--pusher-angle", "90"]))
+"""
+
+
+def run_fresh(code, folder):
+    """A process whose cache is in a folder."""
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", FRESH + code, folder], capture_output=True, text=True,
+        check=False, cwd=TESTS.parent,
+    )  # fmt: skip
+
+
+@needs_compiler
+def test_a_long_compilation_is_announced_once(tmp_path):
+    said = "compiling ring_spin_ratios for this kind of slider, once; this takes about 1 s\n"
+    assert run_fresh(INVERT, tmp_path).stderr == said
+    assert run_fresh(INVERT, tmp_path).stderr == ""
+
+
+@needs_compiler
+@pytest.mark.parametrize("suffix", ["nbi", "nbc"])
+def test_a_truncated_cache_is_named(tmp_path, suffix):
+    run_fresh(INVERT, tmp_path)
+    for path in tmp_path.rglob(f"*.{suffix}"):
+        path.write_bytes(path.read_bytes()[:20])
+    found = run_fresh(INVERT, tmp_path)
+    assert found.stderr.endswith(
+        f"OSError: {tmp_path}: damaged compiled code; remove this folder\n"
+    )
+
+
+@needs_compiler
+def test_the_command_line_names_a_damaged_cache_in_a_line(tmp_path):
+    found = run_fresh(SOLVE, tmp_path)
+    assert found.returncode == 2
+    assert (
+        found.stderr == f"planar-pushing: {tmp_path}: damaged compiled code; remove this folder\n"
+    )

@@ -3,81 +3,133 @@
 from __future__ import annotations
 
 import argparse
+import gc
+import logging
+import multiprocessing
 import signal
+import sys
+import threading
 import time
+from collections.abc import Callable
+from contextlib import ExitStack
 from typing import Any
 
 from planar_pushing.commands.words.arguments import Commands, command
-from planar_pushing.terms.options import EffectSet, Method
+from planar_pushing.terms.options import Method, Shape
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Compile the core for every set of effects now; the first use does it otherwise."
+    about = "Compile the core now for the kinds of sliders in the paper and the examples."
     command(commands, "compile", compile_core, about)
 
 
 def compile_core(args: argparse.Namespace) -> dict[str, Any]:
-    """Call every compiled function once; what is compiled is kept beside the sources."""
-    import multiprocessing
-    from concurrent.futures import ProcessPoolExecutor
+    """Call every compiled function once; the machine code is kept beside the sources."""
+    from concurrent.futures import ProcessPoolExecutor, as_completed
+
+    from tqdm import tqdm
 
     from planar_pushing.mechanics.compiled import CACHE
 
     start = time.perf_counter()
-    # Ctrl-C ends the processes without a traceback each.
-    with ProcessPoolExecutor(
-        mp_context=multiprocessing.get_context("spawn"),
-        initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_DFL),
-    ) as pool:  # fmt: skip
-        others = pool.submit(call_sliders)
-        for _ in pool.map(call_all, reversed(EffectSet)):  # the longest first
-            pass
-        others.result()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    context = multiprocessing.get_context("spawn")
+    with ExitStack() as pools:
+        jobs = []
+        for half in HALVES:
+            pool = pools.enter_context(ProcessPoolExecutor(1, context, _begin))
+            jobs += [pool.submit(_call, kind, call) for kind, calls in half for call in calls]
+        try:
+            for job in tqdm(as_completed(jobs), "compiling", len(jobs), disable=None, leave=False):
+                job.result()
+        except BaseException:  # Ctrl-C among them; the calls under way would take a minute more
+            for child in multiprocessing.active_children():
+                child.terminate()
+            raise
     return {"compiled": str(CACHE), "seconds": round(time.perf_counter() - start, 1)}
 
 
-def call_all(kinds: EffectSet) -> None:
-    """Call every compiled function for a set of effects."""
+def _begin() -> None:
+    """Prepare a process, which a signal may end without a traceback or a lock that is left behind."""
+    from tqdm import tqdm
+
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    tqdm.set_lock(threading.RLock())
+    logging.getLogger("planar_pushing").setLevel(logging.ERROR)  # no announcements
+    gc.set_threshold(100_000)  # the compiler makes millions of objects: a twelfth of the time
+
+
+def _call(kind: str, call: Callable[[Any], None]) -> None:
+    """Call functions of a scene whose effects a kind names."""
+    import planar_pushing as pp
+
+    square = pp.Polygon([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+    effects: dict[str, Any] = {
+        "ring": pp.RingFriction(),
+        "inertia": pp.Inertia(),
+        "box": pp.SupportFriction(support=square),
+        "load": pp.Inertia(center=(0.1, 0.0)),
+    }
+    slider = pp.Slider(rod_length=2.0, rod_angle=1.0)
+    listed = tuple(effects[name] for name in kind.split("+"))
+    call(pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=listed))
+
+
+def evaluate(scene: Any) -> None:
+    """Solve a scene, and evaluate its cones, curves and wrenches."""
     import planar_pushing as pp
     from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
-    known: dict[str, Any] = {"support_friction": pp.RingFriction(), "inertia": pp.Inertia()}
-    effects = tuple(known[kind] for kind in kinds.split("+"))
-    slider = pp.Slider(rod_length=2.0, rod_angle=1.0)
-    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=effects)
-    share = None if len(effects) == 1 else 0.5
+    share = None if len(scene.effects) == 1 else 0.5
     pp.solve(scene, 1.0)
     pp.limit_curve(scene, 1.0)
     pp.motion_cone(scene)
-    pp.conservative_motion_cone(scene)
     for function in (pp.spin_ratio, pp.motion_angle, pp.motion_centers):
         function(scene, 1.0, share)
-    for effect in effects:
+    for effect in scene.effects:
         pp.wrench(effect, (1.0, 0.0, 1.0))
-    ring_profile(1.0)
-    ring_spin_ratios(1.0)
-    pusher = pp.Pusher(velocity=(0.0, 1.0))
-    for method in Method:
-        pp.simulate(scene, pusher=pusher, duration=1e-3, method=method)
+    if scene.isotropic:
+        pp.conservative_motion_cone(scene)
+        ring_profile(1.0)
+        ring_spin_ratios(1.0)
+    elif scene.friction:
+        pp.fit_ellipsoid(scene.friction[0].support)
+
+
+def under_fence(scene: Any) -> None:
+    """Simulate a scene under a fence, alone and in a batch."""
+    _simulate(scene, Shape.FENCE)
+
+
+def under_finger(scene: Any) -> None:
+    """Simulate a scene under a finger, alone and in a batch."""
+    _simulate(scene, Shape.FINGER)
+
+
+def _simulate(scene: Any, shape: Shape) -> None:
+    import planar_pushing as pp
+
+    pp.simulate(scene, pusher=pp.Pusher(velocity=(0.0, 1.0), shape=shape), duration=1e-3)
     pp.simulate_batch(
         rod_length=2.0, rod_angle=1.0, friction_coefficient=1.0, velocity=(0.0, 1.0), duration=1e-3,
-        effects=effects,
+        effects=scene.effects, shape=shape,
     )  # fmt: skip
 
 
-def call_sliders() -> None:
-    """Call what the study of sliders calls with supports that are no rings."""
+def by_steps(scene: Any) -> None:
+    """Simulate a scene under a fence by time-stepping."""
     import planar_pushing as pp
 
-    tripod = pp.Points([(1.0, 0.0), (-0.5, 0.8), (-0.5, -0.8)], [1.0, 1.0, 1.0])
-    friction = pp.SupportFriction(support=tripod)
-    slider = pp.Slider(rod_length=2.0, rod_angle=1.0)
-    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(friction,))
-    pp.solve(scene, 1.0)
-    pp.limit_curve(scene, 1.0)
-    pp.motion_cone(scene)
-    pp.motion_centers(scene, 1.0)
-    pp.wrench(friction, (1.0, 0.0, 1.0))
-    pp.fit_ellipsoid(tripod)
-    pp.simulate(scene, pusher=pp.Pusher(velocity=(0.0, 1.0)), duration=1e-3)
+    fence = pp.Pusher(velocity=(0.0, 1.0))
+    pp.simulate(scene, pusher=fence, duration=1e-3, method=Method.TIME_STEPPING)
+
+
+#: The kinds of sliders, and what is called of each; a box stands for every support that is no ring.
+RINGS, BOXES = (evaluate, under_fence, by_steps), (evaluate, under_fence, under_finger)
+#: A part for each of two processes, which take equally long. Functions of a kind share most of what they
+#: call, which is compiled once in a process.
+HALVES = (
+    (("box+load", BOXES), ("ring", RINGS)),
+    (("ring+inertia", RINGS), ("box", BOXES), ("inertia", RINGS)),
+)

@@ -8,20 +8,22 @@ into its functions.
 
 from __future__ import annotations
 
+import fcntl
 import functools
 import hashlib
 import logging
 import os
+import stat
 import tempfile
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, TypeVar
 
 import llvmlite.binding
 import numba
-from numba.core.caching import UserProvidedCacheLocator
+from numba.core import event
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, UserProvidedCacheLocator
 from numba.extending import overload
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -33,6 +35,14 @@ SOURCES = ("mechanics", "simulation")
 #: references to arrays, which takes longer than many a formula.
 OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
 LOG = logging.getLogger("planar_pushing")
+#: Kernels that take long to compile: what a user calls, and seconds of one core of a virtual machine, on
+#: average over the kinds of sliders; the longest take twice as long.
+SLOW = {
+    "planar_pushing.mechanics.solve._modes": ("solve", 10),
+    "planar_pushing.mechanics.cones._motion_cones": ("motion_cone", 5),
+    "planar_pushing.simulation.events.driver.advance": ("simulate", 25),
+    "planar_pushing.simulation.steps.driver.advance": ("simulate by time-stepping", 10),
+}
 #: How each function that is a part of kernels is compiled.
 _PARTS: dict[Any, dict[str, Any]] = {}
 PACKAGE = Path(__file__).parents[1]
@@ -47,17 +57,32 @@ def _digest() -> str:
 
 
 def _folder() -> Path:
-    """Folder of the cache: beside the sources where they can be written, else the user's own."""
+    """Folder of the cache: beside the sources where they can be written, else the user's own.
+
+    Whoever writes there runs code as the user, so a folder in the temporary one is nobody else's.
+    """
     users = Path(os.environ.get("XDG_CACHE_HOME") or Path("~/.cache").expanduser())
-    name = f"compiled-{_digest()}"
-    for base in (PACKAGE / "__pycache__", users / "planar-pushing", Path(tempfile.gettempdir())):
-        try:
-            (base / name).mkdir(parents=True, exist_ok=True)
-        except OSError:
-            continue
-        if os.access(base / name, os.W_OK):
-            return base / name
-    raise OSError("no folder for compiled code can be written; set XDG_CACHE_HOME to one that can")
+    name, own = (
+        f"compiled-{_digest()}",
+        Path(tempfile.gettempdir()) / f"planar-pushing-{os.getuid()}",
+    )
+    for base in (PACKAGE / "__pycache__", users / "planar-pushing", own):
+        with suppress(OSError):
+            base.mkdir(mode=0o700 if base == own else 0o777, parents=True, exist_ok=True)
+            if base == own and not _is_private(own):
+                continue
+            (base / name).mkdir(exist_ok=True)
+            if os.access(base / name, os.W_OK):
+                return base / name
+    raise OSError(
+        "no folder of your own for compiled code can be written; set XDG_CACHE_HOME to one that can"
+    )
+
+
+def _is_private(folder: Path) -> bool:
+    """Whether a folder, and no link to one, is the user's and closed to everybody else."""
+    status = folder.lstat()
+    return status.st_uid == os.getuid() and status.st_mode & 0o170077 == stat.S_IFDIR
 
 
 CACHE = _folder()
@@ -77,6 +102,51 @@ class Locator(UserProvidedCacheLocator):  # type: ignore[misc]
     def from_function(cls, function: Any, file: str) -> Locator:
         """Make the locator of a function; others of numba's locators are not asked."""
         return cls(function, file)
+
+
+class Files(CompileResultCacheImpl):  # type: ignore[misc]
+    """The files of a function's cache, in the folder of its locator."""
+
+    _locator_classes = (Locator,)
+
+
+class Cache(FunctionCache):  # type: ignore[misc]
+    """A function's cache, which several processes write one at a time."""
+
+    _impl_class = Files
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """Load machine code; a file that is damaged can fail in any way."""
+        try:
+            return super().load_overload(sig, target_context)
+        except Exception as error:
+            raise OSError(f"{CACHE}: damaged compiled code; remove this folder") from error
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """Save machine code: numba numbers the files of a function by its index."""
+        self._impl.locator.ensure_cache_path()
+        with Path(self.cache_path, "lock").open("w") as lock:
+            with suppress(OSError):  # a cluster's file system may know no locks
+                fcntl.flock(lock, fcntl.LOCK_EX)
+            super().save_overload(sig, data)
+
+
+class Announcer(event.Listener):  # type: ignore[misc]
+    """Says how long a compilation takes before numba, whose cache holds no code, starts it."""
+
+    def on_start(self, event: Any) -> None:
+        """Announce a kernel that takes long to compile."""
+        function = event.data["dispatcher"].py_func
+        what, seconds = SLOW.get(f"{function.__module__}.{function.__qualname__}", ("", 0))
+        if what:
+            message = "compiling %s for this kind of slider, once; this takes about %d s"
+            LOG.warning(message, what, seconds)
+
+    def on_end(self, event: Any) -> None:
+        """Do nothing: the result is there."""
+
+
+event.register("numba:compile", Announcer())
 
 
 def compiled(function: Function, **options: Any) -> Function:
@@ -119,12 +189,9 @@ def kernel(function: Function) -> Function:
 
     Only kernels are kept: each holds all that it calls.
     """
-    before = numba.config.CACHE_LOCATOR_CLASSES
-    numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{Locator.__name__}"
-    try:
-        made = numba.njit(cache=True, **_PARTS[function])(function)
-    finally:
-        numba.config.CACHE_LOCATOR_CLASSES = before
+    made = numba.njit(**_PARTS[function])(function)
+    if made is not function:
+        made._cache = Cache(function)
     return made  # type: ignore[no-any-return]
 
 
@@ -135,22 +202,6 @@ def inlined(function: Function) -> Function:
     large one costs its time again; a layer that is inlined costs nothing.
     """
     return numba.njit(inline="always", **OPTIONS)(function)  # type: ignore[no-any-return]
-
-
-@contextmanager
-def announced(kernel: Any) -> Iterator[None]:
-    """Say on the log when a call has had to compile what it calls, which takes seconds."""
-    before, start = _compilations(kernel), time.perf_counter()
-    yield
-    if _compilations(kernel) > before:
-        seconds = time.perf_counter() - start
-        LOG.info(
-            "compiled %s in %.0f s; later runs read it from %s", kernel.__name__, seconds, CACHE
-        )
-
-
-def _compilations(kernel: Any) -> int:
-    return sum(kernel.stats.cache_misses.values()) if hasattr(kernel, "stats") else 0
 
 
 def generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Callable[..., Any]:

@@ -46,6 +46,7 @@ def simulate_batch(
     samples: int | None = None,
     side: tuple[npt.ArrayLike, npt.ArrayLike] = (-math.inf, math.inf),
     shape: str = Shape.FENCE,
+    progress: bool = False,
 ) -> xr.Dataset:
     """Simulate many scenes, each as `simulate` does.
 
@@ -74,6 +75,8 @@ def simulate_batch(
         As in `Slider`, for fingers.
     shape : {"fence", "finger"}
         What pushes, where velocities are given; a `Pusher` has its own shape.
+    progress : bool
+        Whether to show a progress bar.
 
     Returns
     -------
@@ -99,7 +102,7 @@ def simulate_batch(
     scenes = scenes_of(problem, mu)
     # As `simulate` has them, bit for bit.
     times = np.linspace(0.0, scenes.ends, len(parts), axis=-1) if samples else scenes.ends[:, None]
-    rows, changes = run_scenes(problem, scenes, np.ascontiguousarray(times))
+    rows, changes = run_scenes(problem, scenes, np.ascontiguousarray(times), progress)
     found = _variables(problem, in_units(rows, scenes.radius), samples is None)
     found["mode_changes"] = "scene", changes
     found["evaluations"] = "scene", np.array(rows["evaluations"][:, -1])

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from tqdm import tqdm
 
-from planar_pushing.mechanics.compiled import announced, inlined, kernel, owning
+from planar_pushing.mechanics.compiled import inlined, kernel, owning
 from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
@@ -70,7 +71,9 @@ def _inertial(kinds, shape, scenes, fences, counts, times, rtol, body, run, rows
         changes[i] = _follow(system, row, task, run, rows, found[i])
 
 
-def run_scenes(problem: Problem, scenes: Scenes, times: Array) -> tuple[Any, Any]:
+def run_scenes(
+    problem: Problem, scenes: Scenes, times: Array, progress: bool = False
+) -> tuple[Any, Any]:
     """Rows of the scenes of a problem at these times, shape (scenes, samples), and their mode changes.
 
     The last row of a scene that stops before stands for the times after.
@@ -89,8 +92,9 @@ def run_scenes(problem: Problem, scenes: Scenes, times: Array) -> tuple[Any, Any
             kinds, shape, scenes.rows[part], *scenes.fences(part), times[part].copy(), problem.rtol,
             body, state, rows, found[part], changes[part],
         )  # fmt: skip
+        bar.update(part.stop - start)
 
-    with announced(kernel):
-        run(0)
-    in_threads(run, range(block, size, block))
+    with tqdm(total=size, disable=not progress, unit="scene", leave=False) as bar:
+        run(0)  # which compiles where it must, before the threads do
+        in_threads(run, range(block, size, block))
     return found, changes

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import xarray as xr
+from tqdm import tqdm
 
 from planar_pushing.evidence.golden import derived, expected
 from planar_pushing.evidence.golden.by_rule import check_dataset
@@ -118,8 +119,8 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
     study, results = load_any(file), Results(folder)
     if not any(folder.glob("data/*.nc")):
         raise InvalidFile(f"{folder}: holds no datasets; build them with make or snakemake")
-    checks = []
-    for name, groups in expectations(study, provenance(study, file), results):
+    checks, files = [], list(expectations(study, provenance(study, file), results))
+    for name, groups in tqdm(files, "checking", disable=None, leave=False):
         checks += check_file(name, groups, results)
     return checks + (check_enclosures(results, study) if study.golden else [])
 

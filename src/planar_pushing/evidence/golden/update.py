@@ -10,10 +10,12 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import xarray as xr
+from tqdm import tqdm
 
 from planar_pushing.evidence.golden.build.enclosures import disjoint, golden_variables
 from planar_pushing.evidence.golden.build.jobs import STEP, contacts, golden_jobs
@@ -61,8 +63,10 @@ def golden_files(values: dict[str, Any]) -> dict[str, xr.Dataset]:
     InvalidResult
         Where the two routes disagree.
     """
-    files = {name: job(PROCESSES) for name, job in golden_jobs(values)}
-    for name, second in second_route(values, PROCESSES):
+    jobs = list(golden_jobs(values))
+    shown = partial(tqdm, total=len(jobs), disable=None, leave=False)
+    files = {name: job(PROCESSES) for name, job in shown(jobs, "golden files")}
+    for name, second in shown(second_route(values, PROCESSES), "second route"):
         found = agreement(values, second, files[name])
         if found.apart:
             raise InvalidResult(f"{name}: the two routes disagree on {', '.join(found.apart)}")

@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
+from tqdm import tqdm
 
 from planar_pushing.figures.motion.timeline import MODES, plotted
 from planar_pushing.figures.motion.trajectory import box, paths, scene
@@ -67,7 +68,8 @@ def animate(log: xr.Dataset, path: PathLike, *, frames: int = 75, rate: float = 
     )
     motion = resampled(plotted(log), frames)
     with paper_style():
-        pictures = list(_pictures(motion))
+        drawn = tqdm(_pictures(motion), "drawing", frames, disable=None, leave=False)
+        pictures = list(drawn)
     palette = pictures[len(pictures) // 2].quantize(COLORS, dither=Image.Dither.NONE)
     flat = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in pictures]
     duration = max(2, math.floor(100 / rate + 0.5)) * 10

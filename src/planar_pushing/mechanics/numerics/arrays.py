@@ -18,7 +18,6 @@ import numba
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import announced
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.quantities import MECHANICS, attributes
 
@@ -71,8 +70,7 @@ def mapped(
 
     starts = range(0, size, BLOCK)
     if size:
-        with announced(kernel):
-            block(0)
+        block(0)  # which compiles where it must, before the threads do
     if len(starts) > 1:
         in_threads(block, starts[1:])
     return [each.reshape(shape + tail) for each, tail in zip(found, tails, strict=True)]

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import announced
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import RUNS, STATE, Task
@@ -44,8 +43,7 @@ class EventDriven:
     def __iter__(self) -> Iterator[Any]:
         while self.run.phase != ENDED:
             rows = records(ROW, BATCH)
-            with announced(advance):
-                count = advance(self.system, self.task, self.run, rows)
+            count = advance(self.system, self.task, self.run, rows)
             if count:
                 yield in_units(rows[:count], self.radius)
 

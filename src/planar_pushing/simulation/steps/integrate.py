@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import announced
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import NO_MODE, ROW, in_units, reason, records
@@ -69,8 +68,7 @@ class TimeStepping:
     def __iter__(self) -> Iterator[Any]:
         while not ended(self.plan, self.run):
             rows = records(ROW, BATCH)
-            with announced(advance):
-                count = advance(self.system, self.plan, self.run, rows)
+            count = advance(self.system, self.plan, self.run, rows)
             if count:
                 yield in_units(rows[:count], self.radius)
 

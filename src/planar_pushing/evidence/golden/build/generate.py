@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from tqdm import tqdm
 
 from planar_pushing.certified.balls import precise
 from planar_pushing.certified.contact import modes
@@ -119,7 +120,8 @@ def _evaluate(cell: Callable[[Any], Any], points: Iterable[Any], processes: int)
         return [cell(point) for point in points]
     points = list(points)
     with get_context("spawn").Pool(processes) as pool:
-        return pool.map(cell, points, chunksize=-(-len(points) // (4 * processes)))
+        records = pool.imap(cell, points, chunksize=-(-len(points) // (32 * processes)))
+        return list(tqdm(records, "cells", len(points), disable=None, leave=False))
 
 
 @precise

@@ -1,0 +1,73 @@
+"""The command `compile`: what it covers, and how it ends."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from mechanics.builders import needs_compiler
+from planar_pushing.mechanics import compiled as core
+
+pytestmark = needs_compiler
+COMMAND = [sys.executable, "-m", "planar_pushing.commands"]
+SCENES = Path("workflow/scenes").resolve()
+SOLVED = ("box", "plate", "stool", "tripod", "figure_09a", "figure_11")
+FOLLOWED = (
+    "box",
+    "plate",
+    "stool",
+    "tripod",
+    "figure_14a",
+    "figure_15",
+    "impact",
+    "pulling_with_inertia",
+)
+EXAMPLES = [
+    *(["solve", f"{SCENES}/{name}.yaml", "--pusher-angle", "90"] for name in SOLVED),
+    *(["cone", f"{SCENES}/{name}.yaml"] for name in SOLVED),
+    *(["draw", f"{SCENES}/{name}.yaml", "--pusher-angle", "90", "-o", "a.svg"] for name in SOLVED),
+    *(["simulate", f"{SCENES}/{name}.yaml", "-o", "a.nc"] for name in FOLLOWED),
+    *(
+        ["simulate", f"{SCENES}/{name}.yaml", "-o", "a.nc", "--pusher-shape", "finger"]
+        for name in ("box", "plate", "stool", "tripod")
+    ),
+]  # fmt: skip
+
+
+def compiled_files():
+    """Names of the files of machine code."""
+    return {path.name for path in core.CACHE.rglob("*.nbc")}
+
+
+@pytest.mark.slow
+def test_the_examples_compile_nothing_after_compile(tmp_path):
+    subprocess.run([*COMMAND, "compile"], check=True, capture_output=True)
+    before = compiled_files()
+    for arguments in EXAMPLES:
+        found = subprocess.run(
+            [*COMMAND, *arguments], check=True, cwd=tmp_path, capture_output=True, text=True
+        )
+        assert compiled_files() == before, arguments
+        assert "compiling" not in found.stderr
+
+
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGINT, 130)])
+def test_a_signal_ends_compile_with_its_processes(number, status):
+    running = subprocess.Popen(
+        [*COMMAND, "compile"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
+    )
+    listed, children = Path(f"/proc/{running.pid}/task/{running.pid}/children"), []
+    while len(children) < 3 and running.poll() is None:  # one of them only tracks the others
+        time.sleep(0.05)
+        children = listed.read_text().split()
+    running.send_signal(number)
+    _, said = running.communicate(timeout=60)
+    assert running.returncode == status, said
+    assert b"Traceback" not in said
+    assert b"leaked" not in said
+    assert not any(Path(f"/proc/{child}").exists() for child in children)
