@@ -57,7 +57,7 @@ FINGER = """\
 slider: {rod_length: 2, rod_angle: 70, side: [-1, 0.2]}
 contact: {law: coulomb, friction_coefficient: 0.1}
 effects: [{type: ring_friction}]
-simulate: {pusher_angle: 68, pusher_shape: finger, duration: 0.7}
+simulate: {pusher_angle: 68, pusher_shape: finger, duration: 0.7, method: time-stepping}
 """
 
 

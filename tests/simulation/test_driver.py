@@ -52,31 +52,28 @@ def test_an_interrupt_between_two_batches_leaves_a_run_that_can_be_finished():
     assert np.concatenate(found).tobytes() == whole.tobytes()
 
 
-UNCOMPILED = """
-import sys
-import numpy as np
-import planar_pushing as pp
-for effects in (pp.RingFriction(),), (pp.Inertia(),), (pp.RingFriction(), pp.Inertia()):
-    slider = pp.Slider(rod_length=2, rod_angle=0.8)
-    scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
-    for method in "event-driven", "time-stepping":
-        step = {"step": 0.01} if method == "time-stepping" else {}
-        log = pp.simulate(scene, pusher=pp.Pusher(velocity=(0.3, 1.0)), duration=0.1, rtol=1e-6, samples=3,
-                          method=method, **step)
-        for name in "rod_angle", "slip", "work":
-            print(float(log[name][-1]).hex())
-"""
+def endings():
+    """Last values of simulations of each set of effects, by each method."""
+    found = []
+    for effects in (pp.RingFriction(),), (pp.Inertia(),), (pp.RingFriction(), pp.Inertia()):
+        slider = pp.Slider(rod_length=2, rod_angle=0.8)
+        scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
+        for options in {}, {"method": "time-stepping", "step": 0.01}:
+            log = run(scene, (0.3, 1.0), 0.1, rtol=1e-6, samples=3, **options)
+            found += [final(log, name).hex() for name in ("rod_angle", "slip", "work")]
+    return found
 
 
 def test_the_same_numbers_without_the_compiler():
-    printed = [
-        subprocess.run(
-            [sys.executable, "-c", UNCOMPILED], env=os.environ | {"NUMBA_DISABLE_JIT": flag},
-            capture_output=True, text=True, check=True,
-        ).stdout.split()
-        for flag in ("0", "1")
-    ]  # fmt: skip
-    compiled, plain = (np.array([float.fromhex(each) for each in part]) for part in printed)
+    code = "from simulation.test_driver import endings; print(*endings())"
+    paths = os.pathsep.join(sys.path)
+    said = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True,
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": paths},
+    ).stdout  # fmt: skip
+    compiled, plain = (
+        np.array([float.fromhex(each) for each in part]) for part in (endings(), said.split())
+    )
     assert len(compiled) == 18
     # An event multiplies what rounding leaves of its time.
     assert plain == pytest.approx(compiled, rel=1e-14, abs=3e-14)

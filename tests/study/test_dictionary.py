@@ -60,11 +60,13 @@ def whole(results, sliders):
     return results
 
 
+@pytest.mark.slow
 def test_data_dictionary_is_that_of_the_datasets(whole):
     stored = Path("results/README.md").read_text(encoding="utf-8")
     assert stored == dictionary_text(str(whole)), "run make dictionary"
 
 
+@pytest.mark.slow
 def test_every_file_is_opened_by_its_name(whole):
     own = "studies/sliders/"
     for path in whole.rglob("*.nc"):

@@ -5,7 +5,6 @@ import subprocess
 import sys
 
 import numpy as np
-import pytest
 
 from planar_pushing.evidence.golden import derived
 from planar_pushing.evidence.golden.by_rule import check_dataset
@@ -22,56 +21,42 @@ simulate: {pusher: [{time: 0, angle: 90}], duration: 0.01, samples: 3, METHOD}
 RING = "{type: ring_friction, weight: 1}"
 DISC = "{type: support_friction, weight: 1, support: {shape: disc, radius: 1}}"
 EVENTS, STEPS = "rtol: 1.0e-9", "method: time-stepping, step: 0.005"
-#: Prints the rules of a simulation of a scene file.
+#: Prints, line by line, the rules of the simulations and of the pictures of scene files.
 RULES = """import sys
-from planar_pushing.evidence.golden.expected import simulation_expectation
-from planar_pushing.study.study_file import load_study
-study = load_study("workflow/config/smoke.yaml")
-study = study.model_copy(update={"simulations": {"one": sys.argv[1]}})
-print(*set(simulation_expectation("one", study).rules.values()))
-"""
-#: Prints those of a picture's scene.
-SCENE_RULES = """import sys
-from planar_pushing.evidence.golden.expected import scene_expectations
+from planar_pushing.evidence.golden.expected import scene_expectations, simulation_expectation
 from planar_pushing.study.files.models import PushEntry
 from planar_pushing.study.study_file import load_study
 study = load_study("workflow/config/smoke.yaml")
-push = PushEntry(file=sys.argv[1], pusher_angle=100)
-found = scene_expectations(study.model_copy(update={"scenes": {"one": push}}))
-print(*set(found["one"].rules.values()))
+files = sys.argv[1:]
+study = study.model_copy(update={
+    "simulations": {file: file for file in files},
+    "scenes": {file: PushEntry(file=file, pusher_angle=100) for file in files},
+})
+pictures = scene_expectations(study)
+for file in files:
+    print(*set(simulation_expectation(file, study).rules.values()))
+    print(*set(pictures[file].rules.values()))
 """
 
 
-@pytest.mark.parametrize(
-    ("effect", "method", "rules"),
-    [
-        (RING, EVENTS, {Rule.EXACT, Rule.RESIDUAL}),
-        (RING, STEPS, {Rule.DERIVED}),
-        (DISC, EVENTS, {Rule.DERIVED}),
-    ],
-)
-def test_rules_of_a_simulation(tmp_path, effect, method, rules):
-    text = SCENE.replace("EFFECT", effect).replace("METHOD", method)
-    (tmp_path / "scene.yaml").write_text(text, encoding="utf-8")
-    assert _printed(RULES, tmp_path / "scene.yaml") == rules
-
-
-def _printed(program, scene):
-    """Words that a program prints of a scene file."""
+def test_rules_of_simulations_and_of_their_scenes(tmp_path):
+    cases = {
+        (RING, EVENTS): ({Rule.EXACT, Rule.RESIDUAL}, {Rule.EXACT, Rule.RESIDUAL}),
+        (RING, STEPS): ({Rule.DERIVED}, {Rule.EXACT, Rule.RESIDUAL}),
+        (DISC, EVENTS): ({Rule.DERIVED}, {Rule.DERIVED}),
+    }
+    files = [tmp_path / f"{number}.yaml" for number in range(len(cases))]
+    for file, (effect, method) in zip(files, cases, strict=True):
+        text = SCENE.replace("EFFECT", effect).replace("METHOD", method)
+        file.write_text(text, encoding="utf-8")
     # Uncompiled: a disc would be compiled for this test alone, for a minute.
-    run = [sys.executable, "-c", program, str(scene)]
-    environment = os.environ | {"NUMBA_DISABLE_JIT": "1"}
+    run, environment = (
+        [sys.executable, "-c", RULES, *files],
+        os.environ | {"NUMBA_DISABLE_JIT": "1"},
+    )
     said = subprocess.run(run, env=environment, check=True, capture_output=True, text=True).stdout
-    return set(said.split())
-
-
-@pytest.mark.parametrize(
-    ("effect", "rules"), [(RING, {Rule.EXACT, Rule.RESIDUAL}), (DISC, {Rule.DERIVED})]
-)
-def test_rules_of_a_scene(tmp_path, effect, rules):
-    text = SCENE.replace("EFFECT", effect).replace("METHOD", EVENTS)
-    (tmp_path / "scene.yaml").write_text(text, encoding="utf-8")
-    assert _printed(SCENE_RULES, tmp_path / "scene.yaml") == rules
+    found = [set(line.split()) for line in said.splitlines()]
+    assert found == [rules for pair in cases.values() for rules in pair]
 
 
 def test_a_result_that_is_no_number_is_wrong(monkeypatch):

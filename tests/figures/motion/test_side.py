@@ -14,7 +14,13 @@ from simulation.runs import heading, run
 def log(request):
     slider = pp.Slider(rod_length=2.0, rod_angle=1.2, side=request.param)
     scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.1), effects=(pp.RingFriction(),))
-    return run(scene, pp.Pusher(velocity=heading(68), shape="finger"), 0.5, samples=9)
+    return run(
+        scene,
+        pp.Pusher(velocity=heading(68), shape="finger"),
+        0.5,
+        samples=9,
+        method="time-stepping",
+    )
 
 
 def test_the_finger_is_on_the_side_while_the_contact_lasts(log):

@@ -67,7 +67,7 @@ def arrows(figure):
     return [p for ax in figure.axes for p in ax.patches if isinstance(p, FancyArrowPatch)]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20)
 @given(
     contact=LAWS,
     angle=st.one_of(
