@@ -238,3 +238,11 @@ def test_results_do_not_depend_on_the_threads(monkeypatch):
 def test_every_variable_has_a_unit_and_a_name():
     found = simulate_batch(**REFERENCES, samples=2)
     assert all({"units", "long_name"} <= set(v.attrs) for v in found.variables.values())
+
+
+def test_a_batch_shows_progress_on_demand(capsys):
+    given = {"rod_length": [2.0, 3.0], "rod_angle": 1.0, "friction_coefficient": 1.0}
+    simulate_batch(**given, velocity=(0.0, 1.0), duration=0.1, progress=True)
+    assert "scene" in capsys.readouterr().err
+    simulate_batch(**given, velocity=(0.0, 1.0), duration=0.1)
+    assert capsys.readouterr().err == ""

@@ -12,6 +12,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
+from dataclasses import replace
 from typing import Any
 
 from planar_pushing.commands.words.arguments import Commands, command
@@ -79,6 +80,7 @@ def _call(kind: str, call: Callable[[Any], None]) -> None:
 def evaluate(scene: Any) -> None:
     """Solve a scene, and evaluate its cones, curves and wrenches."""
     import planar_pushing as pp
+    from planar_pushing.mechanics.plane import direction
     from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
     share = None if len(scene.effects) == 1 else 0.5
@@ -88,7 +90,12 @@ def evaluate(scene: Any) -> None:
     for function in (pp.spin_ratio, pp.motion_angle, pp.motion_centers):
         function(scene, 1.0, share)
     for effect in scene.effects:
+        alone = replace(scene, effects=(effect,))
+        pp.motion_cone(alone)
+        pp.motion_angle(alone, 1.0)
+        pp.motion_centers(alone, 1.0)
         pp.wrench(effect, (1.0, 0.0, 1.0))
+    direction(1.0)
     if scene.isotropic:
         pp.conservative_motion_cone(scene)
         ring_profile(1.0)
