@@ -179,7 +179,9 @@ def test_open_damaged_dataset(tmp_path):
 
 def test_open_folder_in_place_of_a_dataset(tmp_path):
     (tmp_path / "data/motion_cones.nc").mkdir(parents=True)
-    with pytest.raises(pp.InvalidFile, match=r"is not a netCDF4 file \(Is a directory\); remove it and build it"):
+    with pytest.raises(
+        pp.InvalidFile, match=r"is not a netCDF4 file \(Is a directory\); remove it"
+    ):
         pp.open_dataset("motion_cones", tmp_path)
 
 
