@@ -7,7 +7,7 @@ from pkgutil import resolve_name
 from planar_pushing.study.running.jobs import job_log
 
 given = dict(snakemake.params.items())
-for shown in ("code", "caption", "promise"):  # which make a job stale, or stand in Snakemake's report
+for shown in ("code", "caption", "promise"):  # for Snakemake and its report
     given.pop(shown, None)
 os.environ |= given.pop("environment", {})
 
