@@ -12,6 +12,7 @@ import pytest
 
 from mechanics.builders import needs_compiler
 from planar_pushing.mechanics import compiled as core
+from signals import interruptible
 
 pytestmark = needs_compiler
 COMMAND = [sys.executable, "-m", "planar_pushing.commands"]
@@ -62,11 +63,13 @@ def at_work(parent):
     return [each for each in children if "llvmlite" in Path(f"/proc/{each}/maps").read_text()]
 
 
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="processes are found in /proc")
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGINT, 130)])
-def test_a_signal_ends_compile_with_its_processes(number, status):
+def test_ctrl_c_and_a_termination_end_compile_with_its_processes(number, status):
     running = subprocess.Popen(
-        [*COMMAND, "compile"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
-    )
+        [*COMMAND, "compile"],
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, preexec_fn=interruptible,
+    )  # fmt: skip
     while len(at_work(running.pid)) < 2:
         assert running.poll() is None
         time.sleep(0.05)
