@@ -35,7 +35,7 @@ def root(tmp_path_factory):
 
 def planned(root, *arguments):
     """The chunks that a run would compute."""
-    said = snakemake(root, "--dry-run", "--quiet", "host", *arguments, *TARGETS)
+    said = snakemake(root, "--dry-run", *arguments, *TARGETS, "--quiet", "host")
     return set(re.findall(r"Computing (\S+) of \w+", said)), said
 
 

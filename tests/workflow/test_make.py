@@ -36,8 +36,10 @@ def folder(tmp_path):
 
 
 def start(folder, *arguments, **variables):
+    """Start make as a user does, who is not within another make."""
+    ours = {name: value for name, value in os.environ.items() if "MAKE" not in name}
     return subprocess.Popen(
-        ["make", "PYTHON=./python", *arguments], cwd=folder, env=os.environ | variables,
+        ["make", "PYTHON=./python", *arguments], cwd=folder, env=ours | variables,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
     )  # fmt: skip
 

@@ -188,7 +188,7 @@ def outputs(built):
 
 def targets(built):
     """Every file that the default target asks for."""
-    said = built.snakemake("--dry-run", "--forcerun", "all")
+    said = built.snakemake("--dry-run", "--forcerun", "all", "--quiet", "host")
     return set(re.search(r"rule all:\n +input: (.*)\n", said)[1].split(", "))
 
 
