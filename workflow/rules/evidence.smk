@@ -149,7 +149,7 @@ rule supplement_tables:
         call="report.jobs:supplement_tables",
         code=code_of("report"),
         golden=STUDY.golden,
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
     message:
         "Reading the numbers of the supplement"
     script:
@@ -175,7 +175,7 @@ rule supplement_pdf:
         call="report.typeset:typeset",
         code=code_of("report"),
         root=".",
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
     message:
         "Setting the supplement"
     script:

@@ -30,7 +30,7 @@ rule figure:
         code=figure_code(FIGURES),
         name="{figure}",
         settings=figure_settings,
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
         marks=marks,
         caption=lambda wildcards: FIGURES[wildcards.figure].caption,
         promise=lambda wildcards: FIGURES[wildcards.figure].promise,

@@ -40,7 +40,7 @@ rule golden_verdict:
         call="evidence.jobs:golden",
         code=[golden_code(COMPUTED, FIGURES, DRAWN), whole_digest(STUDY)],
         study=STUDY_FILE,
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
     message:
         "Checking every value of the results"
     script:

@@ -27,7 +27,7 @@ rule manual_pages:
         "<results>/benchmarks/manual/manual_pages.tsv"
     params:
         call="report.manual:build_manual",
-        source="paper/manual",
+        source=lambda wildcards: "paper/manual",
         code=code_of("manual"),
         measured=lambda wildcards: [path.read_text() for path in MEASURED],
     message:

@@ -82,7 +82,7 @@ rule report_tables:
         code=[code_of("report"), whole_digest(STUDY), REGISTRY],
         study=STUDY_FILE,
         golden=STUDY.golden,
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
     message:
         "Reading the numbers of the report"
     script:
@@ -113,7 +113,7 @@ rule paper_pdf:
         call="report.typeset:typeset",
         code=code_of("report"),
         root=".",
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
     message:
         "Setting the report"
     script:

@@ -85,7 +85,7 @@ rule sliders_figure:
         code=figure_code(GALLERY_FIGURES),
         name="{figure}",
         settings=GALLERY.slider.model_dump(),
-        results=folder_of(GALLERY_FILE),
+        results=lambda wildcards: folder_of(GALLERY_FILE),
         marks=sliders_marks,
         caption=lambda wildcards: GALLERY_FIGURES[wildcards.figure].caption,
         promise=lambda wildcards: GALLERY_FIGURES[wildcards.figure].promise,
@@ -129,7 +129,7 @@ rule sliders_verdict:
         call="evidence.jobs:golden",
         code=[golden_code(SLIDERS, GALLERY_FIGURES, SHOWN), whole_digest(GALLERY)],
         study=GALLERY_FILE,
-        results=folder_of(GALLERY_FILE),
+        results=lambda wildcards: folder_of(GALLERY_FILE),
     message:
         "Checking every value of the sliders' results"
     script:
