@@ -18,7 +18,7 @@ LAUGHS = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n" + "".join(
         ("title: 2026-13-45", "not YAML: month must be in 1..12; mend the value"),
         ("title: !!int foo", "the tag 'tag:yaml.org,2002:int' given; allowed: values without tags"),
         ("title: !!bool foo", "the tag 'tag:yaml.org,2002:bool' given; allowed: values without"),
-        (r'title: "\UFFFFFFFF"', "not YAML: Python int too large"),
+        (r'title: "\UFFFFFFFF"', "not YAML: "),  # Python's own words, which differ by version
         (f"title: {'9' * 5000}", "'9999"),
         ("? [a, b]\n: 3", "('a', 'b'): 3 given; allowed: the keys title, slider"),
         ("? {a: b}\n: 3", "not YAML: line 1, column 3: found unhashable key"),
