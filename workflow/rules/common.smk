@@ -167,11 +167,15 @@ def gathering(wildcards):
 SHOWN = [name for name in GALLERY_FIGURES if GALLERY and shows(GALLERY, name)]
 
 
-def marks(wildcards):
-    """Attributes that name the study in a dataset, a simulation or a figure."""
-    if "simulation" in wildcards.keys():
-        return MARKS[STUDY_FILE](f"simulations/{wildcards.simulation}")
-    return MARKS[STUDY_FILE](wildcards.get("dataset") or wildcards.figure)
+def marks_of(file):
+    """Attributes that name a study in a dataset, a simulation or a figure."""
+
+    def marks(wildcards):
+        if "simulation" in wildcards.keys():
+            return MARKS[file](f"simulations/{wildcards.simulation}")
+        return MARKS[file](wildcards.get("dataset") or wildcards.figure)
+
+    return marks
 
 
 def dataset_code(wildcards):

@@ -23,7 +23,7 @@ rule dataset:
         code=dataset_code,
         name="{dataset}",
         study=job_slice,
-        marks=marks,
+        marks=marks_of(STUDY_FILE),
     message:
         "Computing {wildcards.dataset}"
     script:
@@ -77,7 +77,7 @@ rule gather:
         code=dataset_code,
         name="{dataset}",
         whole=gathering,
-        marks=marks,
+        marks=marks_of(STUDY_FILE),
     message:
         "Gathering the chunks of {wildcards.dataset}"
     script:
@@ -100,7 +100,7 @@ rule index:
         code=dataset_code,
         name="{dataset}",
         whole=gathering,
-        marks=marks,
+        marks=marks_of(STUDY_FILE),
     message:
         "Listing the chunks of {wildcards.dataset}"
     script:

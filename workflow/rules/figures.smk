@@ -31,7 +31,7 @@ rule figure:
         name="{figure}",
         settings=figure_settings,
         results=lambda wildcards: RESULTS,
-        marks=marks,
+        marks=marks_of(STUDY_FILE),
         caption=lambda wildcards: FIGURES[wildcards.figure].caption,
         promise=lambda wildcards: FIGURES[wildcards.figure].promise,
     message:

@@ -25,7 +25,7 @@ rule simulation:
         code=code_of("simulation"),
         name="{simulation}",
         scene=lambda wildcards: STUDY.simulations[wildcards.simulation],
-        marks=marks,
+        marks=marks_of(STUDY_FILE),
     message:
         "Simulating {wildcards.simulation}"
     script:

@@ -1,12 +1,5 @@
 # The study of sliders: its datasets, logs of motion over time and figures, in a folder of its own, and the
 # check of every value in its equation or computed anew, and of the golden sample.
-def sliders_marks(wildcards):
-    """Attributes that name the study of sliders in a dataset, a simulation or a figure."""
-    if "simulation" in wildcards.keys():
-        return MARKS[GALLERY_FILE](f"simulations/{wildcards.simulation}")
-    return MARKS[GALLERY_FILE](wildcards.get("dataset") or wildcards.figure)
-
-
 rule sliders:
     input:
         expand("<sliders>/data/{dataset}.nc", dataset=SLIDERS),
@@ -33,7 +26,7 @@ rule sliders_dataset:
         code=dataset_code,
         name="{dataset}",
         study=lambda wildcards: study_slice(GALLERY, wildcards.dataset),
-        marks=sliders_marks,
+        marks=marks_of(GALLERY_FILE),
     message:
         "Computing {wildcards.dataset}"
     script:
@@ -53,7 +46,7 @@ rule sliders_simulation:
         code=code_of("simulation"),
         name="{simulation}",
         scene=lambda wildcards: GALLERY.simulations[wildcards.simulation],
-        marks=sliders_marks,
+        marks=marks_of(GALLERY_FILE),
     message:
         "Simulating {wildcards.simulation}"
     script:
@@ -86,7 +79,7 @@ rule sliders_figure:
         name="{figure}",
         settings=GALLERY.slider.model_dump(),
         results=lambda wildcards: folder_of(GALLERY_FILE),
-        marks=sliders_marks,
+        marks=marks_of(GALLERY_FILE),
         caption=lambda wildcards: GALLERY_FIGURES[wildcards.figure].caption,
         promise=lambda wildcards: GALLERY_FIGURES[wildcards.figure].promise,
     message:
