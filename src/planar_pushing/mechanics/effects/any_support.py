@@ -44,6 +44,11 @@ def count_fields(effect):
     return 3
 
 
+@owning
+def scaled(effect, one, two):
+    return Support(one * effect.weight, effect.extent, effect.pressure)
+
+
 @compiled
 def resistance(effect, x, y, spin, blur):
     weight, extent, pressure = effect

@@ -189,6 +189,21 @@ energy = generic(_summed("energy", _energy, _energies))
 
 
 @owning
+def _scaled(effects, one, two):
+    return (scaled(effects[0], one, two),)
+
+
+@owning
+def _scaled_all(effects, one, two):
+    return (scaled(effects[0], one, two), *scaled(effects[1:], one, two))
+
+
+#: Effects whose forces are multiplied by a factor: by the first where the potential has degree 1, by the second
+#: where it has degree 2: effect or effects, and the factors.
+scaled = generic_owning(_summed("scaled", _scaled, _scaled_all))
+
+
+@owning
 def _made(kinds, row, start):
     return (made(kinds[0], row, start),)
 

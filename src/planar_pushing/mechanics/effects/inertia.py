@@ -79,6 +79,11 @@ def count_fields(effect):
 
 
 @compiled
+def scaled(effect, one, two):
+    return Mass(two * effect.mass, effect.gyration, effect.x, effect.y)
+
+
+@compiled
 def resistance(effect, x, y, spin, blur):
     mass, gyration, own_x, own_y = effect
     f_x, f_y = mass * (x - spin * own_y), mass * (y + spin * own_x)

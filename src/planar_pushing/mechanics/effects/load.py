@@ -77,6 +77,11 @@ def count_fields(effect):
 
 
 @compiled
+def scaled(effect, one, two):
+    return Wrench(one * effect.x, one * effect.y, one * effect.torque)
+
+
+@compiled
 def resistance(effect, x, y, spin, blur):
     return Resistance(
         -effect.x, -effect.y, -effect.torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1

@@ -37,6 +37,11 @@ def count_fields(effect):
 
 
 @compiled
+def scaled(effect, one, two):
+    return RingSupport(one * effect.weight)
+
+
+@compiled
 def resistance(effect, x, y, spin, blur):
     weight, speed = effect.weight, sqrt(x * x + y * y)
     force, torque, vv, vs, ss = ring_response(speed, spin)
