@@ -20,6 +20,8 @@ from planar_pushing.mechanics.reduced.way import Way
 COINCIDENCE = 9e-13
 #: How far beyond the pusher's motion slips are sought, relative to it, so that one that is the stick is found.
 BEYOND = 1e-11
+#: A normal motion is not smaller than this, so that squares of it are doubles.
+LEAST = 1e-140
 #: A force this far outside the cone, relative to its magnitude, is taken to the edge.
 OUTSIDE = 5e-13
 #: Solutions of one push: separate, stick, and the slips under each edge.
@@ -57,6 +59,13 @@ class Push(NamedTuple):
 def _inside(edge, side, f_x, f_y):
     """How far a force is inside an edge of the cone: of the left one on the side 1, of the right one -1."""
     return side * (-edge.aside * f_x - edge.along * f_y)
+
+
+@compiled
+def _blur(edge, moved):
+    """Rounding error of `_inside`."""
+    one, other = moved.noise_x + RESOLUTION * abs(moved.f_x), moved.noise_y + RESOLUTION * abs(moved.f_y)
+    return abs(edge.along) * other + abs(edge.aside) * one
 
 
 @compiled
@@ -121,7 +130,7 @@ def _separate(push, found):
     rest = free(push.effects)
     at = push.at
     u_x, u_y = rest.x - rest.spin * at.y, rest.y + rest.spin * at.x
-    _write(push, SEPARATE, Moved(u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, -1, False, 0.0, True), found)
+    _write(push, SEPARATE, Moved(u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, -1, False, 0.0, 0.0, True), found)
     return found.motion[0], found.motion[1]
 
 
@@ -155,17 +164,18 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, count):
     if count < 0 or not _may_slip(edge, side, part, force, size):
         return count, False, False
     e_x, e_y = edge.along, -edge.aside
-    n_x, n_y = -push.t_y * pusher.y, push.t_x * pusher.y
+    normal = copysign(max(abs(pusher.y), LEAST), pusher.y) if pusher.y != 0.0 else 0.0
+    n_x, n_y = -push.t_y * normal, push.t_x * normal
     if edge.x == 0.0:
-        slid = pushed(push.effects, push.at, e_x, e_y, edge.y * pusher.y)
+        slid = pushed(push.effects, push.at, e_x, e_y, edge.y * normal)
         return _write_slip(push, slid, side, mode, pusher, solutions, count)
     sense = copysign(1.0, edge.x)
     way = Way(push.effects, push.at, e_x, e_y, n_x, n_y, sense * push.t_x, sense * push.t_y)
-    first = sense * rest_x - edge.y * (pusher.y - rest_y) / abs(edge.x)
+    first = sense * rest_x - edge.y * (normal - rest_y) / abs(edge.x)
     last = sense * (pusher.x - side * BEYOND)
-    unit = max(abs(pusher.y), abs(rest_x), abs(rest_y))
+    unit = max(abs(normal), abs(rest_x), abs(rest_y))
     if first == 0.0:
-        first = SLOWEST
+        first = SLOWEST * (unit if unit > 0.0 else 1.0)
     if not last > first:
         return count, False, False
     number, flat = slips_along(way, unit, first, last, scratch)
@@ -184,7 +194,7 @@ def _write_slip(push, slid, side, mode, pusher, solutions, count):
     edge_force = abs(slid.f_x) + abs(slid.f_y)
     if not slid.found or count < 0:
         return UNSOLVED, False, False
-    if edge_force <= slid.noise:
+    if edge_force <= slid.noise_x + slid.noise_y:
         return count, False, False
     if side * slip > COINCIDENCE:
         if count == len(solutions):
@@ -238,9 +248,11 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
     right = _inside(right_edge, -1.0, moved.f_x, moved.f_y)
     left = _inside(left_edge, 1.0, moved.f_x, moved.f_y)
     rise = push.t_x * moved.f_y - push.t_y * moved.f_x
-    noise = max(RESOLUTION * sqrt(moved.f_x**2 + moved.f_y**2), moved.noise)
-    reached = right >= -noise and left >= -noise and rise >= -noise
-    held = law.rough or (right > noise and left > noise and rise > noise)
+    right_noise, left_noise = _blur(right_edge, moved), _blur(left_edge, moved)
+    noise = abs(push.t_x) * (moved.noise_y + RESOLUTION * abs(moved.f_y))
+    noise += abs(push.t_y) * (moved.noise_x + RESOLUTION * abs(moved.f_x))
+    reached = right >= -right_noise and left >= -left_noise and rise >= -noise
+    held = law.rough or (right > right_noise and left > left_noise and rise > noise)
     flat, slides = False, not law.closed
     count = place + 1
     if law.slips:

@@ -41,8 +41,8 @@ class Moved(NamedTuple):
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
         Whether the motion is an end of a continuum.
-    noise : float
-        Rounding error of the force.
+    noise_x, noise_y : float
+        Rounding errors of the force.
     found : bool
         Whether the iterations have settled.
     """
@@ -58,7 +58,8 @@ class Moved(NamedTuple):
     free_y: float
     point: int
     continuum: bool
-    noise: float
+    noise_x: float
+    noise_y: float
     found: bool
 
 
@@ -67,7 +68,7 @@ def with_force(moved, f_x, f_y, free_x, free_y):
     """A motion with another force."""
     return Moved(
         moved.u_x, moved.u_y, moved.v_x, moved.v_y, moved.spin, f_x, f_y, free_x, free_y,
-        moved.point, moved.continuum, moved.noise, moved.found,
+        moved.point, moved.continuum, moved.noise_x, moved.noise_y, moved.found,
     )  # fmt: skip
 
 
@@ -77,7 +78,7 @@ def sticking(effects, at, x, y, guess):
     now = psi(effects, at, x, y, guess)
     return Moved(
         x, y, now.v_x, now.v_y, now.spin, now.f_x, now.f_y, now.free_x, now.free_y,
-        now.point, False, now.noise, now.found,
+        now.point, False, now.noise_x, now.noise_y, now.found,
     )  # fmt: skip
 
 
@@ -94,7 +95,7 @@ def moved_at(way, s, spin, continuum):
     size = way.e_x * (now.f_x + part * now.free_x) + way.e_y * (now.f_y + part * now.free_y)
     return Moved(
         x, y, now.v_x, now.v_y, now.spin, size * way.e_x, size * way.e_y, 0.0, 0.0,
-        now.point, continuum, now.noise, now.found,
+        now.point, continuum, now.noise_x, now.noise_y, now.found,
     )  # fmt: skip
 
 

@@ -107,7 +107,8 @@ def _node(way, s, now):
             # The whole way is across the line to the point, whose friction may take the force to the edge.
             before = copysign(max(abs(across) - abs(half), 0.0), across)
             after, slope = before, 0.0
-    return Node(s, before, after, slope, now.noise, now.spin, swing, now.found)
+    noise = abs(e_x) * now.noise_y + abs(e_y) * now.noise_x
+    return Node(s, before, after, slope, noise, now.spin, swing, now.found)
 
 
 @compiled
@@ -172,7 +173,8 @@ def crossing(way, low, high, here):
             low, value = here, after
         else:
             high, value = here, before
-        scale = abs(here.s) + (abs(way.p_x) + abs(way.p_y)) / part
+        least = (abs(way.p_x) + abs(way.p_y)) / part
+        scale = abs(here.s) + least
         slope = sense * here.slope
         step = -value / slope if slope > 0.0 else copysign(inf, -value)
         size, new = abs(step) / scale, here.s + step
@@ -181,7 +183,7 @@ def crossing(way, low, high, here):
         if not low.s < new < high.s or size > last / 2.0:
             if high.s - low.s <= 4.0 * EPSILON * scale:
                 return here
-            last, new = inf, _middle(low.s, high.s, scale)
+            last, new = inf, _middle(low.s, high.s, scale, EPSILON * least)
         elif size > FARTHEST:
             last, new = inf, here.s + copysign(FARTHEST * scale, step)
         else:
@@ -208,15 +210,15 @@ def at_infinity(s, value):
 
 
 @compiled
-def _middle(low, high, scale):
-    """Middle of a bracket; of one that spans sizes, the middle of the sizes."""
+def _middle(low, high, scale, least):
+    """Middle of a bracket; of one that spans sizes above the least, the middle of the sizes."""
     if low == -inf:
         return high - FARTHEST * scale
     if high == inf:
         return low + FARTHEST * scale
-    if low > scale * EPSILON and high > 4.0 * low:
+    if low > least and high > 4.0 * low:
         return sqrt(low) * sqrt(high)
-    if high < -scale * EPSILON and low < 4.0 * high:
+    if high < -least and low < 4.0 * high:
         return -sqrt(-low) * sqrt(-high)
     return low + (high - low) / 2.0
 
@@ -228,7 +230,7 @@ def flat_end(way, inside, outside):
         scale = abs(inside.s) + abs(outside.s)
         if abs(inside.s - outside.s) <= EPSILON * scale:
             break
-        middle = beside(way, inside, _middle(min(inside.s, outside.s), max(inside.s, outside.s), scale))
+        middle = beside(way, inside, _middle(min(inside.s, outside.s), max(inside.s, outside.s), scale, 0.0))
         if max(abs(middle.before), abs(middle.after)) <= middle.noise:
             inside = middle
         else:
