@@ -69,15 +69,8 @@ def _blur(edge, moved):
 
 
 @compiled
-def _kept_inside(push, pusher, moved, right_edge, left_edge, right, left):
-    """The sticking motion, its force taken to the edge of the cone that it has left by rounding."""
-    if min(right, left) >= -OUTSIDE * sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y):
-        return moved
-    return _on_edge(push, pusher, right_edge if right <= left else left_edge)
-
-
-@compiled
 def _on_edge(push, pusher, edge):
+    """The sticking motion whose force rounding has taken out of the cone, with its force on an edge."""
     along = edge.x * pusher.x + edge.y * pusher.y
     return pushed(push.effects, push.at, edge.along, -edge.aside, along)
 
@@ -146,7 +139,7 @@ def _may_slip(edge, side, part, moved_force, size):
 
 
 @compiled
-def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, count):
+def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, count):
     """Write down the slips of a mode.
 
     Returns
@@ -168,7 +161,7 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, count):
     n_x, n_y = -push.t_y * normal, push.t_x * normal
     if edge.x == 0.0:
         slid = pushed(push.effects, push.at, e_x, e_y, edge.y * normal)
-        return _write_slip(push, slid, side, mode, pusher, solutions, count)
+        return _write_slip(push, slid, side, mode, pusher, solutions, place, count)
     sense = copysign(1.0, edge.x)
     way = Way(push.effects, push.at, e_x, e_y, n_x, n_y, sense * push.t_x, sense * push.t_y)
     first = sense * rest_x - edge.y * (normal - rest_y) / abs(edge.x)
@@ -182,21 +175,23 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, count):
     at_edge = False
     for i in range(number):
         slid = moved_at(way, scratch[i, 0], scratch[i, 1], scratch[i, 2] != 0.0)
-        count, edge_too, _ = _write_slip(push, slid, side, mode, pusher, solutions, count)
+        count, edge_too, _ = _write_slip(push, slid, side, mode, pusher, solutions, place, count)
         at_edge |= edge_too
     return count if number >= 0 else UNSOLVED, at_edge, flat
 
 
 @compiled
-def _write_slip(push, slid, side, mode, pusher, solutions, count):
-    """Write down a slip if it slips and its force pushes, as `_slipping`."""
+def _write_slip(push, slid, side, mode, pusher, solutions, place, count):
+    """Write down a slip if its force pushes, as the stick if it does not slip; as `_slipping`."""
     slip = push.t_x * slid.u_x + push.t_y * slid.u_y - pusher.x
     edge_force = abs(slid.f_x) + abs(slid.f_y)
     if not slid.found or count < 0:
         return UNSOLVED, False, False
     if edge_force <= slid.noise_x + slid.noise_y:
         return count, False, False
-    if side * slip > COINCIDENCE:
+    if abs(slip) <= COINCIDENCE:
+        _write(push, STICK, slid, solutions[place])
+    elif side * slip > COINCIDENCE:
         if count == len(solutions):
             return UNSOLVED, False, False
         _write(push, mode, slid, solutions[count])
@@ -253,14 +248,14 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
     noise += abs(push.t_y) * (moved.noise_x + RESOLUTION * abs(moved.f_x))
     reached = right >= -right_noise and left >= -left_noise and rise >= -noise
     held = law.rough or (right > right_noise and left > left_noise and rise > noise)
-    flat, slides = False, not law.closed
+    flat, slides, on_left, on_right = False, not law.closed, False, False
     count = place + 1
     if law.slips:
         first, on_left, flat_left = _slipping(
-            push, left_edge, pusher, rest, moved, SLIP_RIGHT, scratch, solutions, place + 1
+            push, left_edge, pusher, rest, moved, SLIP_RIGHT, scratch, solutions, place, place + 1
         )
         count, on_right, flat_right = _slipping(
-            push, right_edge, pusher, rest, moved, SLIP_LEFT, scratch, solutions, first
+            push, right_edge, pusher, rest, moved, SLIP_LEFT, scratch, solutions, place, first
         )
         if count < 0:
             return UNSOLVED, False
@@ -272,9 +267,12 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
         held |= reached and law.closed and flat
         slides = slides_right or slides_left
     if held or (reached and not slides):
-        if not law.rough:
-            moved = _kept_inside(push, pusher, moved, right_edge, left_edge, right, left)
-        _write(push, STICK, moved, solutions[place])
+        outside = min(right, left) < -OUTSIDE * sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y)
+        if law.rough or not outside:
+            _write(push, STICK, moved, solutions[place])
+        elif not (on_left or on_right):
+            edge = right_edge if right <= left else left_edge
+            _write(push, STICK, _on_edge(push, pusher, edge), solutions[place])
         solutions[place].continuum = flat
         return count, flat
     for i in range(place, count - 1):

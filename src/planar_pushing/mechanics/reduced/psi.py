@@ -140,7 +140,8 @@ def psi(effects, at, x, y, guess):
     short one the rotation.
     """
     along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
-    far = at.reach > 1.0
+    rough = moment(effects, speed, at.x, at.y)
+    far = 2.0 * rough.mass * at.reach * at.reach > rough.whole
     start, rest = (-along / at.reach, 0.0) if far else (0.0, along)
     p_x, p_y = x - along * at.a_x, y - along * at.a_y
     q, low, high, last = guess - start, -inf, inf, inf

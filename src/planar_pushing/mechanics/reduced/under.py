@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import moment
+from planar_pushing.mechanics.numerics.root import SETTLED
 from planar_pushing.mechanics.reduced.psi import psi
 from planar_pushing.mechanics.reduced.way import (
     Way,
@@ -21,7 +22,12 @@ from planar_pushing.mechanics.reduced.way import (
     flat_end,
     is_flat,
     motion,
+    node,
 )
+
+
+#: Newton steps of a root within the rounding of its motion.
+POLISHES = 2
 
 
 class Moved(NamedTuple):
@@ -83,9 +89,26 @@ def sticking(effects, at, x, y, guess):
 
 
 @compiled
+def _polished(way, s, spin):
+    """The motion of a root of a way, and the rotation, corrected by less than the rounding of the motion.
+
+    The force on a long rod depends on the small parts of a motion, which the sum ``p + s d`` rounds away.
+    """
+    x, y = motion(way, s)
+    for _ in range(POLISHES):
+        here = node(Way(way.effects, way.at, way.e_x, way.e_y, x, y, way.d_x, way.d_y), 0.0, spin)
+        step = -here.before / here.slope if here.slope != 0.0 else 0.0
+        small = abs(step) * (abs(way.d_x) + abs(way.d_y)) <= SETTLED * (abs(x) + abs(y))
+        if here.before != here.after or not small:
+            break
+        x, y, spin = x + step * way.d_x, y + step * way.d_y, here.spin + step * here.swing
+    return x, y, spin
+
+
+@compiled
 def moved_at(way, s, spin, continuum):
     """The motion of a root of a way, with its force taken to be along the edge."""
-    x, y = motion(way, s)
+    x, y, spin = _polished(way, s, spin)
     now = psi(way.effects, way.at, x, y, spin)
     part = 0.0
     half = way.e_x * now.free_y - way.e_y * now.free_x

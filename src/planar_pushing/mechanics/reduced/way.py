@@ -216,10 +216,11 @@ def _middle(low, high, scale, least):
         return high - FARTHEST * scale
     if high == inf:
         return low + FARTHEST * scale
-    if low > least and high > 4.0 * low:
-        return sqrt(low) * sqrt(high)
-    if high < -least and low < 4.0 * high:
-        return -sqrt(-low) * sqrt(-high)
+    near, far = max(abs(low), least), max(abs(high), least)
+    if high > 4.0 * near and near > 0.0:
+        return sqrt(near) * sqrt(high)
+    if -low > 4.0 * far and far > 0.0:
+        return -sqrt(far) * sqrt(-low)
     return low + (high - low) / 2.0
 
 
