@@ -30,6 +30,7 @@ from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
 
+
 class Origin(StrEnum):
     """The point to which positions are relative."""
 
@@ -48,7 +49,11 @@ def _centers(kinds, rows, centers):
     last = count_fields(kinds) + 4
     for i in range(len(rows)):
         effects, own, at, force, _ = under_force(kinds, rows[i])
-        found, radius, reach = direction_under(effects, own, at, force), rows[i, last], rows[i, last + 1]
+        found, radius, reach = (
+            direction_under(effects, own, at, force),
+            rows[i, last],
+            rows[i, last + 1],
+        )
         v_x, v_y = found.v_x * own.x - found.v_y * own.y, found.v_x * own.y + found.v_y * own.x
         x, y = center_from(v_x, v_y, found.spin) if found.found else (nan, nan)
         centers[i, 0], centers[i, 1] = radius * (x + reach * own.x), radius * (y + reach * own.y)

@@ -59,7 +59,11 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number
     degrees = {entry.degree for entry in entries}
     for degree in sorted(degrees, reverse=True):
         share = 1.0 if len(degrees) == 1 else inertia_share if degree == 2 else 1.0 - inertia_share
-        unit = sum(entry.forces[0] for entry in entries if entry.degree == degree and len(entry.forces) == 1)
+        unit = sum(
+            entry.forces[0]
+            for entry in entries
+            if entry.degree == degree and len(entry.forces) == 1
+        )
         for entry in entries:
             if entry.degree == degree:
                 forces = [share * each / unit for each in entry.forces]

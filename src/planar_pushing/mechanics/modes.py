@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import copysign, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.effects.base import KINDS
 from planar_pushing.mechanics.reduced.free import free
 from planar_pushing.mechanics.reduced.psi import spin_guess
 from planar_pushing.mechanics.reduced.slips import SLIPS, SLOWEST, slips_along
@@ -64,7 +66,10 @@ def _inside(edge, side, f_x, f_y):
 @compiled
 def _blur(edge, moved):
     """Rounding error of `_inside`."""
-    one, other = moved.noise_x + RESOLUTION * abs(moved.f_x), moved.noise_y + RESOLUTION * abs(moved.f_y)
+    one, other = (
+        moved.noise_x + RESOLUTION * abs(moved.f_x),
+        moved.noise_y + RESOLUTION * abs(moved.f_y),
+    )
     return abs(edge.along) * other + abs(edge.aside) * one
 
 
@@ -108,9 +113,15 @@ def _write(push, mode, moved, found):
     """Write down a solution in the frame of the contact."""
     t_x, t_y = push.t_x, push.t_y
     found.mode, found.pivot, found.continuum = mode, moved.point, moved.continuum
-    found.twist[0], found.twist[1] = t_x * moved.v_x + t_y * moved.v_y, t_x * moved.v_y - t_y * moved.v_x
+    found.twist[0], found.twist[1] = (
+        t_x * moved.v_x + t_y * moved.v_y,
+        t_x * moved.v_y - t_y * moved.v_x,
+    )
     found.twist[2] = moved.spin
-    found.motion[0], found.motion[1] = t_x * moved.u_x + t_y * moved.u_y, t_x * moved.u_y - t_y * moved.u_x
+    found.motion[0], found.motion[1] = (
+        t_x * moved.u_x + t_y * moved.u_y,
+        t_x * moved.u_y - t_y * moved.u_x,
+    )
     f_x, f_y = moved.f_x - moved.free_x, moved.f_y - moved.free_y
     found.force[0], found.force[1] = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
     f_x, f_y = moved.f_x + moved.free_x, moved.f_y + moved.free_y
@@ -123,7 +134,12 @@ def _separate(push, found):
     rest = free(push.effects)
     at = push.at
     u_x, u_y = rest.x - rest.spin * at.y, rest.y + rest.spin * at.x
-    _write(push, SEPARATE, Moved(u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, -1, False, 0.0, 0.0, True), found)
+    _write(
+        push,
+        SEPARATE,
+        Moved(u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, -1, False, 0.0, 0.0, True),
+        found,
+    )
     return found.motion[0], found.motion[1]
 
 
@@ -161,7 +177,7 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, 
     n_x, n_y = -push.t_y * normal, push.t_x * normal
     if edge.x == 0.0:
         slid = pushed(push.effects, push.at, e_x, e_y, edge.y * normal)
-        return _write_slip(push, slid, side, mode, pusher, solutions, place, count)
+        return _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count)
     sense = copysign(1.0, edge.x)
     way = Way(push.effects, push.at, e_x, e_y, n_x, n_y, sense * push.t_x, sense * push.t_y)
     first = sense * rest_x - edge.y * (normal - rest_y) / abs(edge.x)
@@ -175,13 +191,15 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, 
     at_edge = False
     for i in range(number):
         slid = moved_at(way, scratch[i, 0], scratch[i, 1], scratch[i, 2] != 0.0)
-        count, edge_too, _ = _write_slip(push, slid, side, mode, pusher, solutions, place, count)
+        count, edge_too, _ = _write_slip(
+            push, edge, slid, side, mode, pusher, solutions, place, count
+        )
         at_edge |= edge_too
     return count if number >= 0 else UNSOLVED, at_edge, flat
 
 
 @compiled
-def _write_slip(push, slid, side, mode, pusher, solutions, place, count):
+def _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count):
     """Write down a slip if its force pushes, as the stick if it does not slip; as `_slipping`."""
     slip = push.t_x * slid.u_x + push.t_y * slid.u_y - pusher.x
     edge_force = abs(slid.f_x) + abs(slid.f_y)
@@ -191,12 +209,52 @@ def _write_slip(push, slid, side, mode, pusher, solutions, place, count):
         return count, False, False
     if abs(slip) <= COINCIDENCE:
         _write(push, STICK, slid, solutions[place])
+        _take_to(edge, slid, solutions[place])
     elif side * slip > COINCIDENCE:
         if count == len(solutions):
             return UNSOLVED, False, False
         _write(push, mode, slid, solutions[count])
+        _take_to(edge, slid, solutions[count])
+        if 0.0 < abs(pusher.y) < LEAST:
+            part = abs(pusher.y) / LEAST
+            _shrink(solutions[count], part, _growth(push.effects, part))
         count += 1
     return count, abs(slip) <= COINCIDENCE, False
+
+
+@compiled
+def _take_to(edge, slid, found):
+    """Write down a force along an edge, free of the rounding of the body frame."""
+    size = edge.along * slid.f_x - edge.aside * slid.f_y
+    found.force[0], found.force[1] = size * edge.x, size * edge.y
+    found.force_end[0], found.force_end[1] = found.force[0], found.force[1]
+
+
+@compiled
+def _shrink(found, part, force):
+    """Take a motion and its force to parts of their magnitudes."""
+    for k in range(3):
+        found.twist[k] *= part
+    for k in range(2):
+        found.motion[k] *= part
+        found.force[k] *= force
+        found.force_end[k] *= force
+
+
+@generic
+def _growth(kinds: Any) -> Callable[..., Any]:
+    """Part of the force that a slow motion takes of a part of it: effects, part."""
+    return _in_proportion if all(KINDS[kind].DEGREE == 2 for kind in kinds) else _constant
+
+
+@compiled
+def _in_proportion(effects, part):
+    return part
+
+
+@compiled
+def _constant(effects, part):
+    return 1.0
 
 
 @compiled

@@ -114,9 +114,7 @@ def _moment(effects, speed, x, y):
 @compiled
 def _moments(effects, speed, x, y):
     one, other = moment(effects[0], speed, x, y), moment(effects[1:], speed, x, y)
-    return Moment(
-        one.mass + other.mass, one.x + other.x, one.y + other.y, one.whole + other.whole
-    )
+    return Moment(one.mass + other.mass, one.x + other.x, one.y + other.y, one.whole + other.whole)
 
 
 #: `Moment` about (x, y) of the mass whose inertia an effect roughly equals at a speed, for first guesses:

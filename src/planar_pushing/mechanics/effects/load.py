@@ -83,9 +83,7 @@ def scaled(effect, one, two):
 
 @compiled
 def resistance(effect, x, y, spin, blur):
-    return Resistance(
-        -effect.x, -effect.y, -effect.torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1
-    )
+    return Resistance(-effect.x, -effect.y, -effect.torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1)
 
 
 @compiled

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.compiled import compiled, generic, owning
+from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, owning
 from planar_pushing.mechanics.effects.base import energy, is_steady, scaled
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.ring import RingSupport
@@ -157,7 +157,7 @@ class Angles(NamedTuple):
     found: bool
 
 
-@generic
+@generic_owning
 def angles_under(kinds: Any) -> Callable[..., Any]:
     """`Angles` under a force in a direction, over all magnitudes: effects, rod, contact, force."""
     if kinds == (RingSupport,):
@@ -180,7 +180,7 @@ def _steady_angles(effects, own, at, force):
     return Angles(force.angle + low, force.angle + high, first.point >= 0, first.continuum, found)
 
 
-@compiled
+@owning
 def _all_angles(effects, own, at, force):
     slow = _steady_angles(scaled(effects, 1.0, 0.0), own, at, force)
     fast = _steady_angles(scaled(effects, 0.0, 1.0), own, at, force)

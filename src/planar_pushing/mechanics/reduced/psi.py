@@ -10,7 +10,7 @@ that point's friction can take: a root within the jump is a pivot, and leaves an
 
 from __future__ import annotations
 
-from math import copysign, inf, nan, sqrt
+from math import copysign, inf, sqrt
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
@@ -91,7 +91,9 @@ class Psi(NamedTuple):
 def contact_at(x, y):
     """The contact at a position of the body frame."""
     reach = sqrt(x * x + y * y)
-    return Contact(x, y, reach, y / reach, -x / reach) if reach > 0.0 else Contact(x, y, 0.0, 1.0, 0.0)
+    return (
+        Contact(x, y, reach, y / reach, -x / reach) if reach > 0.0 else Contact(x, y, 0.0, 1.0, 0.0)
+    )
 
 
 @compiled

@@ -84,7 +84,9 @@ def slips_along(way, unit, first, last, found):
         while kink.s == kink.s:
             there = node(way, kink.s, kink.spin)
             count, run = _between(way, unit, straight, here, there, found, count, run)
-            if there.before * there.after < 0.0 and not (_is_zero(there, there.before) or _is_zero(there, there.after)):
+            if there.before * there.after < 0.0 and not (
+                _is_zero(there, there.before) or _is_zero(there, there.after)
+            ):
                 count = _write(there, False, found, count)
             here = there
             kink = kink_near(way, here.s, s, here.s)
@@ -113,7 +115,9 @@ def _between(way, unit, straight, low, high, found, count, run):
     """Write down the slips between two motions; the number of slips then, and whether it ends in a continuum."""
     if count < 0 or not (low.found and high.found):
         return -1, run
-    if _may_be_flat(way.effects, straight) and (_is_zero(low, low.after) or _is_zero(high, high.before)):
+    if _may_be_flat(way.effects, straight) and (
+        _is_zero(low, low.after) or _is_zero(high, high.before)
+    ):
         return _touching(way, straight, low, high, found, count, run)
     if (low.after > 0.0) != (high.before > 0.0):
         return _write_root(way, unit, low, high, found, count), OUTSIDE

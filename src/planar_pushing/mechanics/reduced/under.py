@@ -25,7 +25,6 @@ from planar_pushing.mechanics.reduced.way import (
     node,
 )
 
-
 #: Newton steps of a root within the rounding of its motion.
 POLISHES = 2
 

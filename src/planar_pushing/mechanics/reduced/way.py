@@ -102,7 +102,10 @@ def _node(way, s, now):
         size = (abs(now.free_x) + abs(now.free_y)) * (abs(d_x) + abs(d_y))
         if abs(ahead) > DIRECTION * size:
             # As Psi is convex, the force along d steps up where s increases.
-            before, after = across - copysign(half, half * ahead), across + copysign(half, half * ahead)
+            before, after = (
+                across - copysign(half, half * ahead),
+                across + copysign(half, half * ahead),
+            )
         else:
             # The whole way is across the line to the point, whose friction may take the force to the edge.
             before = copysign(max(abs(across) - abs(half), 0.0), across)
@@ -231,7 +234,9 @@ def flat_end(way, inside, outside):
         scale = abs(inside.s) + abs(outside.s)
         if abs(inside.s - outside.s) <= EPSILON * scale:
             break
-        middle = beside(way, inside, _middle(min(inside.s, outside.s), max(inside.s, outside.s), scale, 0.0))
+        middle = beside(
+            way, inside, _middle(min(inside.s, outside.s), max(inside.s, outside.s), scale, 0.0)
+        )
         if max(abs(middle.before), abs(middle.after)) <= middle.noise:
             inside = middle
         else:
