@@ -50,7 +50,7 @@ def resistance(effect, x, y, spin, blur):
     return Resistance(
         weight * across * x, weight * across * y, weight * torque,
         weight * (across + bend * c * c), weight * bend * c * s, weight * (across + bend * s * s),
-        weight * vs * c, weight * vs * s, weight * ss, 0.0, -1,
+        weight * vs * c, weight * vs * s, weight * ss, 0.0, -1, 0.0,
     )  # fmt: skip
 
 

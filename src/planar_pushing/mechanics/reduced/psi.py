@@ -104,7 +104,7 @@ def about(effects, at, x, y, spin, blur):
     across, turn = now.xs + a * now.xx + b * now.xy, now.ys + a * now.xy + b * now.yy
     return Resistance(
         now.f_x, now.f_y, now.torque + (a * now.f_x + b * now.f_y), now.xx, now.xy, now.yy, across, turn,
-        now.ss + a * (now.xs + across) + b * (now.ys + turn), now.most, now.point,
+        now.ss + a * (now.xs + across) + b * (now.ys + turn), now.most, now.point, now.gross,
     )  # fmt: skip
 
 
@@ -198,8 +198,8 @@ def _settled(now, at, v_x, v_y, spin, step, x, y, found):
     f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
     # The torque is known up to its parts' rounding, and so is the rotation.
     lever = (1.0 + at.reach) * (abs(at.a_x * f_x) + abs(at.a_y * f_y))
-    noise_x = abs(f_x) + abs(xx * x) + abs(xy * y) + lever * abs(turn_x)
-    noise_y = abs(f_y) + abs(xy * x) + abs(yy * y) + lever * abs(turn_y)
+    noise_x = now.gross + abs(f_x) + abs(xx * x) + abs(xy * y) + lever * abs(turn_x)
+    noise_y = now.gross + abs(f_y) + abs(xy * x) + abs(yy * y) + lever * abs(turn_y)
     carried = step * at.reach
     return Psi(
         v_x + carried * at.a_x, v_y + carried * at.a_y, spin + step, f_x, f_y, xx, xy, yy,
