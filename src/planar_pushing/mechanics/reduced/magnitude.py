@@ -20,12 +20,14 @@ from planar_pushing.mechanics.effects.ring import RingSupport
 from planar_pushing.mechanics.numerics.root import dip, increasing_root
 from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm
 from planar_pushing.mechanics.reduced.psi import Contact
-from planar_pushing.mechanics.reduced.under import pushed, pushed_ends
+from planar_pushing.mechanics.reduced.under import not_found, pushed, pushed_ends
 from planar_pushing.mechanics.supports.ring import ring_spin_ratio
 
 #: Magnitudes at which the angle of the contact's motion is evaluated, to either side of the one at which
 #: the effects are of one magnitude: hyperbolic sines, this far apart, are their logarithms.
 NODES, APART = 32, 0.11
+#: Logarithm of a part along the line of force whose inertia counts for nothing beside friction.
+SLOWEST = -34.0
 #: Steps between the two neighbors of a node at which the angle is extreme.
 FINER = 16
 #: Added to angles from the force, which makes them positive.
@@ -85,8 +87,10 @@ def _at_unit_speed(effects, at, e_x, e_y):
 
 @compiled
 def at_force(effects, at, e_x, e_y, size):
-    """The motion under a force of a size, which must be more than what friction alone takes."""
+    """The motion under a force of a size; not found where friction holds the slider."""
     of = Pull(effects, at, e_x, e_y, size)
+    if _force(of, SLOWEST) >= 0.0:
+        return not_found(moved_by(of, SLOWEST))
     return moved_by(of, increasing_root(_force, of, 0.0, 1.0))
 
 
@@ -130,6 +134,12 @@ def turned(moved, force):
 def direction_under(kinds: Any) -> Callable[..., Any]:
     """Direction of the motion under a force, the origin at unit speed: effects, rod, contact, force."""
     return _under_on_ring if kinds == (RingSupport,) else _under
+
+
+@compiled
+def direction_at(effects, at, force, size):
+    """Direction of the motion under a force of a size."""
+    return turned(at_force(effects, at, force.along, -force.aside, size), force)
 
 
 @compiled
