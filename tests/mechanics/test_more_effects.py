@@ -75,3 +75,26 @@ def test_the_force_determines_the_motion_where_the_acceleration_does_not():
     assert np.isnan(angle[1])  # friction holds the slider
     with pytest.raises(pp.InvalidValue, match="force_ratio"):
         pp.motion_angle(aside, 1.0, 0.3)
+
+
+@pytest.mark.parametrize(
+    "call", [pp.motion_cone, lambda s: pp.solve(s, 1.0)], ids=["cone", "solve"]
+)
+def test_a_load_that_friction_cannot_hold_is_refused_with_its_excess(call):
+    """Through the center of the ring friction holds W, and at a distance less."""
+    call(scene(RING, pp.Load(force=(0.6, -0.79))))
+    with pytest.raises(pp.InvalidValue, match="1.25 times"):
+        call(scene(RING, pp.Load(force=(0.75, -1.0))))
+    with pytest.raises(pp.InvalidValue, match="times"):
+        call(scene(RING, pp.Load(force=(0.6, -0.79), center=(0.0, 1.0))))
+
+
+def test_with_inertia_a_load_moves_a_slider_that_nothing_pushes():
+    """Frictionless it falls freely; friction takes W off a load through the center of the ring."""
+    load = pp.Load(force=(0.0, 2.0))
+    for effects, fall in (((pp.Inertia(),), 2.0), ((RING, pp.Inertia()), 1.0)):
+        found = pp.solve(scene(*effects, load), np.pi / 2, 0.5)
+        assert found.modes[0] is pp.ContactMode.SEPARATE
+        assert found[0].contact_motion == pytest.approx([0.0, fall], abs=1e-12)
+        faster = pp.solve(scene(*effects, load), np.pi / 2, 3.0)
+        assert pp.ContactMode.SEPARATE not in faster.modes

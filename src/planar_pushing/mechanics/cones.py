@@ -12,6 +12,7 @@ from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.effects.base import count_fields, made
+from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.plane import rod, seen
 from planar_pushing.mechanics.reduced.magnitude import angles_under, direction_at, direction_under
@@ -54,7 +55,8 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number
 
     Of effects of degrees 1 and 2, those of degree 2 have a share of the force.
     """
-    found: list[Number] = []
+    require_held(scene)
+    found: list[Any] = []
     entries = scene.from_rest
     degrees = {entry.degree for entry in entries}
     for degree in sorted(degrees, reverse=True):

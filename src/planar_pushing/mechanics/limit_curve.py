@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import kernel, owning
 from planar_pushing.mechanics.cones import CONSISTENT, PIVOTS, UNSOLVED, under_force
+from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labelled, same
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.reduced.magnitude import on_curve, turned
@@ -96,6 +97,7 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
         A dataset where an argument is a DataArray.
     """
     scene, angle = required_scene(scene), required("force_angle", force_angle)
+    require_held(scene)
     slider = scene.slider
     columns = [*scene.numbers, slider.length_ratio, slider.rod_angle, angle, 0.0]
     found = evaluated(_curve, scene.kinds, columns, OUTPUTS)

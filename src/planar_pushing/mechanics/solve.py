@@ -15,6 +15,7 @@ from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.mechanics.core import Entry
 from planar_pushing.mechanics.effects.base import count_fields, made
+from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.modes import MOST, SOLUTION, Push, contact_modes
 from planar_pushing.mechanics.numerics.arrays import (
     Output,
@@ -246,6 +247,7 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
         Where a value is out of its range; with friction and inertia also where m a / W is.
     """
     entries, slider = required_scene(scene).from_rest, scene.slider
+    require_held(scene)
     body = slider.rod_length, slider.rod_angle, slider.radius
     columns = [each for entry in entries for each in entry.columns]
     given = [*columns, *body, *scene.law, pusher_angle, pusher_magnitude]
