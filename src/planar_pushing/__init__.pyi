@@ -19,8 +19,9 @@ from .mechanics.contact import (
     InfiniteFriction,
     Outcome,
     PerfectlyRough,
+    Status,
 )
-from .mechanics.effects import Inertia, RingFriction, SupportFriction
+from .mechanics.effects import Inertia, Load, RingFriction, SupportFriction, Viscous
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solutions import Solution, SolutionArrays, Solutions
@@ -64,6 +65,7 @@ __all__ = [
     "InvalidFile",
     "InvalidValue",
     "LimitCurve",
+    "Load",
     "Outcome",
     "PerfectlyRough",
     "PlanarPushingError",
@@ -79,7 +81,9 @@ __all__ = [
     "Solution",
     "SolutionArrays",
     "Solutions",
+    "Status",
     "SupportFriction",
+    "Viscous",
     "can_pull",
     "conservative_motion_cone",
     "fit_ellipsoid",

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.contact.modes import Status
 from planar_pushing.mechanics.numerics.arrays import dataset, is_labelled, named, same
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.terms.domain import Number, is_lazy, required
@@ -29,17 +30,20 @@ class AngleInterval:
         The edges in radians, as seen when looking along the interval's middle.
     closed : bool or array
         Whether the edges belong to the interval.
+    status : int or array, optional
+        Of a motion cone, values of `Status`.
     """
 
     right: Number
     left: Number
     closed: Number = True
+    status: Number = int(Status.CONSISTENT)
 
     def __post_init__(self) -> None:
         edges = self.right, self.left
         if not all(map(_are_numbers, edges)):
             raise InvalidValue("AngleInterval", edges, "numbers of radians", "give both edges")
-        if not (is_lazy(self.right) or np.all(self.right <= self.left)):
+        if not (is_lazy(self.right) or not np.any(self.right > self.left)):
             raise InvalidValue("AngleInterval", edges, "right <= left", "unwrap the edges first")
 
     def __eq__(self, other: object) -> Any:
@@ -87,9 +91,13 @@ def _in_degrees(edge: Number) -> Number:
     return degrees if np.ndim(degrees) else float(degrees)
 
 
-def interval(right: Number, left: Number, closed: Number) -> Any:
+def interval(
+    right: Number, left: Number, closed: Number, status: Number = int(Status.CONSISTENT)
+) -> Any:
     """An angle interval; of labelled edges a dataset with the same names, `right`, `left` and `closed`."""
     if not (is_labelled(right) or is_labelled(left)):
-        return AngleInterval(right, left, closed)
+        return AngleInterval(right, left, closed, status)
     edges = {"right": right, "left": left, "closed": closed * (right == right)}
+    if is_labelled(status):
+        edges["status"] = status
     return dataset([named(name, edge.drop_attrs()) for name, edge in edges.items()])

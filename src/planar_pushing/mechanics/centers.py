@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from math import asin, copysign, inf, pi
+from math import asin, copysign, inf, nan, pi
 from typing import Any
 
 import numpy.typing as npt
@@ -11,24 +11,24 @@ import numpy.typing as npt
 from planar_pushing.mechanics.angles import interval
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.cones import (
-    ANGLE,
-    FIRST,
-    LENGTH,
-    SECOND,
     force_columns,
+    sight_in,
     under_force,
     unit_columns,
 )
+from planar_pushing.mechanics.effects.base import count_fields
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated
-from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm, rod, seen
-from planar_pushing.mechanics.reduced import base
+from planar_pushing.mechanics.plane import (
+    center_from,
+    contact_motion_angle,
+    moment_arm,
+    rod,
+    seen,
+)
+from planar_pushing.mechanics.reduced.magnitude import direction_under
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
-
-#: Columns behind the force: radius, and the rod's length from the origin of the centres.
-RADIUS, REACH = range(FIRST + 1, FIRST + 3)
-
 
 class Origin(StrEnum):
     """The point to which positions are relative."""
@@ -44,10 +44,13 @@ CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 @kernel
 @owning
 def _centers(kinds, rows, centers):
+    """Behind the directions a row holds the radius, and the rod's length from the origin of the centers."""
+    last = count_fields(kinds) + 4
     for i in range(len(rows)):
-        effects, own, force = under_force(kinds, rows[i])
-        x, y = base.center_under(effects, own, force)
-        radius, reach = rows[i, RADIUS], rows[i, REACH]
+        effects, own, at, force, _ = under_force(kinds, rows[i])
+        found, radius, reach = direction_under(effects, own, at, force), rows[i, last], rows[i, last + 1]
+        v_x, v_y = found.v_x * own.x - found.v_y * own.y, found.v_x * own.y + found.v_y * own.x
+        x, y = center_from(v_x, v_y, found.spin) if found.found else (nan, nan)
         centers[i, 0], centers[i, 1] = radius * (x + reach * own.x), radius * (y + reach * own.y)
 
 
@@ -129,9 +132,9 @@ def _conservative(own, low, high):
 @compiled
 def _conservative_cones(kinds, rows, right, left):
     for i in range(len(rows)):
-        row = rows[i]
-        own = rod(row[LENGTH], row[ANGLE])
-        right[i], left[i] = _conservative(own, row[FIRST], row[SECOND])
+        sight = sight_in(rows[i], count_fields(kinds))
+        own = rod(sight.length, sight.angle)
+        right[i], left[i] = _conservative(own, sight.first, sight.second)
 
 
 def conservative_motion_cone(scene: Scene) -> Any:
@@ -151,6 +154,7 @@ def conservative_motion_cone(scene: Scene) -> Any:
     if scene.stores_energy:
         required_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
     law = scene.law
-    columns = [*unit_columns(scene), law.right, law.left]
+    columns, rod_columns = unit_columns(scene)
+    columns += [*rod_columns, law.right, law.left]
     right, left = evaluated(_conservative_cones, scene.kinds, columns, CONE)
     return interval(right, left, closed=False)

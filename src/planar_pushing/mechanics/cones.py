@@ -2,24 +2,39 @@
 
 from __future__ import annotations
 
-from typing import Any
+from math import nan
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
-from planar_pushing.mechanics.compiled import kernel, owning
-from planar_pushing.mechanics.effects.base import COLUMNS, made
+from planar_pushing.mechanics.compiled import compiled, kernel, owning
+from planar_pushing.mechanics.contact import Status
+from planar_pushing.mechanics.effects.base import count_fields, made
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.plane import rod, seen
-from planar_pushing.mechanics.reduced import base
+from planar_pushing.mechanics.reduced.magnitude import angles_under, direction_under
+from planar_pushing.mechanics.reduced.psi import contact_at
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
 
-#: Columns of a row behind those of the effects.
-LENGTH, ANGLE, FIRST, SECOND = range(COLUMNS, COLUMNS + 4)
-CONE = (Output("motion_cone_right"), Output("motion_cone_left"), Output("closed", (), "?"))
+CONE = (
+    Output("motion_cone_right"), Output("motion_cone_left"), Output("closed", (), "?"),
+    Output("status", (), "i1"),
+)  # fmt: skip
+CONSISTENT, PIVOTS, CONTINUUM = int(Status.CONSISTENT), int(Status.PIVOTS), int(Status.CONTINUUM)
+UNSOLVED = int(Status.UNSOLVED)
+
+
+class Sight(NamedTuple):
+    """The rod and two directions in the numbers of a row: columns behind those of the effects."""
+
+    length: float
+    angle: float
+    first: float
+    second: float
 
 
 def friction_cone(scene: Scene) -> Any:
@@ -34,23 +49,36 @@ def friction_cone(scene: Scene) -> Any:
     return interval(law.right, law.left, law.closed)
 
 
-def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
-    """Columns of effects, as weight and mass their shares of the force in a translation, and of the rod."""
-    both = scene.friction and scene.masses
-    shares = [1.0 - inertia_share, inertia_share] if both else [1.0, 1.0]
+def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number], list[Number]]:
+    """Columns of the effects in units of their forces in a translation, and of the rod.
+
+    Of effects of degrees 1 and 2, those of degree 2 have a share of the force.
+    """
+    found: list[Number] = []
+    entries = scene.from_rest
+    degrees = {entry.degree for entry in entries}
+    for degree in sorted(degrees, reverse=True):
+        share = 1.0 if len(degrees) == 1 else inertia_share if degree == 2 else 1.0 - inertia_share
+        unit = sum(entry.forces[0] for entry in entries if entry.degree == degree and len(entry.forces) == 1)
+        for entry in entries:
+            if entry.degree == degree:
+                forces = [share * each / unit for each in entry.forces]
+                found.append((entries.index(entry), [*forces, *entry.others]))
+    columns = [each for _, numbers in sorted(found, key=lambda pair: pair[0]) for each in numbers]
     slider = scene.slider
-    return [*shares, scene.inertia[1], *scene.placement, slider.length_ratio, slider.rod_angle]
+    return columns, [slider.length_ratio, slider.rod_angle]
 
 
 def force_columns(scene: Scene, force_angle: Number, inertia_share: Number | None) -> list[Number]:
     """The columns of a scene under a force."""
     share = _required_share(scene, inertia_share)
-    return [*unit_columns(scene, share), required("force_angle", force_angle)]
+    columns, rod_columns = unit_columns(scene, share)
+    return [*columns, *rod_columns, required("force_angle", force_angle), 0.0]
 
 
 def _required_share(scene: Scene, inertia_share: Number | None) -> Number:
     """The share of inertia where the effects leave it open."""
-    if not (required_scene(scene).friction and scene.masses):
+    if len({entry.degree for entry in required_scene(scene).from_rest}) == 1:
         if inertia_share is not None:
             raise InvalidValue(
                 "inertia_share", inertia_share, "None for a scene whose effects are of one kind",
@@ -65,27 +93,37 @@ def _required_share(scene: Scene, inertia_share: Number | None) -> Number:
     return required("inertia_share", inertia_share)
 
 
+@compiled
+def sight_in(row, i):
+    """The rod and the directions in the columns of a row from i on."""
+    return Sight(row[i], row[i + 1], row[i + 2], row[i + 3])
+
+
 @owning
 def under_force(kinds, row):
-    """Effects, rod, and force in the first direction of a row."""
-    own = rod(row[LENGTH], row[ANGLE])
-    return made(kinds, row), own, seen(own, row[FIRST])
+    """Effects, rod, contact, and the forces in both directions of a row."""
+    sight = sight_in(row, count_fields(kinds))
+    own = rod(sight.length, sight.angle)
+    at = contact_at(-sight.length, 0.0)
+    return made(kinds, row, 0), own, at, seen(own, sight.first), seen(own, sight.second)
 
 
 @kernel
 @owning
 def _spin_ratios(kinds, rows, ratios):
     for i in range(len(rows)):
-        effects, own, force = under_force(kinds, rows[i])
-        ratios[i] = base.spin_ratio(effects, own, force)
+        effects, own, at, force, _ = under_force(kinds, rows[i])
+        found = direction_under(effects, own, at, force)
+        ratios[i] = found.ratio if found.found else nan
 
 
 @kernel
 @owning
 def _motion_angles(kinds, rows, angles):
     for i in range(len(rows)):
-        effects, own, force = under_force(kinds, rows[i])
-        angles[i] = base.motion_angle(effects, own, force)
+        effects, own, at, force, _ = under_force(kinds, rows[i])
+        found = direction_under(effects, own, at, force)
+        angles[i] = found.angle if found.found else nan
 
 
 def spin_ratio(
@@ -145,15 +183,21 @@ def motion_angle(
 
 @kernel
 @owning
-def _motion_cones(kinds, rows, right, left, reached):
+def _motion_cones(kinds, rows, right, left, closed, status):
     for i in range(len(rows)):
-        effects, own, force = under_force(kinds, rows[i])
-        low, low_other = base.motion_angles(effects, own, force)
-        high_other, high = base.motion_angles(effects, own, seen(own, rows[i, SECOND]))
+        effects, own, at, first, second = under_force(kinds, rows[i])
+        low, high = angles_under(effects, own, at, first), angles_under(effects, own, at, second)
         # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
-        right[i], left[i] = min(low, high), high
-        spread = max(low_other - low, high - high_other)
-        reached[i] = len(effects) == 1 or spread <= RESOLUTION
+        right[i], left[i] = min(low.least, high.greatest), high.greatest
+        spread = max(low.greatest - low.least, high.greatest - high.least)
+        closed[i] = low.continuum or high.continuum or spread <= RESOLUTION
+        status[i] = CONSISTENT
+        if low.pivots or high.pivots:
+            status[i] = PIVOTS
+        if low.continuum or high.continuum:
+            status[i] = CONTINUUM
+        if not (low.found and high.found):
+            right[i], left[i], closed[i], status[i] = nan, nan, False, UNSOLVED
 
 
 def motion_cone(scene: Scene) -> Any:
@@ -166,9 +210,10 @@ def motion_cone(scene: Scene) -> Any:
     `friction_cone`.
     """
     law = required_scene(scene).law
-    columns = [*unit_columns(scene), law.right, law.left]
-    right, left, reached = evaluated(_motion_cones, scene.kinds, columns, CONE)
-    return interval(right, left, law.closed & reached)
+    columns, rod_columns = unit_columns(scene)
+    given = [*columns, *rod_columns, law.right, law.left]
+    right, left, reached, status = evaluated(_motion_cones, scene.kinds, given, CONE)
+    return interval(right, left, law.closed & reached, status)
 
 
 def leaves_the_fence(cone: AngleInterval) -> Any:

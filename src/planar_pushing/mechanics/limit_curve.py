@@ -9,20 +9,24 @@ motion is then normal to the curve at the force.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import nan, sqrt
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import kernel, owning
-from planar_pushing.mechanics.cones import under_force
+from planar_pushing.mechanics.cones import CONSISTENT, PIVOTS, UNSOLVED, under_force
 from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labelled, same
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.reduced.base import limit_motion
+from planar_pushing.mechanics.reduced.magnitude import on_curve, turned
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
 
-OUTPUTS = tuple(map(Output, ("force_angle", "force_size", "spin_ratio", "motion_angle")))
+OUTPUTS = (
+    *map(Output, ("force_angle", "force_size", "spin_ratio", "motion_angle")),
+    Output("status", (), "i1"),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,12 +43,15 @@ class LimitCurve:
         k = R omega / v.
     motion_angle : float or ndarray
         Angle of the contact's motion, radians: the curve's outward normal.
+    status : int or ndarray
+        Values of `Status`.
     """
 
     force_angle: Number
     magnitude: Number
     spin_ratio: Number
     motion_angle: Number
+    status: Number
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
@@ -62,11 +69,16 @@ class LimitCurve:
 
 @kernel
 @owning
-def _curve(kinds, rows, angles, magnitudes, ratios, motions):
+def _curve(kinds, rows, angles, magnitudes, ratios, motions, status):
     for i in range(len(rows)):
-        effects, own, force = under_force(kinds, rows[i])
-        angles[i] = force.angle
-        magnitudes[i], ratios[i], motions[i] = limit_motion(effects, own, force)
+        effects, _, at, force, _ = under_force(kinds, rows[i])
+        moved = on_curve(effects, at, force.along, -force.aside)
+        found = turned(moved, force)
+        angles[i], ratios[i], motions[i] = force.angle, found.ratio, found.angle
+        magnitudes[i] = sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y)
+        status[i] = CONSISTENT if moved.point < 0 else PIVOTS
+        if not moved.found:
+            magnitudes[i], ratios[i], motions[i], status[i] = nan, nan, nan, UNSOLVED
 
 
 def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
@@ -85,7 +97,7 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     """
     scene, angle = required_scene(scene), required("force_angle", force_angle)
     slider = scene.slider
-    columns = [*scene.numbers, slider.length_ratio, slider.rod_angle, angle]
+    columns = [*scene.numbers, slider.length_ratio, slider.rod_angle, angle, 0.0]
     found = evaluated(_curve, scene.kinds, columns, OUTPUTS)
     if is_labelled(found[0]):
         return dataset(found[1:])

@@ -2,64 +2,75 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import copysign, sqrt
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.numerics.copying import copy
-from planar_pushing.mechanics.plane import QUARTER_TURN, contact_motion, toward
-from planar_pushing.mechanics.reduced.base import held_on_edge, slips, stick
-from planar_pushing.mechanics.reduced.corners import CONTINUUM
-from planar_pushing.mechanics.reduced.sticking import Sustained
-from planar_pushing.mechanics.reduced.turning import SLIPS
+from planar_pushing.mechanics.reduced.free import free
+from planar_pushing.mechanics.reduced.psi import spin_guess
+from planar_pushing.mechanics.reduced.slips import SLIPS, SLOWEST, slips_along
+from planar_pushing.mechanics.reduced.under import Moved, moved_at, pushed, sticking, with_force
+from planar_pushing.mechanics.reduced.way import Way
 
 #: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
 COINCIDENCE = 9e-13
-#: How far before the pusher's motion slips begin, relative to it, so that one that is the stick is seen.
-BEFORE = 1e-11
-#: A force this far outside the cone, relative to its size, is taken to the edge.
+#: How far beyond the pusher's motion slips are sought, relative to it, so that one that is the stick is found.
+BEYOND = 1e-11
+#: A force this far outside the cone, relative to its magnitude, is taken to the edge.
 OUTSIDE = 5e-13
 #: Solutions of one push: separate, stick, and the slips under each edge.
 MOST = 2 + 2 * SLIPS
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
 SLIP_RIGHT, SLIP_LEFT = int(ContactMode.SLIP_RIGHT), int(ContactMode.SLIP_LEFT)
+#: In place of a number of solutions: an iteration has not settled, or there are more slips than fit.
+UNSOLVED = -1
+#: A solution, in the frame of the contact: twist of the slider's origin, motion of the contact, force and the
+#: other end of its interval, number of the support point that is a pivot, whether it is an end of a continuum.
+SOLUTION = np.dtype(
+    (
+        np.record,
+        [
+            ("mode", "i8"), ("twist", "f8", (3,)), ("motion", "f8", (2,)), ("force", "f8", (2,)),
+            ("force_end", "f8", (2,)), ("pivot", "i8"), ("continuum", "i8"),
+        ],
+    ),
+)  # fmt: skip
 
 
-@compiled
-def _inside(edge, side, along, aside):
-    """How far a force is inside an edge of the cone: of the left one on the side 1, of the right one -1."""
-    return side * (edge.along * aside - edge.aside * along)
+class Push(NamedTuple):
+    """A push in the body frame: effects, contact, and the tangent of the pusher there.
 
-
-@compiled
-def _depth(edge, side, moved):
-    """How far a force is inside an edge, and the rounding of it; both times the speed of the centre."""
-    noise = RESOLUTION * (abs(edge.aside) + moved.blur * abs(edge.along))
-    return _inside(edge, side, moved.along, moved.aside), noise
-
-
-@compiled
-def _rise(own, moved):
-    """The force's part along the fence's normal, the middle of every cone, and the rounding of it."""
-    normal = toward(own, QUARTER_TURN)
-    part = normal.along * moved.along + normal.aside * moved.aside
-    return part, RESOLUTION * (abs(normal.along) + moved.blur * abs(normal.aside))
-
-
-@compiled
-def _kept_inside(effects, own, moved, right_edge, left_edge, right, left):
-    """The sticking motion, its force taken to the edge of the cone that it has left by rounding.
-
-    Of two edges that it has left, the one on its side of the rod: rounding turns the force of a long rod
-    within its side.
+    The normal is the tangent turned by 90 degrees to the left.
     """
-    if min(right, left) >= -OUTSIDE * sqrt(moved.along**2 + moved.aside**2):
+
+    effects: tuple[Any, ...]
+    at: Any
+    t_x: float
+    t_y: float
+
+
+@compiled
+def _inside(edge, side, f_x, f_y):
+    """How far a force is inside an edge of the cone: of the left one on the side 1, of the right one -1."""
+    return side * (-edge.aside * f_x - edge.along * f_y)
+
+
+@compiled
+def _kept_inside(push, pusher, moved, right_edge, left_edge, right, left):
+    """The sticking motion, its force taken to the edge of the cone that it has left by rounding."""
+    if min(right, left) >= -OUTSIDE * sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y):
         return moved
-    one, other = right_edge.aside * moved.aside > 0.0, left_edge.aside * moved.aside > 0.0
-    if one and (right <= left or not other):
-        return held_on_edge(effects, own, right_edge, moved)
-    return held_on_edge(effects, own, left_edge, moved) if other else moved
+    return _on_edge(push, pusher, right_edge if right <= left else left_edge)
+
+
+@compiled
+def _on_edge(push, pusher, edge):
+    along = edge.x * pusher.x + edge.y * pusher.y
+    return pushed(push.effects, push.at, edge.along, -edge.aside, along)
 
 
 @compiled
@@ -67,8 +78,8 @@ def _part_inside(moved, right_edge, left_edge):
     """Ends of the part of a pivot's interval, -1 to 1, that is between the edges; it may be empty."""
     low, high = -1.0, 1.0
     for edge, side in ((right_edge, -1.0), (left_edge, 1.0)):
-        depth = _inside(edge, side, moved.along, moved.aside)
-        change = _inside(edge, side, moved.free_along, moved.free_aside)
+        depth = _inside(edge, side, moved.f_x, moved.f_y)
+        change = _inside(edge, side, moved.free_x, moved.free_y)
         if change > 0.0:
             low = max(low, -depth / change)
         elif change < 0.0:
@@ -77,99 +88,136 @@ def _part_inside(moved, right_edge, left_edge):
 
 
 @compiled
-def _settled(own, law, moved, right_edge, left_edge):
+def _settled(law, moved, right_edge, left_edge):
     """A pivot whose force is taken to the middle of what the law transmits, if it transmits any."""
-    if moved.free_along == 0.0 and moved.free_aside == 0.0:
+    if moved.free_x == 0.0 and moved.free_y == 0.0:
         return moved
     low, high = (-1.0, 1.0) if law.rough else _part_inside(moved, right_edge, left_edge)
     part = min(max((low + high) / 2.0, -1.0), 1.0)
     half = max((high - low) / 2.0, 0.0)
-    along, aside = moved.along + part * moved.free_along, moved.aside + part * moved.free_aside
-    f_x, f_y = along * own.x + aside * own.y, along * own.y - aside * own.x
-    return Sustained(
-        moved.v_x, moved.v_y, moved.spin, f_x, f_y, along, aside, moved.blur,
-        half * moved.free_along, half * moved.free_aside, moved.pivot,
+    return with_force(
+        moved, moved.f_x + part * moved.free_x, moved.f_y + part * moved.free_y,
+        half * moved.free_x, half * moved.free_y,
     )  # fmt: skip
 
 
 @compiled
-def _stick(own, moved, modes, motions, place):
-    """Write down the sticking solution."""
-    modes[place] = STICK
-    found = motions[place]
-    free_x = moved.free_along * own.x + moved.free_aside * own.y
-    free_y = moved.free_along * own.y - moved.free_aside * own.x
-    found[0], found[1], found[2] = moved.v_x, moved.v_y, moved.spin
-    found[3], found[4] = moved.f_x - free_x, moved.f_y - free_y
-    found[5], found[6], found[7] = moved.f_x + free_x, moved.f_y + free_y, moved.pivot
+def _write(push, mode, moved, found):
+    """Write down a solution in the frame of the contact."""
+    t_x, t_y = push.t_x, push.t_y
+    found.mode, found.pivot, found.continuum = mode, moved.point, moved.continuum
+    found.twist[0], found.twist[1] = t_x * moved.v_x + t_y * moved.v_y, t_x * moved.v_y - t_y * moved.v_x
+    found.twist[2] = moved.spin
+    found.motion[0], found.motion[1] = t_x * moved.u_x + t_y * moved.u_y, t_x * moved.u_y - t_y * moved.u_x
+    f_x, f_y = moved.f_x - moved.free_x, moved.f_y - moved.free_y
+    found.force[0], found.force[1] = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
+    f_x, f_y = moved.f_x + moved.free_x, moved.f_y + moved.free_y
+    found.force_end[0], found.force_end[1] = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
 
 
 @compiled
-def _separate(modes, motions):
-    modes[0] = SEPARATE
-    motions[0], motions[0, 7] = 0.0, -1.0
-    return 1
+def _separate(push, found):
+    """Write down the motion without a force."""
+    rest = free(push.effects)
+    at = push.at
+    u_x, u_y = rest.x - rest.spin * at.y, rest.y + rest.spin * at.x
+    _write(push, SEPARATE, Moved(u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, -1, False, 0.0, True), found)
+    return found.motion[0], found.motion[1]
 
 
 @compiled
-def _may_slip(edge, side, pusher, moved):
+def _may_slip(edge, side, part, moved_force, size):
     """Whether there can be slips under an edge, beside the sticking motion.
 
     A slip goes against the edge's force along the fence, so it has less of a part along the force than the
     pusher's motion, and that part is positive. The potential is convex, so the force along the fence rises
     with the motion along it: a slip to the right takes more than sticking does.
     """
-    part = edge.x * pusher.x + edge.y * pusher.y
-    size = sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y)
-    return part >= -COINCIDENCE and side * moved.f_x <= OUTSIDE * size
+    return part >= -COINCIDENCE and side * moved_force <= OUTSIDE * size
 
 
 @compiled
-def _slipping(effects, own, edge, pusher, moved, mode, modes, motions, count):
+def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, count):
     """Write down the slips of a mode.
 
     Returns
     -------
     count : int
-        How many solutions there are then.
-    at_edge, corner : bool
-        Whether one of the slips is the stick, and whether they are the ends of a continuum.
+        How many solutions there are then, -1 where they are not solved.
+    at_edge, flat : bool
+        Whether one of the slips is the stick, and whether the stick is an end of a continuum.
     """
-    side, at_edge, corner = 1.0 if mode == SLIP_RIGHT else -1.0, False, False
-    if not _may_slip(edge, side, pusher, moved):
-        return count, at_edge, corner
-    start, first = pusher.x - side * BEFORE, count
-    for i in range(first, first + slips(effects, own, edge, pusher.y, start, motions[first:])):
-        slip = contact_motion(own, motions[i, 0], motions[i, 1], motions[i, 2])[0] - pusher.x
-        if side * slip > COINCIDENCE:
-            modes[count] = mode
-            copy(motions[count], motions[i])
-            count += 1
-        at_edge, corner = at_edge or abs(slip) <= COINCIDENCE, motions[i, 7] == CONTINUUM
-    return count, at_edge, corner
+    side = 1.0 if mode == SLIP_RIGHT else -1.0
+    rest_x, rest_y = rest
+    part = edge.x * (pusher.x - rest_x) + edge.y * (pusher.y - rest_y)
+    force = push.t_x * moved.f_x + push.t_y * moved.f_y
+    size = sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y)
+    if count < 0 or not _may_slip(edge, side, part, force, size):
+        return count, False, False
+    e_x, e_y = edge.along, -edge.aside
+    n_x, n_y = -push.t_y * pusher.y, push.t_x * pusher.y
+    if edge.x == 0.0:
+        slid = pushed(push.effects, push.at, e_x, e_y, edge.y * pusher.y)
+        return _write_slip(push, slid, side, mode, pusher, solutions, count)
+    sense = copysign(1.0, edge.x)
+    way = Way(push.effects, push.at, e_x, e_y, n_x, n_y, sense * push.t_x, sense * push.t_y)
+    first = sense * rest_x - edge.y * (pusher.y - rest_y) / abs(edge.x)
+    last = sense * (pusher.x - side * BEYOND)
+    unit = max(abs(pusher.y), abs(rest_x), abs(rest_y))
+    if first == 0.0:
+        first = SLOWEST
+    if not last > first:
+        return count, False, False
+    number, flat = slips_along(way, unit, first, last, scratch)
+    at_edge = False
+    for i in range(number):
+        slid = moved_at(way, scratch[i, 0], scratch[i, 1], scratch[i, 2] != 0.0)
+        count, edge_too, _ = _write_slip(push, slid, side, mode, pusher, solutions, count)
+        at_edge |= edge_too
+    return count if number >= 0 else UNSOLVED, at_edge, flat
 
 
 @compiled
-def contact_modes(effects, own, law, pusher, moves, modes, motions):
+def _write_slip(push, slid, side, mode, pusher, solutions, count):
+    """Write down a slip if it slips and its force pushes, as `_slipping`."""
+    slip = push.t_x * slid.u_x + push.t_y * slid.u_y - pusher.x
+    edge_force = abs(slid.f_x) + abs(slid.f_y)
+    if not slid.found or count < 0:
+        return UNSOLVED, False, False
+    if edge_force <= slid.noise:
+        return count, False, False
+    if side * slip > COINCIDENCE:
+        if count == len(solutions):
+            return UNSOLVED, False, False
+        _write(push, mode, slid, solutions[count])
+        count += 1
+    return count, abs(slip) <= COINCIDENCE, False
+
+
+@compiled
+def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
     """Write down every consistent solution, in units of the pusher's motion.
 
     Parameters
     ----------
-    effects : tuple
-    own : Rod
+    push : Push
     law : Law
+    edges : (Direction, Direction)
+        Right and left edges of the friction cone.
     pusher : Direction
         Of the pusher's motion, which has unit size.
     moves : bool
         Whether the pusher moves at all.
-    modes : ndarray of int, shape (MOST,)
-    motions : ndarray, shape (MOST, MOTION)
-        Take the solutions, in the order of `ContactMode`.
+    scratch : ndarray, shape (SLIPS, ENTRIES)
+    solutions : array of SOLUTION, shape (MOST,)
+        Takes the solutions, in the order of `ContactMode`.
 
     Returns
     -------
-    int
-        How many there are.
+    count : int
+        How many there are, -1 where an iteration has not settled.
+    continuum : bool
+        Whether a continuum of slips touches the stick.
 
     Notes
     -----
@@ -177,37 +225,56 @@ def contact_modes(effects, own, law, pusher, moves, modes, motions):
     of that edge apart by the cone's condition number, so there a stick counts where no slip does, and a
     slip that vanishes counts as the stick.
     """
+    right_edge, left_edge = edges
+    rest = _separate(push, solutions[0])
     if not moves:
-        return _separate(modes, motions)
-    place = _separate(modes, motions) if pusher.y <= 0.0 else 0  # of the stick, before the slips
-    right_edge, left_edge = toward(own, law.right), toward(own, law.left)
-    moved = _settled(own, law, stick(effects, own, pusher), right_edge, left_edge)
-    right, right_noise = _depth(right_edge, -1.0, moved)
-    left, left_noise = _depth(left_edge, 1.0, moved)
-    rise, noise = _rise(own, moved)
-    reached = right >= -right_noise and left >= -left_noise and rise >= -noise
-    held = law.rough or (right > right_noise and left > left_noise and rise > noise)
+        return 1, False
+    place = 1 if pusher.y <= rest[1] else 0  # of the stick, before the slips
+    x, y = pusher.along, -pusher.aside
+    moved = sticking(push.effects, push.at, x, y, spin_guess(push.effects, push.at, x, y))
+    if not moved.found:
+        return UNSOLVED, False
+    moved = _settled(law, moved, right_edge, left_edge)
+    right = _inside(right_edge, -1.0, moved.f_x, moved.f_y)
+    left = _inside(left_edge, 1.0, moved.f_x, moved.f_y)
+    rise = push.t_x * moved.f_y - push.t_y * moved.f_x
+    noise = max(RESOLUTION * sqrt(moved.f_x**2 + moved.f_y**2), moved.noise)
+    reached = right >= -noise and left >= -noise and rise >= -noise
+    held = law.rough or (right > noise and left > noise and rise > noise)
+    flat, slides = False, not law.closed
+    count = place + 1
     if law.slips:
-        first, on_left, left_corner = _slipping(
-            effects, own, left_edge, pusher, moved, SLIP_RIGHT, modes, motions, place + 1
+        first, on_left, flat_left = _slipping(
+            push, left_edge, pusher, rest, moved, SLIP_RIGHT, scratch, solutions, place + 1
         )
-        count, on_right, right_corner = _slipping(
-            effects, own, right_edge, pusher, moved, SLIP_LEFT, modes, motions, first
+        count, on_right, flat_right = _slipping(
+            push, right_edge, pusher, rest, moved, SLIP_LEFT, scratch, solutions, first
         )
+        if count < 0:
+            return UNSOLVED, False
         slides_right, slides_left = first > place + 1, count > first
         # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
         held |= (on_left and not slides_left) or (on_right and not slides_right)
-        # A motion of a corner sticks too; slips go on from it.
-        held |= reached and law.closed and (left_corner or right_corner)
+        # The last motion of a continuum sticks too; slips go on from it.
+        flat = flat_left or flat_right
+        held |= reached and law.closed and flat
         slides = slides_right or slides_left
-    else:
-        count, slides = place + 1, not law.closed
     if held or (reached and not slides):
         if not law.rough:
-            moved = _kept_inside(effects, own, moved, right_edge, left_edge, right, left)
-        _stick(own, moved, modes, motions, place)
-        return count
+            moved = _kept_inside(push, pusher, moved, right_edge, left_edge, right, left)
+        _write(push, STICK, moved, solutions[place])
+        solutions[place].continuum = flat
+        return count, flat
     for i in range(place, count - 1):
-        modes[i] = modes[i + 1]
-        copy(motions[i], motions[i + 1])
-    return count - 1
+        _copy(solutions[i], solutions[i + 1])
+    return count - 1, flat
+
+
+@compiled
+def _copy(target, source):
+    target.mode, target.pivot, target.continuum = source.mode, source.pivot, source.continuum
+    for k in range(3):
+        target.twist[k] = source.twist[k]
+    for k in range(2):
+        target.motion[k], target.force[k] = source.motion[k], source.force[k]
+        target.force_end[k] = source.force_end[k]

@@ -141,19 +141,23 @@ def contact_motion_angle(own, force, spin_ratio):
 
 
 @compiled
-def motion_center(own, force_angle, spin_ratio):
-    """Motion centre relative to the contact, in radii.
+def motion_center(own, v_x, v_y, spin):
+    """Motion center relative to the contact, in radii, of a twist at the slider's center.
 
-    It lies at the signed distance ``-1/k`` along x', the force direction turned by -90 degrees, from the
-    ring centre (text below Eq. 3). A translation puts it at infinity: the coordinates are then infinite,
-    or the ring centre's where x' has no such component.
+    A translation puts it at infinity: the coordinates are then infinite, or the slider's center's where it
+    moves along them.
     """
-    x, y = unit_vector(force_angle - QUARTER_TURN)
-    away = -1.0 / spin_ratio if spin_ratio != 0.0 else -inf
-    return (
-        own.length * own.x + (away * x if x != 0.0 else 0.0),
-        own.length * own.y + (away * y if y != 0.0 else 0.0),
-    )
+    x, y = center_from(v_x, v_y, spin)
+    return own.length * own.x + x, own.length * own.y + y
+
+
+@compiled
+def center_from(v_x, v_y, spin):
+    """Motion center relative to the slider's center."""
+    if spin != 0.0:
+        return -v_y / spin, v_x / spin
+    x = -copysign(inf, v_y) if v_y != 0.0 else 0.0
+    return x, copysign(inf, v_x) if v_x != 0.0 or x == 0.0 else 0.0
 
 
 @kernel

@@ -9,13 +9,15 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.contact.laws import as_numbers, is_law
-from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction, SupportFriction
-from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.effects.any_support import Supports
-from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.effects.support_friction import RingSupport
-from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.mechanics.supports.pressure.table import extents_of, table_of
+from planar_pushing.mechanics.core import Entry, entries, extents, is_own_ring
+from planar_pushing.mechanics.effects import (
+    Effect,
+    Inertia,
+    Load,
+    RingFriction,
+    SupportFriction,
+    Viscous,
+)
 from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
 from planar_pushing.terms.errors import InvalidValue, require_kind
 
@@ -103,28 +105,24 @@ class Scene:
                 "construct one of these laws",
             )  # fmt: skip
         effects = tuple(self.effects) if isinstance(self.effects, (tuple, list)) else ()
-        kinds = SupportFriction | RingFriction | Inertia
+        kinds = SupportFriction | RingFriction | Inertia | Viscous | Load
         if not effects or not all(isinstance(each, kinds) for each in effects):
             raise InvalidValue(
                 "effects", self.effects,
-                "a tuple of at least one of SupportFriction, RingFriction and Inertia",
+                "a tuple of SupportFriction, RingFriction, Inertia, Viscous and Load",
                 "list what resists the motion, for instance (RingFriction(),)",
             )  # fmt: skip
         object.__setattr__(self, "effects", effects)
         if self.slider.radius is None:
-            radius = _extents(self.friction[0].support) if self.friction else 1.0
+            supports = [each.support for each in self.effects if hasattr(each, "support")]
+            radius = extents(supports[0]) if supports else 1.0
             object.__setattr__(self, "slider", replace(self.slider, radius=radius))
-        if len(self.friction) > 1 and not self.isotropic:
-            raise InvalidValue(
-                "effects", self.effects, "one SupportFriction that is no ring of the slider's radius",
-                "join the supports by Composite",
-            )  # fmt: skip
         _ = self.inertia
 
     @property
     def friction(self) -> list[Any]:
-        """The effects that dissipate energy."""
-        return [each for each in self.effects if each.degree == 1]
+        """Its Coulomb friction on supports."""
+        return [each for each in self.effects if isinstance(each, (SupportFriction, RingFriction))]
 
     @property
     def masses(self) -> list[Inertia]:
@@ -138,25 +136,24 @@ class Scene:
 
     @property
     def isotropic(self) -> bool:
-        """Whether the support is the slider's own ring, and the centre of mass its centre."""
+        """Whether every support is the slider's own ring, and the center of mass its center."""
         if any(_is_off(coordinate) for each in self.masses for coordinate in each.center):
             return False
-        return all(
-            isinstance(each, RingFriction) or _is_ring(each.support, self.slider.radius)
-            for each in self.friction
-        )
+        return all(is_own_ring(each.support, self.slider.radius) for each in self.friction)
+
+    @property
+    def from_rest(self) -> list[Entry]:
+        """The effects of a push from rest as the compiled core has them.
+
+        A slider with inertia has no velocity then, and so no viscous friction.
+        """
+        absent = Viscous if self.stores_energy else ()
+        return entries([each for each in self.effects if not isinstance(each, absent)], self)
 
     @property
     def kinds(self) -> tuple[Any, ...]:
-        """The effects in the compiled core, without their numbers: friction first."""
-        found: list[Any] = []
-        isotropic, friction = self.isotropic, self.friction
-        if friction:
-            ring = RingSupport(1.0)
-            found.append(ring if isotropic else Supports(table_of(_listed(friction[0].support))))
-        if self.stores_energy:
-            found.append(Mass(1.0, 1.0) if isotropic else MassAt(1.0, 1.0, 0.0, 0.0))
-        return tuple(found)
+        """The kinds of the effects of a push from rest."""
+        return tuple(entry.kind for entry in self.from_rest)
 
     @property
     def weight(self) -> Number:
@@ -192,22 +189,9 @@ class Scene:
         return x, y
 
     @property
-    def placement(self) -> list[Number]:
-        """Centre of mass in radii, number of the support, and its extent in radii."""
-        if self.isotropic or not self.friction:
-            return [*self.mass_center, 0.0, 1.0]
-        support = self.friction[0].support
-        number = np.arange(float(np.size(support))).reshape(np.shape(support))
-        extent = _extents(support) / self.slider.radius
-        return [*self.mass_center, _alike(support, number), extent]
-
-    @property
     def numbers(self) -> list[Number]:
-        """The effects' columns: weight, mass, square of the radius of gyration, and `placement`.
-
-        An effect that is not there has 1 as its weight or mass.
-        """
-        return [self.weight, *self.inertia, *self.placement]
+        """All numbers of the effects."""
+        return [each for entry in self.from_rest for each in entry.columns]
 
     @property
     def law(self) -> Any:
@@ -220,32 +204,6 @@ def _is_off(coordinate: Number) -> bool:
     if isinstance(coordinate, float):
         return coordinate != 0.0
     return bool(np.any(np.asarray(coordinate) != 0))
-
-
-def _listed(support: Any) -> Any:
-    """A support, or an array of supports, as a flat array."""
-    return np.ravel(np.array(support, dtype=object))
-
-
-def _is_ring(support: Any, radius: Number) -> bool:
-    """Whether supports are rings of the slider's radius."""
-    return all(
-        isinstance(ring, Ring)
-        and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
-        for ring in _listed(support)
-    )
-
-
-def _alike(support: Any, numbers: Any) -> Any:
-    """Numbers of supports: one of one, labelled as they are."""
-    if hasattr(support, "dims"):
-        return support.copy(data=numbers)
-    return numbers if np.ndim(numbers) else float(numbers)
-
-
-def _extents(support: Any) -> Number:
-    """Largest distance of a support, or of each of an array, from its centre of pressure."""
-    return _alike(support, extents_of(_listed(support)).reshape(np.shape(support)))
 
 
 def required_scene(given: object) -> Scene:

@@ -10,10 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.reduced.corners import CONTINUUM
 from planar_pushing.terms.errors import InvalidValue
 
 #: Numbers of a solution in the table that is printed; vectors by their components.
@@ -46,11 +45,10 @@ class Solution:
     center : ndarray, shape (2,)
         Motion centre relative to the contact; infinite for a translation and at rest.
     pivot : int
-        Number of the support point about which the slider pivots, -1 without one; -2 where the motion is an
-        end of a continuum.
+        Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
-        Whether every motion from this one to the other end, or to the sticking one, is a solution too, as
-        with a support on one line that a force crosses.
+        Whether every motion from this one to the other end of a continuum is a solution too: to another slip,
+        to the sticking motion, or to rest.
     """
 
     mode: ContactMode
@@ -61,13 +59,10 @@ class Solution:
     spin_ratio: float
     center: Array
     pivot: int
+    continuum: bool
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
-
-    @property
-    def continuum(self) -> bool:
-        return self.pivot == CONTINUUM
 
     @property
     def adhesive(self) -> bool:
@@ -89,6 +84,7 @@ class Solutions:
     """
 
     solutions: tuple[Solution, ...]
+    status: Status = Status.CONSISTENT
 
     @property
     def outcome(self) -> Outcome:
@@ -149,11 +145,14 @@ class SolutionArrays:
     force, force_end, contact_motion, center : ndarray, shape S + (solutions, 2)
     twist : ndarray, shape S + (solutions, 3)
         omega in radians per unit of time.
-    spin_ratio, pivot : ndarray, shape S + (solutions,)
+    status : ndarray of int, shape S
+        Values of `Status`.
+    spin_ratio, pivot, continuum : ndarray, shape S + (solutions,)
         As in `Solution`.
     """
 
     solutions: npt.NDArray[np.int8]
+    status: npt.NDArray[np.int8]
     mode: npt.NDArray[np.int8]
     force: Array
     force_end: Array
@@ -162,6 +161,7 @@ class SolutionArrays:
     spin_ratio: Array
     center: Array
     pivot: npt.NDArray[np.int32]
+    continuum: npt.NDArray[np.bool_]
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)

@@ -1,21 +1,21 @@
-"""Every consistent solution of a pushing problem, and the outcome (Secs. 2-5)."""
+"""Every consistent solution of a pushing problem, and its status (Secs. 2-5)."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
-from math import hypot, inf, nan
-from typing import Any
+from math import inf, nan, sqrt
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
-from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.contact.laws import Law
-from planar_pushing.mechanics.effects.any_mass import MassAt
-from planar_pushing.mechanics.effects.base import COLUMNS, made
-from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.modes import MOST, contact_modes
+from planar_pushing.mechanics.core import Entry
+from planar_pushing.mechanics.effects.base import count_fields, made
+from planar_pushing.mechanics.modes import MOST, SOLUTION, Push, contact_modes
 from planar_pushing.mechanics.numerics.arrays import (
     Output,
     dataset,
@@ -24,29 +24,44 @@ from planar_pushing.mechanics.numerics.arrays import (
     mapped,
     named,
 )
-from planar_pushing.mechanics.plane import Array, contact_motion, rod, toward
-from planar_pushing.mechanics.reduced.base import MOTION, center_of
+from planar_pushing.mechanics.plane import Array, motion_center, rod, toward
+from planar_pushing.mechanics.reduced.psi import contact_at
+from planar_pushing.mechanics.reduced.slips import ENTRIES, SLIPS
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.mechanics.solutions import Solution, SolutionArrays, Solutions
 from planar_pushing.terms.domain import Number, required, required_ratio
-from planar_pushing.terms.errors import InvalidValue
 
-#: Columns of a row behind those of the effects.
-LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, TOWARDS, SIZE, FORCE, RADIUS = range(
-    COLUMNS, COLUMNS + 11
-)
-#: Solutions that fit along the axis `solution`, of scenes with one effect and with friction and inertia.
-SOLUTIONS = {1: 4, 2: 8}
+#: Solutions that fit along the axis `solution`: where all potentials have one degree, and elsewhere.
+SOLUTIONS = {True: 4, False: 8}
 NO_MODE, NO_PIVOT = -1, -1
+NONE, CONSISTENT, PIVOTS = int(Status.NONE), int(Status.CONSISTENT), int(Status.PIVOTS)
+CONTINUUM, UNSOLVED = int(Status.CONTINUUM), int(Status.UNSOLVED)
 XY = ("xy", 2)
 
 
+class Given(NamedTuple):
+    """A push in the numbers of a row: columns behind those of the effects."""
+
+    length: float
+    angle: float
+    right: float
+    left: float
+    slips: float
+    closed: float
+    rough: float
+    toward: float
+    size: float
+    unit: float
+    radius: float
+
+
 @cache
-def outputs(count: int) -> tuple[Output, ...]:
-    """What is found of each scene with this number of effects."""
-    many = ("solution", SOLUTIONS[count])
+def outputs(steady: bool) -> tuple[Output, ...]:
+    """What is found of each scene; `steady` where all potentials have one degree."""
+    many = ("solution", SOLUTIONS[steady])
     return (
         Output("solutions", (), "i1"),
+        Output("status", (), "i1"),
         Output("mode", (many,), "i1"),
         Output("force", (many, XY)),
         Output("force_end", (many, XY)),
@@ -55,7 +70,17 @@ def outputs(count: int) -> tuple[Output, ...]:
         Output("spin_ratio", (many,)),
         Output("center", (many, XY)),
         Output("pivot", (many,), "i4"),
+        Output("continuum", (many,), "?"),
     )
+
+
+@compiled
+def given_in(row, i):
+    """The push in the columns of a row from i on."""
+    return Given(
+        row[i], row[i + 1], row[i + 2], row[i + 3], row[i + 4], row[i + 5], row[i + 6], row[i + 7],
+        row[i + 8], row[i + 9], row[i + 10],
+    )  # fmt: skip
 
 
 @compiled
@@ -67,87 +92,113 @@ def spin_ratio(speed, spin):
 
 
 @compiled
-def _write(effects, own, motion, row, force, end, twist, contact, center):
+def _write(own, given, found, force, end, twist, contact, center):
     """Write down one solution in the units of the scene; its spin ratio."""
-    v_x, v_y, spin, f_x, f_y, g_x, g_y, _ = motion
-    size, radius = row[SIZE], row[RADIUS]
-    u_x, u_y = contact_motion(own, v_x, v_y, spin)
-    force[0], force[1] = row[FORCE] * f_x, row[FORCE] * f_y
-    end[0], end[1] = row[FORCE] * g_x, row[FORCE] * g_y
+    size, unit, radius = given.size, given.unit, given.radius
+    v_x, v_y, spin = found.twist[0], found.twist[1], found.twist[2]
+    for k in range(2):
+        force[k], end[k] = unit * found.force[k], unit * found.force_end[k]
+        contact[k] = size * found.motion[k]
     twist[0], twist[1], twist[2] = size * v_x, size * v_y, size * spin / radius
-    contact[0], contact[1] = size * u_x, size * u_y
-    x, y = center_of(effects, own, motion)
+    x, y = motion_center(own, v_x, v_y, spin)
     center[0], center[1] = radius * x, radius * y
-    return spin_ratio(hypot(v_x, v_y), spin)
+    return spin_ratio(sqrt(v_x * v_x + v_y * v_y), spin)
 
 
 @kernel
 @owning
-def _modes(kinds, rows, counts, modes, forces, ends, twists, contacts, ratios, centers, pivots):
-    every, motions = np.empty(MOST, np.int8), np.empty((MOST, MOTION))
+def _modes(
+    kinds, rows, counts, status, modes, forces, ends, twists, contacts, ratios, centers, pivots, continua
+):
+    scratch, solutions = np.empty((SLIPS, ENTRIES)), np.empty(MOST, SOLUTION)
     for i in range(len(rows)):
-        row = rows[i]
-        effects, own = made(kinds, row), rod(row[LENGTH], row[ANGLE])
-        law = Law(row[RIGHT], row[LEFT], row[SLIPS] != 0.0, row[CLOSED] != 0.0, row[ROUGH] != 0.0)
-        pusher, moves = toward(own, row[TOWARDS]), row[SIZE] > 0.0
-        count = contact_modes(effects, own, law, pusher, moves, every, motions)
-        counts[i], modes[i], pivots[i] = count, NO_MODE, NO_PIVOT
+        given = given_in(rows[i], count_fields(kinds))
+        own = rod(given.length, given.angle)
+        law = Law(given.right, given.left, given.slips != 0.0, given.closed != 0.0, given.rough != 0.0)
+        push = Push(made(kinds, rows[i], 0), contact_at(-given.length, 0.0), own.x, -own.y)
+        edges = toward(own, law.right), toward(own, law.left)
+        pusher = toward(own, given.toward)
+        count, flat = contact_modes(push, law, edges, pusher, given.size > 0.0, scratch, solutions)
+        fits = count <= modes.shape[1]
+        status[i] = CONTINUUM if flat else NONE if count == 0 else CONSISTENT
+        if count < 0 or not fits:
+            count, status[i] = 0, UNSOLVED
+        counts[i], modes[i], pivots[i], continua[i] = count, NO_MODE, NO_PIVOT, False
         forces[i], ends[i], twists[i], contacts[i] = nan, nan, nan, nan
         ratios[i], centers[i] = nan, nan
-        for j in range(min(count, modes.shape[1])):
-            modes[i, j], pivots[i, j] = every[j], int(motions[j, 7])
+        for j in range(count):
+            found = solutions[j]
+            modes[i, j], pivots[i, j], continua[i, j] = found.mode, found.pivot, found.continuum
+            if found.continuum:
+                status[i] = CONTINUUM
+            elif found.pivot >= 0 and status[i] == CONSISTENT:
+                status[i] = PIVOTS
             ratios[i, j] = _write(
-                effects, own, motions[j], row,
-                forces[i, j], ends[i, j], twists[i, j], contacts[i, j], centers[i, j],
-            )  # fmt: skip
+                own, given, found, forces[i, j], ends[i, j], twists[i, j], contacts[i, j], centers[i, j]
+            )
 
 
-def _forces(
-    kinds: Any, weight: npt.ArrayLike, mass: npt.ArrayLike, size: npt.ArrayLike
-) -> tuple[Any, Any, Any]:
-    """Unit of force, and the forces of friction and of inertia in a translation, in that unit.
+def _in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
+    """Unit of force, and the effects' columns of motions in units of a size and of that force.
 
     A pusher at rest takes no force, in any unit.
     """
-    pull = np.where(np.asarray(size) > 0, np.multiply(size, mass), weight)
-    if len(kinds) == 2:
-        required_ratio("force_ratio", pull / np.asarray(weight))
-        unit = np.maximum(weight, pull)
-        return unit, weight / unit, pull / unit
-    return (pull if isinstance(kinds[0], (Mass, MassAt)) else weight), 1.0, 1.0
+    size = np.where(np.asarray(size) > 0, size, 1.0)
+    left, strengths, found = list(columns), [], []
+    for entry in entries:
+        own = [left.pop(0) * size ** (entry.degree - 1) for _ in entry.forces]
+        found.append([*own, *(left.pop(0) for _ in entry.others)])
+        strengths.append(np.abs(own[0]) if len(own) == 1 else np.hypot(own[0], own[1]))
+    unit = strengths[0]
+    for strength in strengths[1:]:
+        unit = np.maximum(unit, strength)
+    _require_ratio(entries, strengths)
+    for entry, numbers in zip(entries, found, strict=True):
+        for i in range(len(entry.forces)):
+            numbers[i] = numbers[i] / unit
+    return unit, [each for numbers in found for each in numbers]
 
 
-def solve_arrays(kinds: Any, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
+def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any]) -> None:
+    """Refuse forces out of proportion to one another; loads may be any."""
+    by_degree: dict[int, Any] = {}
+    for entry, strength in zip(entries, strengths, strict=True):
+        if len(entry.forces) == 1:
+            by_degree[entry.degree] = by_degree.get(entry.degree, 0.0) + strength
+    if len(by_degree) == 2:
+        required_ratio("force_ratio", by_degree[2] / by_degree[1])
+
+
+def solve_arrays(entries: Sequence[Entry], *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     """Every consistent solution of arrays of scenes, which are broadcast.
 
     Parameters
     ----------
-    kinds : tuple
-        Of effects, as `Scene.kinds`.
+    entries : sequence of Entry
+        The effects.
     *given : array_like
-        Weight, mass and square of the radius of gyration in radii; the entries of `Scene.placement`; length
-        and angle of the rod, radius; the five entries of `Law`; angle and magnitude of the pusher's motion.
+        The columns of the entries; length and angle of the rod, radius; the five entries of `Law`; angle and
+        magnitude of the pusher's motion.
 
     Returns
     -------
     list of ndarray
         As `outputs`; places without a solution hold NaN.
     """
-    weight, mass, gyration, *placed = given[:COLUMNS]
-    length, angle, radius, *law, towards, size = given[COLUMNS:]
+    count = sum(len(entry.columns) for entry in entries)
+    length, angle, radius, *law, towards, size = given[count:]
     required("pusher_angle", towards)
     required("pusher_magnitude", size)
-    unit, slow, fast = _forces(kinds, weight, mass, size)
+    unit, columns = _in_units(entries, given[:count], size)
     ratio = required_ratio("length_ratio", np.divide(length, radius))
-    columns = [slow, fast, gyration, *placed, ratio, angle, *law, towards, size, unit, radius]
-    found = mapped(_modes, kinds, columns, outputs(len(kinds)))
-    most = SOLUTIONS[len(kinds)]
-    if found[0].size and found[0].max() > most:
-        raise InvalidValue(
-            "pusher_magnitude", size, f"a push with at most {most} solutions",
-            "report the scene: none with more is known",
-        )  # fmt: skip
-    return found
+    columns += [ratio, angle, *law, towards, size, unit, radius]
+    kinds = tuple(entry.kind for entry in entries)
+    return mapped(_modes, kinds, columns, outputs(is_steady(entries)))
+
+
+def is_steady(entries: Sequence[Entry]) -> bool:
+    """Whether all potentials have one degree."""
+    return len({entry.degree for entry in entries}) == 1
 
 
 def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) -> Any:
@@ -173,30 +224,32 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
     InvalidValue
         Where a value is out of its range; with friction and inertia also where m a / W is.
     """
-    kinds, slider = required_scene(scene).kinds, scene.slider
+    entries, slider = required_scene(scene).from_rest, scene.slider
     body = slider.rod_length, slider.rod_angle, slider.radius
-    given = [*scene.numbers, *body, *scene.law, pusher_angle, pusher_magnitude]
-    results = outputs(len(kinds))
-    found = elementwise(lambda *each: solve_arrays(kinds, *each), given, results)
+    columns = [each for entry in entries for each in entry.columns]
+    given = [*columns, *body, *scene.law, pusher_angle, pusher_magnitude]
+    results = outputs(is_steady(entries))
+    found = elementwise(lambda *each: solve_arrays(entries, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}
     if is_labelled(found[0]):
         return _dataset(**by_name)
     return SolutionArrays(**by_name) if np.ndim(found[0]) else _solutions(**by_name)
 
 
-def _solutions(solutions: int, mode: Any, **values: Array) -> Solutions:
+def _solutions(solutions: int, status: int, mode: Any, **values: Array) -> Solutions:
     """The solutions of one problem."""
     entries = {name: each if each.ndim > 1 else each.tolist() for name, each in values.items()}
     return Solutions(
         tuple(
             Solution(mode=ContactMode(mode[i]), **{name: each[i] for name, each in entries.items()})
             for i in range(solutions)
-        )
+        ),
+        Status(status),
     )
 
 
-def _dataset(solutions: Any, mode: Any, **values: Any) -> Any:
+def _dataset(solutions: Any, status: Any, mode: Any, **values: Any) -> Any:
     consistent = named("consistent", mode >= 0)
     outcome = named("outcome", np.minimum(solutions, Outcome.AMBIGUOUS).astype(np.int8))
-    merged = dataset([solutions, mode, *values.values(), consistent, outcome])
+    merged = dataset([solutions, status, mode, *values.values(), consistent, outcome])
     return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

@@ -10,7 +10,8 @@ import numpy.typing as npt
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect
-from planar_pushing.mechanics.effects.base import COLUMNS, made, wrench_of
+from planar_pushing.mechanics.core import entries
+from planar_pushing.mechanics.effects.base import count_fields, made, resistance
 from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
@@ -18,7 +19,6 @@ from planar_pushing.mechanics.supports.ring import ring_spin_ratio, ring_wrench
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue
 
-V_X, V_Y, SPIN = range(COLUMNS, COLUMNS + 3)
 WRENCH = (Output("wrench", (("wrench_component", 3),)),)
 
 
@@ -26,12 +26,13 @@ WRENCH = (Output("wrench", (("wrench_component", 3),)),)
 @owning
 def _wrenches(kinds, rows, wrenches):
     """The subgradient nearest zero at rest."""
+    first = count_fields(kinds)
     for i in range(len(rows)):
-        v_x, v_y, spin = rows[i, V_X], rows[i, V_Y], rows[i, SPIN]
-        found = 0.0, 0.0, 0.0
+        v_x, v_y, spin = rows[i, first], rows[i, first + 1], rows[i, first + 2]
+        wrenches[i] = 0.0
         if v_x != 0.0 or v_y != 0.0 or spin != 0.0:
-            found = wrench_of(made(kinds, rows[i]), v_x, v_y, spin)
-        wrenches[i, 0], wrenches[i, 1], wrenches[i, 2] = found
+            now = resistance(made(kinds, rows[i], 0), v_x, v_y, spin, 0.0)
+            wrenches[i, 0], wrenches[i, 1], wrenches[i, 2] = now.f_x, now.f_y, now.torque
 
 
 def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
@@ -59,8 +60,9 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     # Of about unit size, for squares to be doubles; a power of two costs no digit.
     _, size = np.frexp(np.abs(twists).max(axis=-1, keepdims=True))
     v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
-    columns = [*scene.numbers, v_x, v_y, radius * omega]
-    found = mapped(_wrenches, scene.kinds, columns, WRENCH)[0]
+    (entry,) = entries([effect], scene)
+    columns = [*entry.columns, v_x, v_y, radius * omega]
+    found = mapped(_wrenches, (entry.kind,), columns, WRENCH)[0]
     found[..., 2] *= radius
     return np.asarray(np.ldexp(found, (effect.degree - 1) * size))
 

@@ -235,6 +235,8 @@ MECHANICS: Quantities = {
     "right": ("radian", "right edge of the cone"),
     "consistent": ("1", "whether there is a solution in this place"),
     "force_size": ("force", "size of the force on the limit curve"),
+    "status": ("1", "what is known of the solutions"),
+    "continuum": ("1", "whether the solution is an end of a continuum"),
     "solutions": ("1", "number of consistent solutions"),
     "twist": ("motion", "twist of the slider at the ring centre; the rotation in motion/length"),
 }

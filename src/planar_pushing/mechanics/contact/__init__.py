@@ -6,7 +6,7 @@ from planar_pushing.mechanics.contact.laws import (
     InfiniteFriction,
     PerfectlyRough,
 )
-from planar_pushing.mechanics.contact.modes import ContactMode, Outcome
+from planar_pushing.mechanics.contact.modes import ContactMode, Outcome, Status
 
 __all__ = [
     "ContactLaw",
@@ -15,4 +15,5 @@ __all__ = [
     "InfiniteFriction",
     "Outcome",
     "PerfectlyRough",
+    "Status",
 ]

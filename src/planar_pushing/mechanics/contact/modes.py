@@ -37,3 +37,22 @@ class Outcome(IntEnum):
 
     __str__ = _name
     __format__ = _formatted
+
+
+class Status(IntEnum):
+    """What is known of the solutions of one push, or of a curve at one angle.
+
+    `NONE`: no mode is consistent. `CONSISTENT`: every solution is a motion of its own. `PIVOTS`: one of
+    them is a rotation about a support point, which belongs to an interval of forces. `CONTINUUM`: one of them
+    is an end of a continuum of motions. `UNSOLVED`: an iteration has not settled, or more than the known
+    number of slips was found.
+    """
+
+    NONE = 0
+    CONSISTENT = 1
+    PIVOTS = 2
+    CONTINUUM = 3
+    UNSOLVED = 4
+
+    __str__ = _name
+    __format__ = _formatted

@@ -1,34 +1,67 @@
 """The interface of an effect: a convex potential of the twist, whose gradient is the wrench.
 
-Formulas work without dimensions: lengths in units of the slider's radius, a motion of an isotropic
-effect as the centre's speed `v` and the rotation ``s = R omega``. A member of the family is a module: a
-named tuple of numbers, and compiled functions of it by the names below. Effects add, so a scene holds a
-tuple of those that it has.
+Formulas work without dimensions: lengths in units of the slider's radius, twists ``(x, y, spin)`` of the body
+frame's origin in the body frame. A member of the family is a module: a named tuple of numbers, and compiled
+functions of it by the names below. Effects add, so a scene holds a tuple of those that it has, in any order
+and number.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import hypot
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
-from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, kernel, owning
+from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, owning
 
 #: Of each kind of effect, its module.
 KINDS: dict[type, Any] = {}
-#: Columns of an array of scenes that hold the effects: weight, mass, square of the radius of gyration,
-#: centre of mass in the body frame, number of the support, and its extent in radii.
-WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, SUPPORT, SCALE = range(7)
-COLUMNS = 7
 
 
 class Effect(Protocol):
-    """Something that resists the slider's motion, as users list it."""
+    """Something that resists or drives the slider's motion, as users list it."""
 
     @property
     def degree(self) -> int:
-        """Degree of homogeneity of the potential: 1 dissipates energy, 2 stores it."""
+        """Degree of homogeneity of the potential."""
         ...
+
+
+class Resistance(NamedTuple):
+    """Gradient and Hessian of a potential at a twist (x, y, spin) about a point.
+
+    Attributes
+    ----------
+    f_x, f_y, torque : float
+        The wrench that sustains the twist; the friction of support points at the center of rotation is
+        left out.
+    xx, xy, yy, xs, ys, ss : float
+        Second derivatives.
+    most : float
+        The largest friction of the points at the center of rotation.
+    point : int
+        Number of the first of these points, -1 without one.
+    """
+
+    f_x: float
+    f_y: float
+    torque: float
+    xx: float
+    xy: float
+    yy: float
+    xs: float
+    ys: float
+    ss: float
+    most: float
+    point: int
+
+
+class Moment(NamedTuple):
+    """Mass, first moments and moment of inertia about a point."""
+
+    mass: float
+    x: float
+    y: float
+    whole: float
 
 
 def member(kind: type, name: str) -> Callable[..., Any]:
@@ -37,166 +70,197 @@ def member(kind: type, name: str) -> Callable[..., Any]:
     return found
 
 
-@generic
-def response(kind: Any) -> Callable[..., Any]:
-    """Gradient and second derivative of the potential at a motion (v, s) that is not rest.
+def _summed(name: str, first: Callable[..., Any], both: Callable[..., Any]) -> Any:
+    """Choice of a member's function, or of the sum over a tuple of effects."""
 
-    Parameters
-    ----------
-    effects : named tuple, or tuple of named tuples
-        One effect, or several, which add.
-    speed, spin : float
-        ``v >= 0`` and ``s = R omega``.
+    def choose(kind: Any) -> Callable[..., Any]:
+        if isinstance(kind, tuple):
+            return first if len(kind) == 1 else both
+        return member(kind, name)
 
-    Returns
-    -------
-    force, torque, vv, vs, ss : float
-        Force along the motion, torque, and the derivatives of both by v and s.
-    """
-    if isinstance(kind, tuple):
-        return _single if len(kind) == 1 else _sum
-    return member(kind, "response")
+    return choose
 
 
 @compiled
-def _single(effects, speed, spin):
-    return response(effects[0], speed, spin)
+def _resistance(effects, x, y, spin, blur):
+    return resistance(effects[0], x, y, spin, blur)
 
 
 @compiled
-def _sum(effects, speed, spin):
-    a, b, c, d, e = response(effects[0], speed, spin)
-    f, g, h, i, j = response(effects[1:], speed, spin)
-    return a + f, b + g, c + h, d + i, e + j
+def _resistances(effects, x, y, spin, blur):
+    one = resistance(effects[0], x, y, spin, blur)
+    other = resistance(effects[1:], x, y, spin, blur)
+    point = one.point
+    if point < 0 and other.point >= 0:
+        point = count_points(effects[0]) + other.point
+    return Resistance(
+        one.f_x + other.f_x, one.f_y + other.f_y, one.torque + other.torque,
+        one.xx + other.xx, one.xy + other.xy, one.yy + other.yy,
+        one.xs + other.xs, one.ys + other.ys, one.ss + other.ss,
+        one.most + other.most, point,
+    )  # fmt: skip
 
 
-@generic
-def wrench_of(kinds: Any) -> Callable[..., Any]:
-    """Force and torque at a motion (v_x, v_y, s) of the origin that is not rest: effects, v_x, v_y, s.
-
-    The frame is that of the motion; effects that are not isotropic see the body frame.
-    """
-    return _along_motion if hasattr(KINDS[kinds[0]], "response") else _of_gradient
-
-
-@compiled
-def _along_motion(effects, x, y, spin):
-    speed = hypot(x, y)
-    force, torque, _, _, _ = response(effects, speed, spin)
-    if speed == 0.0:
-        return 0.0, 0.0, torque
-    return force * (x / speed), force * (y / speed), torque
+#: `Resistance` at a twist that is not rest, about the origin: effect or effects, x, y, spin, and the
+#: rounding error of x and y, within which points are at the center of rotation.
+resistance = generic(_summed("resistance", _resistance, _resistances))
 
 
 @compiled
-def _of_gradient(effects, x, y, spin):
-    return gradient(effects, x, y, spin)[:3]
-
-
-@generic
-def scaled(kind: Any) -> Callable[..., Any]:
-    """A mass times a factor: effect, factor."""
-    return member(kind, "scaled")
-
-
-@generic_owning
-def made(kind: Any) -> Callable[..., Any]:
-    """Effects of the kinds of a tuple, with the numbers of a row of an array of scenes."""
-    if isinstance(kind, tuple):
-        return _made_single if len(kind) == 1 else _made_all
-    return member(kind, "made")
-
-
-@kernel
-@owning
-def _made_single(effects, row):
-    return (made(effects[0], row),)
-
-
-@kernel
-@owning
-def _made_all(effects, row):
-    return (made(effects[0], row), *made(effects[1:], row))
-
-
-@generic
-def spin_ratio_alone(kind: Any) -> Callable[..., Any]:
-    """Spin ratio ``k = s / v`` of an effect that alone meets a force of a moment arm >= 0, in radii."""
-    return member(kind, "spin_ratio")
-
-
-@generic
-def leverages_alone(kind: Any) -> Callable[..., Any]:
-    """Least and greatest moment arm per spin ratio, ``h / k``, of an effect that is alone."""
-    return member(kind, "leverages")
-
-
-@generic
-def gradient(kind: Any) -> Callable[..., Any]:
-    """Gradient and second derivative of the potential at a motion (v_x, v_y, s) of the origin, body frame.
-
-    Parameters
-    ----------
-    effects : named tuple, or tuple of named tuples
-        One effect, or several, which add.
-    x, y, spin : float
-        Not all zero.
-
-    Returns
-    -------
-    f_x, f_y, torque, xx, xy, yy, xs, ys, ss : float
-        At an atom of the support its own force is left out.
-    """
-    if isinstance(kind, tuple):
-        return _single_gradient if len(kind) == 1 else _sum_of_gradients
-    return member(kind, "gradient")
+def _moment(effects, speed, x, y):
+    return moment(effects[0], speed, x, y)
 
 
 @compiled
-def _single_gradient(effects, x, y, spin):
-    return gradient(effects[0], x, y, spin)
+def _moments(effects, speed, x, y):
+    one, other = moment(effects[0], speed, x, y), moment(effects[1:], speed, x, y)
+    return Moment(
+        one.mass + other.mass, one.x + other.x, one.y + other.y, one.whole + other.whole
+    )
+
+
+#: `Moment` about (x, y) of the mass whose inertia an effect roughly equals at a speed, for first guesses:
+#: effect or effects, speed, x, y.
+moment = generic(_summed("moment", _moment, _moments))
 
 
 @compiled
-def _sum_of_gradients(effects, x, y, spin):
-    a, b, c, xx, xy, yy, xs, ys, ss = gradient(effects[0], x, y, spin)
-    d, e, f, uu, uv, vv, us, vs, tt = gradient(effects[1:], x, y, spin)
-    return a + d, b + e, c + f, xx + uu, xy + uv, yy + vv, xs + us, ys + vs, ss + tt
-
-
-@generic
-def wrench_about(kind: Any) -> Callable[..., Any]:
-    """Force and torque about the origin of a rotation about a support point, whose own force is left out.
-
-    Parameters are effect or effects, number of the point, spin, and place of the point in the body frame.
-    """
-    if isinstance(kind, tuple):
-        return _single_wrench if len(kind) == 1 else _sum_of_wrenches
-    return member(kind, "wrench_about")
+def moment_of(mass, gyration, x, y):
+    """Moments of a mass at (x, y) from a point, with the square of its radius of gyration."""
+    return Moment(mass, mass * x, mass * y, mass * (x * x + y * y + gyration))
 
 
 @compiled
-def _single_wrench(effects, i, spin, c_x, c_y):
-    return wrench_about(effects[0], i, spin, c_x, c_y)
+def _count(effects):
+    return count_points(effects[0])
 
 
 @compiled
-def _sum_of_wrenches(effects, i, spin, c_x, c_y):
-    a, b, c = wrench_about(effects[0], i, spin, c_x, c_y)
-    d, e, f = wrench_about(effects[1:], i, spin, c_x, c_y)
+def _counts(effects):
+    return count_points(effects[0]) + count_points(effects[1:])
+
+
+#: Number of support points: effect or effects.
+count_points = generic(_summed("count_points", _count, _counts))
+
+
+@compiled
+def _place(effects, i):
+    return place(effects[0], i)
+
+
+@compiled
+def _places(effects, i):
+    count = count_points(effects[0])
+    return place(effects[0], i) if i < count else place(effects[1:], i - count)
+
+
+#: Position of a support point in the body frame: effect or effects, number of the point.
+place = generic(_summed("place", _place, _places))
+
+
+@compiled
+def _pull(effects):
+    return pull(effects[0])
+
+
+@compiled
+def _pulls(effects):
+    (a, b, c), (d, e, f) = pull(effects[0]), pull(effects[1:])
     return a + d, b + e, c + f
 
 
-@generic
-def rough(kind: Any) -> Callable[..., Any]:
-    """Centre, and square of the radius of gyration, of the mass that an effect roughly acts like."""
-    return member(kind, "rough")
+#: Wrench about the origin that acts on the slider whatever its motion: effect or effects.
+pull = generic(_summed("pull", _pull, _pulls))
 
 
-@generic
-def fastest(kind: Any) -> Callable[..., Any]:
-    """Greatest rotation that an effect alone may have, of a contact of unit speed; 0 for a mass.
+@compiled
+def _energy(effects, x, y, spin):
+    return energy(effects[0], x, y, spin)
 
-    Parameters are effect and rod length.
-    """
-    return member(kind, "fastest")
+
+@compiled
+def _energies(effects, x, y, spin):
+    return energy(effects[0], x, y, spin) + energy(effects[1:], x, y, spin)
+
+
+#: Potential of degree 2 at a twist, of inertia the kinetic energy: effect or effects, x, y, spin.
+energy = generic(_summed("energy", _energy, _energies))
+
+
+@owning
+def _scaled(effects, one, two):
+    return (scaled(effects[0], one, two),)
+
+
+@owning
+def _scaled_all(effects, one, two):
+    return (scaled(effects[0], one, two), *scaled(effects[1:], one, two))
+
+
+#: Effects whose forces are multiplied by a factor: by the first where the potential has degree 1, by the second
+#: where it has degree 2: effect or effects, and the factors.
+scaled = generic_owning(_summed("scaled", _scaled, _scaled_all))
+
+
+@owning
+def _made(kinds, row, start):
+    return (made(kinds[0], row, start),)
+
+
+@owning
+def _made_all(kinds, row, start):
+    return (made(kinds[0], row, start), *made(kinds[1:], row, start + count_fields(kinds[0])))
+
+
+def _make(kind: Any) -> Callable[..., Any]:
+    if isinstance(kind, tuple):
+        return _made if len(kind) == 1 else _made_all
+    return member(kind, "made")
+
+
+#: Effects of the kinds of a tuple with the numbers of a row, from a column on: kinds, row, column.
+made = generic_owning(_make)
+
+
+@compiled
+def _count_fields(kinds):
+    return count_fields(kinds[0])
+
+
+@compiled
+def _count_all_fields(kinds):
+    return count_fields(kinds[0]) + count_fields(kinds[1:])
+
+
+#: How many columns effects take: effect or effects.
+count_fields = generic(_summed("count_fields", _count_fields, _count_all_fields))
+
+
+@compiled
+def no_points(effect):
+    """Members without support points have this as `count_points`."""
+    return 0
+
+
+@compiled
+def no_place(effect, i):
+    """Members without support points have this as `place`."""
+    return 0.0, 0.0
+
+
+@compiled
+def no_pull(effect):
+    """Members that exert nothing at rest have this as `pull`."""
+    return 0.0, 0.0, 0.0
+
+
+@compiled
+def no_energy(effect, x, y, spin):
+    """Members whose potential is not of degree 2 have this as `energy`."""
+    return 0.0
+
+
+def is_steady(kinds: tuple[Any, ...]) -> bool:
+    """Whether all potentials have one degree: the direction of a motion is then that of any multiple."""
+    return len({KINDS[kind].DEGREE for kind in kinds}) == 1

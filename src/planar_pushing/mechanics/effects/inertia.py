@@ -6,7 +6,13 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import GYRATION, MASS
+from planar_pushing.mechanics.effects.base import (
+    Resistance,
+    moment_of,
+    no_place,
+    no_points,
+    no_pull,
+)
 from planar_pushing.terms.domain import Number, require_fields, required
 from planar_pushing.terms.errors import InvalidValue
 
@@ -50,33 +56,53 @@ class Inertia:
 
 
 class Mass(NamedTuple):
-    """Inertia in the compiled core: mass, and the square of the radius of gyration in radii."""
+    """A mass in the compiled core: the square of its radius of gyration, and its center, body frame."""
 
     mass: float
     gyration: float
+    x: float
+    y: float
+
+
+#: Degree of homogeneity.
+DEGREE = 2
 
 
 @compiled
-def response(effect, speed, spin):
-    moment = effect.mass * effect.gyration
-    return effect.mass * speed, moment * spin, effect.mass, 0.0, moment
+def made(effect, row, i):
+    return Mass(row[i], row[i + 1], row[i + 2], row[i + 3])
 
 
 @compiled
-def made(effect, row):
-    return Mass(row[MASS], row[GYRATION])
+def count_fields(effect):
+    return 4
 
 
 @compiled
-def spin_ratio(effect, arm):
-    return arm / effect.gyration  # Eq. (10)
+def scaled(effect, one, two):
+    return Mass(two * effect.mass, effect.gyration, effect.x, effect.y)
 
 
 @compiled
-def leverages(effect):
-    return effect.gyration, effect.gyration
+def resistance(effect, x, y, spin, blur):
+    mass, gyration, own_x, own_y = effect
+    f_x, f_y = mass * (x - spin * own_y), mass * (y + spin * own_x)
+    torque = mass * gyration * spin + own_x * f_y - own_y * f_x
+    whole = mass * (gyration + own_x * own_x + own_y * own_y)
+    return Resistance(
+        f_x, f_y, torque, mass, 0.0, mass, -mass * own_y, mass * own_x, whole, 0.0, -1
+    )
 
 
 @compiled
-def scaled(effect, factor):
-    return Mass(factor * effect.mass, effect.gyration)
+def moment(effect, speed, x, y):
+    return moment_of(effect.mass, effect.gyration, effect.x - x, effect.y - y)
+
+
+@compiled
+def energy(effect, x, y, spin):
+    v_x, v_y = x - spin * effect.y, y + spin * effect.x
+    return effect.mass * (v_x * v_x + v_y * v_y + effect.gyration * spin * spin) / 2.0
+
+
+count_points, place, pull = no_points, no_place, no_pull

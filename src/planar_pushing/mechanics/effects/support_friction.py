@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import WEIGHT
-from planar_pushing.mechanics.supports import ring
 from planar_pushing.mechanics.supports.base import is_kind
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.domain import Number, require_fields
@@ -80,32 +77,3 @@ class RingFriction:
     @property
     def degree(self) -> int:
         return 1
-
-
-class RingSupport(NamedTuple):
-    """Friction of a ring in the compiled core."""
-
-    weight: float
-
-
-@compiled
-def response(effect, speed, spin):
-    weight = effect.weight
-    force, torque, vv, vs, ss = ring.ring_response(speed, spin)
-    return weight * force, weight * torque, weight * vv, weight * vs, weight * ss
-
-
-@compiled
-def made(effect, row):
-    return RingSupport(row[WEIGHT])
-
-
-@compiled
-def spin_ratio(effect, arm):
-    return ring.ring_spin_ratio(arm)
-
-
-@compiled
-def leverages(effect):
-    """``H(k) / k``: 1/2 for a motion centre far away, 2 for one at the ring's centre."""
-    return 0.5, 2.0

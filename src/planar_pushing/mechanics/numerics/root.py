@@ -1,15 +1,10 @@
-"""Roots of functions of one number in a bracket."""
+"""Roots and dips of functions of one number, ``function(arguments, x)``, in brackets."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import inf, sqrt
-from typing import Any
+from math import sqrt
 
-from planar_pushing.mechanics.compiled import compiled, generic
-
-#: Of each kind of equation, the function behind `excess`.
-EQUATIONS: dict[type, Callable[..., Any]] = {}
+from planar_pushing.mechanics.compiled import compiled
 
 EPSILON = 2.220446049250313e-16
 #: Newton steps below this part of the root that shrink by more than this factor converge quadratically:
@@ -17,22 +12,15 @@ EPSILON = 2.220446049250313e-16
 #: steps in a row are this small relative to the root, the iteration ends. Beside an infinite slope steps
 #: shrink slowly.
 NEAR, QUADRATIC, SETTLED = 0.1, 0.02, 1e-12
-#: More than bisection needs to take a bracket of the domain to its end.
-STEPS = 200
-
-
-@generic
-def excess(kind: Any) -> Callable[..., Any]:
-    """Value and slope at x of an equation: a named tuple of what it holds besides x."""
-    return EQUATIONS[kind]
-
-
-@compiled
-def _middle(low, high):
-    """Middle of a bracket; of one that spans sizes, the middle of the sizes."""
-    if low > 0.0 and high > 4.0 * low:
-        return sqrt(low) * sqrt(high)
-    return low + (high - low) / 2
+#: Relative resolution of a root, some units in the last place.
+RESOLUTION = 1e-15
+#: More than bisection needs to come to zero through all the exponents.
+ITERATIONS = 2000
+#: Steps out to a bracket, each eight times the last.
+DOUBLINGS = 60
+#: Golden section, and the number of sections for the least value of a dip: to 1e-7 of its width, where the
+#: value is known to 1e-14 of its depth.
+SECTION, SECTIONS = (3.0 - sqrt(5.0)) / 2.0, 34
 
 
 @compiled
@@ -43,60 +31,75 @@ def is_last(size, before):
 
 
 @compiled
-def root(equation, low, high, start):
-    """Root of an equation whose value increases between low and high.
-
-    Parameters
-    ----------
-    equation : named tuple
-        Of a kind in `EQUATIONS`.
-    low, high, start : float
-        Bracket, and a first guess in it.
-
-    Returns
-    -------
-    x : float
-    found : bool
-        Whether the value changes its sign in the bracket; where it does not, x is the end at which
-        it is nearer to a root.
-
-    Notes
-    -----
-    Newton's method; where a step leaves the bracket, or steps do not shrink, the bracket is halved. The
-    ends are not evaluated unless the iteration arrives there.
-    """
-    x, last, newton = start, high - low, False
-    above, below = False, False
-    for _ in range(STEPS):
-        value, slope = excess(equation, x)
-        if value == 0.0:
-            return x, True
-        if value > 0.0:
-            high, above = x, True
-        else:
-            low, below = x, True
-        new = x - value / slope if slope > 0.0 else inf
-        step, before = abs(new - x), newton
-        newton = low <= new <= high and slope < inf
-        newton = newton and (step <= last / 2 or step <= SETTLED * abs(new))
-        if newton:
-            quadratic = last <= NEAR * abs(new) and step <= QUADRATIC * last
-            ends = quadratic and step**3 <= EPSILON * abs(new) * last**2
-            if before and (ends or max(step, last) <= SETTLED * abs(new)):
-                return new, True
-        elif high - low <= 2.0 * EPSILON * max(abs(low), abs(high)):
-            return x, _crosses(equation, low, high, above, below)
-        else:
-            new = _middle(low, high)
-            step = abs(new - x)
-        x, last = new, step
-    return x, _crosses(equation, low, high, above, below)
+def _part(a, b, c, at_a, at_b, at_c):
+    """Part of the bracket from a to b where inverse quadratic interpolation has the root, or half."""
+    part = 0.5
+    if c != b and at_c != at_a and at_c != at_b:
+        place, height = (a - b) / (c - b), (at_a - at_b) / (at_c - at_b)
+        if height * height < place and (1.0 - height) * (1.0 - height) < 1.0 - place:
+            part = at_a / (at_b - at_a) * at_c / (at_b - at_c)
+            part += (c - a) / (b - a) * at_a / (at_c - at_a) * at_b / (at_c - at_b)
+    return part
 
 
 @compiled
-def _crosses(equation, low, high, above, below):
-    if not above:
-        above = excess(equation, high)[0] >= 0.0
-    if not below:
-        below = excess(equation, low)[0] <= 0.0
-    return above and below
+def root(function, arguments, low, high, at_low, at_high, resolution=RESOLUTION):
+    """Root between two numbers at which the values have opposite signs.
+
+    Chandrupatla's method (Advances in Engineering Software 28, 1997): inverse quadratic interpolation where
+    the function is smooth enough for it, bisection elsewhere.
+    """
+    a, b, c = high, low, high
+    at_a, at_b, at_c = at_high, at_low, at_high
+    part = 0.5
+    for _ in range(ITERATIONS):
+        x = a + part * (b - a)
+        value = function(arguments, x)
+        if (value > 0.0) == (at_a > 0.0):
+            c, at_c = a, at_a
+        else:
+            c, b, at_c, at_b = b, a, at_b, at_a
+        a, at_a = x, value
+        best, least = (a, at_a) if abs(at_a) < abs(at_b) else (b, at_b)
+        if least == 0.0 or abs(b - a) <= 2.0 * resolution * abs(best):
+            return best
+        limit = resolution * abs(best) / abs(b - a)
+        part = min(max(_part(a, b, c, at_a, at_b, at_c), limit), 1.0 - limit)
+    return a
+
+
+@compiled
+def dip(function, arguments, low, middle, high, at_middle, bound=0.0):
+    """A place in a dip where a function is below a bound, and the value there; the least one without any.
+
+    Golden sections about the middle one of three places, at which the function is least.
+    """
+    place, value = middle, at_middle
+    for _ in range(SECTIONS):
+        left = place - low > high - place
+        other = place - SECTION * (place - low) if left else place + SECTION * (high - place)
+        at_other = function(arguments, other)
+        if at_other < value:
+            low, high = (low, place) if left else (place, high)
+            place, value = other, at_other
+        else:
+            low, high = (other, high) if left else (low, other)
+        if value < bound:
+            break
+    return place, value
+
+
+@compiled
+def increasing_root(function, arguments, start, step):
+    """Root of a function that increases, from a first guess and the size of a first step to its other side."""
+    low, at_low = start, function(arguments, start)
+    sense = -1.0 if at_low > 0.0 else 1.0
+    for _ in range(DOUBLINGS):
+        high = start + sense * step
+        at_high = function(arguments, high)
+        if at_low == 0.0 or (at_high > 0.0) != (at_low > 0.0):
+            break
+        low, at_low, step = high, at_high, 8.0 * step
+    if at_low == 0.0:
+        return low
+    return root(function, arguments, low, high, at_low, at_high)

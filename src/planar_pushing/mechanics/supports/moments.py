@@ -61,7 +61,13 @@ def moments(pressure, c_x, c_y):
     -y, x) and the torque ``sgn(omega) T`` about the centre of pressure, and its potential is |omega| D. In
     the limit of a translation v the potential is |v|, the force v / |v|, and the torque zero.
     """
-    total, atom = of_atoms(pressure, c_x, c_y)
+    return moments_within(pressure, c_x, c_y, 0.0)
+
+
+@compiled
+def moments_within(pressure, c_x, c_y, blur):
+    """As `moments`; the center is known within `blur`, and is on the atoms that are no further away."""
+    total, atom = of_atoms(pressure, c_x, c_y, blur * blur)
     total = of_segments(total, pressure, c_x, c_y)
     total = of_rings(total, pressure, c_x, c_y)
     total = of_discs(total, pressure, c_x, c_y)

@@ -59,15 +59,18 @@ class Points:
 
 
 @summing
-def of_atoms(pressure, x, y):
-    """Sum over the atoms, its torque about p, and which is at (x, y), or -1; that one gives no force."""
+def of_atoms(pressure, x, y, blur):
+    """Sum over the atoms, its torque about p, and which is at (x, y), or -1; that one gives no force.
+
+    `blur` is the square of the distance within which an atom is there.
+    """
     rows, first, hit = pressure.rows, pressure.starts[ATOMS], -1
     distance, unit_x, unit_y, torque, xx, xy, yy = NOTHING
     for i in range(first, pressure.starts[SEGMENTS]):
         q_x, q_y, share = rows[i, 0], rows[i, 1], rows[i, 2]
         r_x, r_y = q_x - x, q_y - y
         square = r_x * r_x + r_y * r_y
-        apart = square > rows[i, 3]
+        apart = square > max(rows[i, 3], blur)
         hit = max(hit, -1 if apart else i - first)
         # The square root and the division do not wait for one another.
         away, bend = sqrt(square), (1.0 if apart else 0.0) / (square if apart else 1.0)

@@ -1,0 +1,101 @@
+"""A load in the plane: a tilted table, an object that gravity pulls."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.effects.base import (
+    Moment,
+    Resistance,
+    no_energy,
+    no_place,
+    no_points,
+)
+from planar_pushing.terms.domain import Number, required
+from planar_pushing.terms.errors import InvalidValue
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Load:
+    """A constant force at a point of the slider: potential ``-g . v`` of the point's velocity.
+
+    Parameters
+    ----------
+    force : (x, y), of floats or arrays
+        g, along and normal to the fence at time 0; it keeps its direction in the world.
+    center : (x, y), of floats or arrays, optional
+        The point in the body frame; by default the center of mass, without inertia the slider's center.
+
+    Raises
+    ------
+    InvalidValue
+        Where force or center are not two finite numbers.
+    """
+
+    force: tuple[Number, Number]
+    center: tuple[Number, Number] | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "force", _pair("force", self.force))
+        if self.center is not None:
+            object.__setattr__(self, "center", _pair("center", self.center))
+
+    @property
+    def degree(self) -> int:
+        return 1
+
+
+def _pair(name: str, given: Any) -> tuple[Number, Number]:
+    if not isinstance(given, (tuple, list)) or len(given) != 2:
+        raise InvalidValue(name, given, "two finite numbers", "give its parts along x and y")
+    x, y = (required(f"load_{name}", each) for each in given)
+    return x, y
+
+
+class Wrench(NamedTuple):
+    """A constant wrench about the origin, body frame."""
+
+    x: float
+    y: float
+    torque: float
+
+
+#: Degree of homogeneity.
+DEGREE = 1
+
+
+@compiled
+def made(effect, row, i):
+    return Wrench(row[i], row[i + 1], row[i + 2])
+
+
+@compiled
+def count_fields(effect):
+    return 3
+
+
+@compiled
+def scaled(effect, one, two):
+    return Wrench(one * effect.x, one * effect.y, one * effect.torque)
+
+
+@compiled
+def resistance(effect, x, y, spin, blur):
+    return Resistance(
+        -effect.x, -effect.y, -effect.torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1
+    )
+
+
+@compiled
+def moment(effect, speed, x, y):
+    return Moment(0.0, 0.0, 0.0, 0.0)
+
+
+@compiled
+def pull(effect):
+    return effect.x, effect.y, effect.torque
+
+
+count_points, place, energy = no_points, no_place, no_energy

@@ -1,0 +1,46 @@
+"""Viscous support friction: a thin film of oil, or friction that grows with speed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from planar_pushing.mechanics.supports.base import is_kind
+from planar_pushing.terms.domain import Number, require_fields
+from planar_pushing.terms.errors import InvalidValue
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Viscous:
+    """Friction in proportion to the speed of each support point: ``c <v^2> / 2`` over the support.
+
+    It resists velocities: in a push from rest of a slider with inertia, whose velocity is zero, it is absent.
+
+    Parameters
+    ----------
+    support : Support
+        Where the slider rests on the plane.
+    coefficient : float or array
+        c > 0: force over speed in a translation.
+
+    Raises
+    ------
+    InvalidValue
+        Where the coefficient is not a positive finite number, or something else than a support is given.
+    """
+
+    support: Any
+    coefficient: Number = 1.0
+
+    def __post_init__(self) -> None:
+        require_fields(self, "coefficient")
+        if not is_kind(type(self.support)):
+            raise InvalidValue(
+                "support", self.support,
+                "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",
+                "construct one of these supports",
+            )  # fmt: skip
+
+    @property
+    def degree(self) -> int:
+        return 2

@@ -1,0 +1,228 @@
+"""The reduced potential of the contact's motion: its gradient and Hessian, by one root for the rotation.
+
+With the rotation eliminated, ``Psi(u) = min over omega`` of the sum of the effects' potentials at the twist
+whose contact moves by `u` (Secs. 3 and 4). Psi is convex; its gradient is the force of the pusher, and the
+torque about the contact is zero by the minimum. All is in the body frame, lengths in radii.
+
+The torque increases with the rotation. Where the center of rotation is a support point it jumps by twice what
+that point's friction can take: a root within the jump is a pivot, and leaves an interval of forces.
+"""
+
+from __future__ import annotations
+
+from math import copysign, inf, nan, sqrt
+from typing import NamedTuple
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.effects.base import (
+    Resistance,
+    count_points,
+    moment,
+    place,
+    resistance,
+)
+from planar_pushing.mechanics.numerics.root import EPSILON, is_last
+
+#: Rounding error of a motion, relative to its parts.
+ROUNDING = 4.0 * EPSILON
+#: Rounding error of a pivot's friction, relative to the share of the point: sums over some dozens of points.
+SHARE = 1e-13
+#: Steps to a rotation at most: bisection takes a bracket through 1e16 sizes to its last digit.
+STEPS = 120
+NOWHERE = -1
+
+
+class Contact(NamedTuple):
+    """Position of the contact in the body frame.
+
+    `reach` is its distance from the origin, and (a_x, a_y) the direction in which the origin moves by a
+    rotation about the contact.
+    """
+
+    x: float
+    y: float
+    reach: float
+    a_x: float
+    a_y: float
+
+
+class Psi(NamedTuple):
+    """Motion of the slider under one motion of the contact, and gradient and Hessian of Psi there.
+
+    Attributes
+    ----------
+    v_x, v_y, spin : float
+        Twist of the origin.
+    f_x, f_y : float
+        Force at the contact; of a pivot the middle of its interval.
+    xx, xy, yy : float
+        Hessian of Psi; of a pivot that of the motion about the point.
+    turn_x, turn_y : float
+        Derivatives of the rotation by the contact's motion.
+    free_x, free_y : float
+        Half of a pivot's interval of forces, zero elsewhere.
+    point : int
+        Number of the support point about which the slider pivots, -1 without one.
+    noise : float
+        Rounding error of the force.
+    found : bool
+        Whether the iteration has settled.
+    """
+
+    v_x: float
+    v_y: float
+    spin: float
+    f_x: float
+    f_y: float
+    xx: float
+    xy: float
+    yy: float
+    turn_x: float
+    turn_y: float
+    free_x: float
+    free_y: float
+    point: int
+    noise: float
+    found: bool
+
+
+@compiled
+def contact_at(x, y):
+    """The contact at a position of the body frame."""
+    reach = sqrt(x * x + y * y)
+    return Contact(x, y, reach, y / reach, -x / reach) if reach > 0.0 else Contact(x, y, 0.0, 1.0, 0.0)
+
+
+@compiled
+def about(effects, at, x, y, spin, blur):
+    """`Resistance` about the contact at a twist (x, y, spin) of the origin."""
+    now = resistance(effects, x, y, spin, blur)
+    a, b = at.y, -at.x
+    across, turn = now.xs + a * now.xx + b * now.xy, now.ys + a * now.xy + b * now.yy
+    return Resistance(
+        now.f_x, now.f_y, now.torque + (a * now.f_x + b * now.f_y), now.xx, now.xy, now.yy, across, turn,
+        now.ss + a * (now.xs + across) + b * (now.ys + turn), now.most, now.point,
+    )  # fmt: skip
+
+
+@compiled
+def spin_guess(effects, at, x, y):
+    """A first guess of the rotation of a contact that moves by (x, y), exact for a mass."""
+    rough = moment(effects, sqrt(x * x + y * y), at.x, at.y)
+    return (rough.y * x - rough.x * y) / rough.whole
+
+
+@compiled
+def _cut(effects, at, x, y, low, high, start):
+    """Where a bracket is cut: at the rotation about the point nearest to its middle, else in the middle.
+
+    The torque of a point is steepest there. Rotations count from `start`.
+    """
+    middle, least = low + (high - low) / 2.0, (high - low) / 2.0
+    found = middle
+    for i in range(count_points(effects)):
+        p_x, p_y = place(effects, i)
+        r_x, r_y = p_x - at.x, p_y - at.y
+        square = r_x * r_x + r_y * r_y
+        if square > 0.0:
+            turn = (x * r_y - y * r_x) / square - start
+            if low < turn < high and abs(turn - middle) < least:
+                found, least = turn, abs(turn - middle)
+    return found
+
+
+@compiled
+def psi(effects, at, x, y, guess):
+    """Psi at a motion (x, y) of the contact that is not rest, from a guess of the rotation.
+
+    Of a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; of a
+    short one the rotation.
+    """
+    along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
+    far = at.reach > 1.0
+    start, rest = (-along / at.reach, 0.0) if far else (0.0, along)
+    p_x, p_y = x - along * at.a_x, y - along * at.a_y
+    q, low, high, last = guess - start, -inf, inf, inf
+    for _ in range(STEPS):
+        spin, carried = start + q, rest + at.reach * q
+        v_x, v_y = p_x + carried * at.a_x, p_y + carried * at.a_y
+        blur = ROUNDING * (speed + at.reach * abs(spin))
+        now = about(effects, at, v_x, v_y, spin, blur)
+        value = now.torque
+        if now.most > 0.0:
+            hold = now.most * speed / abs(spin)
+            if abs(value) <= hold * (1.0 + SHARE):
+                return _pivot(effects, at, x, y, now.point)
+            value -= copysign(hold, value)
+        step = -value / now.ss if now.ss > 0.0 else copysign(inf, -value)
+        scale = (abs(v_x) + abs(v_y) + abs(spin)) / (1.0 + at.reach)
+        size = abs(step) / scale if value != 0.0 else 0.0
+        if is_last(size, last):
+            return _settled(now, at, v_x, v_y, spin, step if value != 0.0 else 0.0, speed, True)
+        if value > 0.0:
+            high = q
+        else:
+            low = q
+        new = q + step
+        if not (low < new < high) or size > last / 2.0:
+            if high - low <= ROUNDING * scale:
+                return _settled(now, at, v_x, v_y, spin, 0.0, speed, True)
+            last, new = inf, _next(effects, at, x, y, low, high, start, q, scale)
+        elif not abs(step) < 8.0 * (abs(q) + scale):
+            last, new = inf, q + copysign(8.0 * (abs(q) + scale), step)
+        else:
+            last = size
+        q = new
+    return _settled(now, at, v_x, v_y, spin, 0.0, speed, False)
+
+
+@compiled
+def _next(effects, at, x, y, low, high, start, q, scale):
+    """The next trial where Newton's method fails: beyond an open end of the bracket, or within it."""
+    if low == -inf:
+        return q - 8.0 * (abs(q) + scale)
+    if high == inf:
+        return q + 8.0 * (abs(q) + scale)
+    return _cut(effects, at, x, y, low, high, start)
+
+
+@compiled
+def _settled(now, at, v_x, v_y, spin, step, speed, found):
+    """Psi from what is felt one last Newton step before the root."""
+    turn_x, turn_y = (-now.xs / now.ss, -now.ys / now.ss) if now.ss > 0.0 else (0.0, 0.0)
+    xx, xy, yy = now.xx + turn_x * now.xs, now.xy + turn_x * now.ys, now.yy + turn_y * now.ys
+    f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
+    force = abs(f_x) + abs(f_y)
+    noise = (1.0 + (1.0 + at.reach) * (abs(turn_x) + abs(turn_y))) * force
+    noise += (abs(xx) + abs(xy) + abs(yy)) * speed
+    carried = step * at.reach
+    return Psi(
+        v_x + carried * at.a_x, v_y + carried * at.a_y, spin + step, f_x, f_y, xx, xy, yy,
+        turn_x, turn_y, 0.0, 0.0, NOWHERE, ROUNDING * noise, found,
+    )  # fmt: skip
+
+
+@compiled
+def _pivot(effects, at, x, y, i):
+    """Psi of a motion about a support point, which carries the torque that the rest leaves.
+
+    With the point at r from the contact, its friction e is any with ``r x e`` given and |e| at most its
+    share: a part across r is known, the part along r is free up to an interval.
+    """
+    p_x, p_y = place(effects, i)
+    r_x, r_y = p_x - at.x, p_y - at.y
+    square = r_x * r_x + r_y * r_y
+    reach = sqrt(square)
+    spin = (x * r_y - y * r_x) / square
+    v_x, v_y = spin * p_y, -spin * p_x
+    blur = ROUNDING * abs(spin) * (reach + at.reach)
+    now = about(effects, at, v_x, v_y, spin, blur)
+    part = -now.torque / reach
+    free = sqrt(max(now.most * now.most - part * part, 0.0)) / reach
+    turn_x, turn_y = r_y / square, -r_x / square
+    f_x, f_y = now.f_x - part * r_y / reach, now.f_y + part * r_x / reach
+    noise = abs(now.f_x) + abs(now.f_y) + now.most + abs(part)
+    return Psi(
+        v_x, v_y, spin, f_x, f_y, now.xx, now.xy, now.yy, turn_x, turn_y,
+        free * r_x, free * r_y, i, 4.0 * ROUNDING * noise, True,
+    )  # fmt: skip

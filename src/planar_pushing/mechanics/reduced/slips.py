@@ -1,0 +1,194 @@
+"""The slips under an edge of the friction cone: the roots of the force across it along the fence.
+
+The motions of the contact have the pusher's normal part; s is their part along the fence, in the sense of the
+edge's force, from the slowest that this force can drive to the pusher's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import asinh, ceil, exp, sinh
+from typing import Any
+
+from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.effects.base import is_steady
+from planar_pushing.mechanics.reduced.way import (
+    FLAT,
+    beside,
+    crossing,
+    first_node,
+    flat_end,
+    is_flat,
+    kink_near,
+    node,
+)
+
+#: Width of a cell in asinh(s / normal part), and least number of cells.
+WIDTH, LEAST = 0.5, 3
+#: The slowest motion along the fence, of one unit: friction or inertia alone counts below it.
+SLOWEST = exp(-32.0)
+#: Where a way is: at its start, outside of a continuum, inside of one.
+REST, OUTSIDE, INSIDE = 0, 1, 2
+#: How often a dip is halved at most.
+HALVINGS = 60
+#: Slips under one edge that are written down.
+SLIPS = 8
+#: Entries of `found`: place, rotation, and whether the slip is an end of a continuum.
+ENTRIES = 3
+
+
+@generic
+def _cells(kinds: Any) -> Callable[..., Any]:
+    """Number of cells between two places of a way: effects, unit, first, last."""
+    return _one_cell if is_steady(kinds) else _many_cells
+
+
+@compiled
+def _one_cell(effects, unit, first, last):
+    return 1
+
+
+@compiled
+def _many_cells(effects, unit, first, last):
+    return max(ceil((asinh(last / unit) - asinh(first / unit)) / WIDTH), LEAST)
+
+
+@compiled
+def slips_along(way, unit, first, last, found):
+    """Write down the roots from `first` to `last`, in this order.
+
+    Parameters
+    ----------
+    way : Way
+        Along the fence; `unit` is the size of its normal part.
+    unit, first, last : float
+    found : ndarray, shape (SLIPS, ENTRIES)
+
+    Returns
+    -------
+    count : int
+        Number of slips, -1 where an iteration has not settled or there are too many.
+    flat : bool
+        Whether the last motions are a part of a continuum.
+    """
+    unit = max(unit, SLOWEST)
+    cells = _cells(way.effects, unit, first, last)
+    start, end = asinh(first / unit), asinh(last / unit)
+    here, count, run = first_node(way, first), 0, REST
+    for i in range(1, cells + 1):
+        s = last if i == cells else unit * sinh(start + (end - start) * i / cells)
+        kink = kink_near(way, here.s, s, here.s)
+        while kink.s == kink.s:
+            there = node(way, kink.s, kink.spin)
+            count, run = _between(way, unit, here, there, found, count, run)
+            if there.before * there.after < 0.0 and not (_is_zero(there, there.before) or _is_zero(there, there.after)):
+                count = _write(there, False, found, count)
+            here = there
+            kink = kink_near(way, here.s, s, here.s)
+        there = beside(way, here, s)
+        count, run = _between(way, unit, here, there, found, count, run)
+        here = there
+    return count, run == INSIDE
+
+
+@compiled
+def _is_zero(at, value):
+    return abs(value) <= at.noise
+
+
+@compiled
+def _write(at, continuum, found, count):
+    """Write down a slip; the number of slips then, -1 where it is none or one too many."""
+    if count < 0 or count == len(found) or not at.found:
+        return -1
+    found[count, 0], found[count, 1], found[count, 2] = at.s, at.spin, 1.0 if continuum else 0.0
+    return count + 1
+
+
+@compiled
+def _between(way, unit, low, high, found, count, run):
+    """Write down the slips between two motions; the number of slips then, and whether it ends in a continuum."""
+    if count < 0 or not (low.found and high.found):
+        return -1, run
+    if _is_zero(low, low.after) or _is_zero(high, high.before):
+        return _touching(way, low, high, found, count, run)
+    if (low.after > 0.0) != (high.before > 0.0):
+        return _write_root(way, unit, low, high, found, count), OUTSIDE
+    bottom = _dip(way, low, high)
+    if (bottom.after > 0.0) != (low.after > 0.0):
+        count = _write_root(way, unit, low, bottom, found, count)
+        count = _write_root(way, unit, bottom, high, found, count)
+    return count, OUTSIDE
+
+
+@compiled
+def _touching(way, low, high, found, count, run):
+    """As `_between`, where the force is along the edge at an end: a root there, or a continuum."""
+    width = high.s - low.s
+    after, before = beside(way, low, low.s + FLAT * width), beside(way, high, high.s - FLAT * width)
+    starts = _is_zero(low, low.after) and _is_zero(after, after.before)
+    ends = _is_zero(high, high.before) and _is_zero(before, before.after)
+    if (starts or run == OUTSIDE) and _is_zero(low, low.after) and run != INSIDE and not (starts and run == REST):
+        count = _write(low, starts, found, count)
+    if starts and ends:
+        return count, INSIDE
+    if starts:
+        count = _write(flat_end(way, after, high), True, found, count)
+    elif run == INSIDE:
+        count = _write(low, True, found, count)
+    if ends:
+        return _write(flat_end(way, before, low), True, found, count), INSIDE
+    if _is_zero(high, high.before) and not _is_zero(high, high.after):
+        count = _write(high, False, found, count)
+    return count, OUTSIDE
+
+
+@compiled
+def _dip(way, low, high):
+    """A motion between two at which the sign is another; the lower one where there is none.
+
+    Halves of a dip are searched while both slopes point into it and the tangents at its sides meet beyond
+    zero.
+    """
+    first, sign = low, 1.0 if low.after > 0.0 else -1.0
+    at_low, at_high = abs(low.after), abs(high.before)
+    for i in range(HALVINGS):
+        width, fall, rise = high.s - low.s, sign * low.slope, sign * high.slope
+        if not fall < 0.0 < rise:
+            break
+        part = (at_low - at_high + rise * width) / (rise - fall)
+        if i > 0 and at_low + part * fall > 0.0:
+            break
+        middle = beside(way, low, low.s + width / 2.0)
+        if sign * middle.after < 0.0:
+            return middle
+        if sign * middle.slope < 0.0:
+            low, at_low = middle, abs(middle.after)
+        else:
+            high, at_high = middle, abs(middle.before)
+    return first
+
+
+@compiled
+def _write_root(way, unit, low, high, found, count):
+    """Write down the slip between two motions of other signs; of a continuum both ends."""
+    start = low.s + min(max(_part(low, high), 0.05), 0.95) * (high.s - low.s)
+    root = crossing(way, low, high, beside(way, low, start))
+    if not is_flat(way, root, abs(root.s) + unit):
+        return _write(root, False, found, count)
+    count = _write(flat_end(way, root, low), True, found, count)
+    return _write(flat_end(way, root, high), True, found, count)
+
+
+@compiled
+def _part(low, high):
+    """Part of the way between two motions after which the inverse cubic through both is zero.
+
+    The secant where the force across the edge does not go one way.
+    """
+    rise, width = high.before - low.after, high.s - low.s
+    part = -low.after / rise
+    if low.slope * rise > 0.0 and high.slope * rise > 0.0:
+        start, end, left = rise / (width * low.slope), rise / (width * high.slope), 1.0 - part
+        part *= part * (3.0 - 2.0 * part) + left * (left * start - part * end)
+    return part

@@ -1,0 +1,157 @@
+"""The motion under a force: the one root of the force across its line, and what fixes its size.
+
+Along a way across the line of force Psi is convex, so the force across it increases, and there is one motion
+with a given part along the line. Of effects of one degree it is the direction of all others.
+"""
+
+from __future__ import annotations
+
+from math import inf
+from typing import NamedTuple
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.effects.base import moment
+from planar_pushing.mechanics.reduced.psi import psi
+from planar_pushing.mechanics.reduced.way import (
+    Way,
+    at_infinity,
+    beside,
+    crossing,
+    first_node,
+    flat_end,
+    is_flat,
+    motion,
+)
+
+
+class Moved(NamedTuple):
+    """A motion of the slider and the force at the contact that sustains it, in the body frame.
+
+    Attributes
+    ----------
+    u_x, u_y : float
+        Motion of the contact.
+    v_x, v_y, spin : float
+        Twist of the origin.
+    f_x, f_y : float
+        Force; of a pivot that is not settled the middle of its interval.
+    free_x, free_y : float
+        Half of that interval, else zero.
+    point : int
+        Number of the support point about which the slider pivots, -1 without one.
+    continuum : bool
+        Whether the motion is an end of a continuum.
+    noise : float
+        Rounding error of the force.
+    found : bool
+        Whether the iterations have settled.
+    """
+
+    u_x: float
+    u_y: float
+    v_x: float
+    v_y: float
+    spin: float
+    f_x: float
+    f_y: float
+    free_x: float
+    free_y: float
+    point: int
+    continuum: bool
+    noise: float
+    found: bool
+
+
+@compiled
+def with_force(moved, f_x, f_y, free_x, free_y):
+    """A motion with another force."""
+    return Moved(
+        moved.u_x, moved.u_y, moved.v_x, moved.v_y, moved.spin, f_x, f_y, free_x, free_y,
+        moved.point, moved.continuum, moved.noise, moved.found,
+    )  # fmt: skip
+
+
+@compiled
+def sticking(effects, at, x, y, guess):
+    """The motion of a contact that moves by (x, y), from a guess of the rotation."""
+    now = psi(effects, at, x, y, guess)
+    return Moved(
+        x, y, now.v_x, now.v_y, now.spin, now.f_x, now.f_y, now.free_x, now.free_y,
+        now.point, False, now.noise, now.found,
+    )  # fmt: skip
+
+
+@compiled
+def moved_at(way, s, spin, continuum):
+    """The motion of a root of a way, with its force taken to be along the edge."""
+    x, y = motion(way, s)
+    now = psi(way.effects, way.at, x, y, spin)
+    part = 0.0
+    half = way.e_x * now.free_y - way.e_y * now.free_x
+    if half != 0.0:
+        part = -(way.e_x * now.f_y - way.e_y * now.f_x) / half
+        part = min(max(part, -1.0), 1.0)
+    size = way.e_x * (now.f_x + part * now.free_x) + way.e_y * (now.f_y + part * now.free_y)
+    return Moved(
+        x, y, now.v_x, now.v_y, now.spin, size * way.e_x, size * way.e_y, 0.0, 0.0,
+        now.point, continuum, now.noise, now.found,
+    )  # fmt: skip
+
+
+@compiled
+def across_force(effects, at, e_x, e_y, along):
+    """The way of motions that have a given part along a line of force."""
+    return Way(effects, at, e_x, e_y, along * e_x, along * e_y, -e_y, e_x)
+
+
+@compiled
+def _start(way, along):
+    """A first guess of the root: that of the mass that the effects roughly equal."""
+    m, x, y, whole = moment(way.effects, along, way.at.x, way.at.y)
+    # The force of a motion (u, spin) without torque is M u, and u its inverse times e but for a factor.
+    u_x = (m - x * x / whole) * way.e_x - x * y / whole * way.e_y
+    u_y = (m - y * y / whole) * way.e_y - x * y / whole * way.e_x
+    across, ahead = way.e_x * u_y - way.e_y * u_x, way.e_x * u_x + way.e_y * u_y
+    return along * across / ahead if ahead > 0.0 else 0.0
+
+
+@compiled
+def _root(way, along):
+    here = first_node(way, _start(way, along))
+    return crossing(way, at_infinity(-inf, -1.0), at_infinity(inf, 1.0), here)
+
+
+@compiled
+def pushed(effects, at, e_x, e_y, along):
+    """The motion under a line of force that has a given part along it; of a continuum one inside."""
+    way = across_force(effects, at, e_x, e_y, along)
+    root = _root(way, along)
+    return moved_at(way, root.s, root.spin, False)
+
+
+@compiled
+def pushed_ends(effects, at, e_x, e_y, along):
+    """The first and the last motion under a line of force that have a given part along it."""
+    way = across_force(effects, at, e_x, e_y, along)
+    root = _root(way, along)
+    low, high = root, root
+    jumps = root.before != root.after
+    touches = jumps and min(abs(root.before), abs(root.after)) <= root.noise
+    if root.found and (touches or is_flat(way, root, abs(root.s) + along)):
+        low, high = _end(way, root, -1.0), _end(way, root, 1.0)
+    continuum = low.s < high.s
+    first = moved_at(way, low.s, low.spin, continuum)
+    return first, moved_at(way, high.s, high.spin, continuum) if continuum else first
+
+
+@compiled
+def _end(way, root, sense):
+    """The end of a continuum about a root, in one sense."""
+    scale, inside = abs(root.s) + abs(way.p_x) + abs(way.p_y), root
+    step = 1e-3 * scale
+    while step < 1e20 * scale:
+        there = beside(way, inside, root.s + sense * step)
+        if max(abs(there.before), abs(there.after)) > there.noise:
+            return flat_end(way, inside, there) if inside.s != root.s else root
+        inside, step = there, 2.0 * step
+    return inside
