@@ -9,7 +9,8 @@ import numpy as np
 
 from mechanics.transcription import cross, gradient, of_places, turned
 
-EPSILON = np.finfo(float).eps
+#: Width of the bracket at the end, relative to the rotation.
+ROUNDING = 1e-15
 #: Steps of the bracket, of which every third halves it.
 STEPS = 150
 #: Distances from the pusher's motion over its magnitude, and from rest over its normal part.
@@ -28,6 +29,12 @@ def torque_at(problem, motion, spin):
     return force, torque
 
 
+def _secant(below, above):
+    """Part of the way between two torques at which the line between them is zero."""
+    apart = np.where(above > below, above - below, 1.0)
+    return np.where(above > below, -below / apart, 0.5)
+
+
 def force_at(problem, motion):
     """Force of the pusher at motions of the contact, in the fence's frame; on a kink, between its sides."""
     body = turned(motion, -problem.psi)
@@ -38,19 +45,22 @@ def force_at(problem, motion):
         if (below <= 0).all() and (above >= 0).all():
             break
         low, high = np.where(below > 0, 4 * low, low), np.where(above < 0, 4 * high, high)
+    active = np.arange(len(body))
     for step in range(STEPS):
-        part = np.where(above > below, -below / np.where(above > below, above - below, 1.0), 0.5)
+        part = _secant(below[active], above[active])
         # Beside the secant's root, alternately above and below, so that both ends come closer.
         part = 0.5 if step % 3 == 2 else part + (-1) ** step * 0.1 * part * (1 - part)
-        middle = low + part * (high - low)
-        torque = torque_at(problem, body, middle)[1]
-        up = torque > 0
-        low, below = np.where(up, low, middle), np.where(up, below, torque)
-        high, above = np.where(up, middle, high), np.where(up, torque, above)
-        if (high - low <= 4 * EPSILON * np.maximum(np.abs(low), np.abs(high))).all():
+        middle = low[active] + part * (high[active] - low[active])
+        torque = torque_at(problem[active], body[active], middle)[1]
+        up, down = active[torque > 0], active[torque <= 0]
+        high[up], above[up] = middle[torque > 0], torque[torque > 0]
+        low[down], below[down] = middle[torque <= 0], torque[torque <= 0]
+        wide = high - low > ROUNDING * np.maximum(np.abs(low), np.abs(high))
+        active = np.flatnonzero(wide & (below < 0))
+        if not len(active):
             break
     (one, below), (other, above) = torque_at(problem, body, low), torque_at(problem, body, high)
-    part = np.where(above > below, -below / np.where(above > below, above - below, 1.0), 0.5)
+    part = _secant(below, above)
     return turned(one + np.clip(part, 0, 1)[:, None] * (other - one), problem.psi)
 
 
