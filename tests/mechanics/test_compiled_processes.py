@@ -89,9 +89,9 @@ def counted(name, function):
     return wrapped
 
 for module in set(base.KINDS.values()):
-    name = "response" if hasattr(module, "response") else "gradient"
-    setattr(module, name, counted(module.__name__.rpartition(".")[2], getattr(module, name)))
-ring.inner = counted("ring", ring.inner)
+    name = module.__name__.rpartition(".")[2]
+    module.resistance = counted(name, module.resistance)
+ring.inner = counted("curves", ring.inner)
 found = {}
 square = pp.SupportFriction(support=pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)]))
 others = {"square": (square,), "square and inertia": (square, pp.Inertia())}
@@ -112,11 +112,11 @@ print(json.dumps(found))
 
 def test_an_absent_effect_is_not_evaluated():
     found = run(COUNTED, NUMBA_DISABLE_JIT="1")
-    assert set(found["friction"]) == {"support_friction", "ring"}
+    assert set(found["friction"]) == {"ring", "curves"}
     assert set(found["inertia"]) == {"inertia"}
-    assert set(found["both"]) == {"support_friction", "inertia", "ring"}
+    assert set(found["both"]) == {"ring", "inertia", "curves"}
     assert set(found["square"]) == {"any_support"}
-    assert set(found["square and inertia"]) == {"any_support", "any_mass"}
+    assert set(found["square and inertia"]) == {"any_support", "inertia"}
     assert all(count > 0 for counts in found.values() for count in counts.values())
 
 
@@ -124,8 +124,7 @@ def test_an_absent_effect_is_not_evaluated():
 
 #: Tests of the formulas, in parts that can run beside one another; the others test what surrounds them.
 FORMULAS = {
-    "effects": ("effects", "supports/test_ring.py", "numerics", "test_plane.py", "test_wrench.py"),
-    "reduced": ("reduced",),
+    "effects": ("supports/test_ring.py", "numerics", "test_plane.py", "test_wrench.py"),
     "cones": ("test_cones.py", "test_limit_curve.py", "test_centers.py"),
     "modes": ("test_modes.py", "test_modes_limits.py", "test_modes_hard.py"),
     "solve": ("test_solve.py", "test_solve_backward_error.py", "test_solve_arrays.py"),

@@ -95,15 +95,15 @@ def test_contact_moves_along_the_force_and_across_the_rod(ratio):
 
 def test_motion_center_of_a_translation_and_of_a_spin():
     ring_center = 2.0 * direction(PSI)
-    assert np.all(np.isinf(motion_center(OWN, 0.3, 0.0)))
-    assert motion_center(OWN, 0.3, np.inf) == pytest.approx(ring_center)
-    along_fence = motion_center(OWN, np.pi / 2, 0.0)
-    assert np.isinf(along_fence[0])
-    assert along_fence[1] == pytest.approx(ring_center[1])
+    assert np.all(np.isinf(motion_center(OWN, 0.3, 0.4, 0.0)))
+    assert motion_center(OWN, 0.0, 0.0, 1.5) == pytest.approx(ring_center)
+    along_normal = motion_center(OWN, 0.0, 1.0, 0.0)
+    assert np.isinf(along_normal[0])
+    assert along_normal[1] == pytest.approx(ring_center[1])
 
 
 def test_motion_center_is_where_nothing_moves():
-    phi, k = 0.4, 1.7
-    offset = np.array(motion_center(rod(3.0, PSI), phi, k)) - 3.0 * direction(PSI)
-    velocity = direction(phi) + k * np.array([-offset[1], offset[0]])
+    v_x, v_y, spin = 0.4, -0.9, 1.7
+    offset = np.array(motion_center(rod(3.0, PSI), v_x, v_y, spin)) - 3.0 * direction(PSI)
+    velocity = np.array([v_x, v_y]) + spin * np.array([-offset[1], offset[0]])
     assert velocity == pytest.approx([0, 0], abs=1e-15)

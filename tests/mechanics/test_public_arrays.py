@@ -87,7 +87,9 @@ def test_floats_give_floats(name, effects):
         assert isinstance(found.left, float)
         assert isinstance(found.closed, bool)
     elif name == "limit_curve":
-        assert all(isinstance(getattr(found, each), float) for each in found.__slots__)
+        assert type(found.status) is int
+        curve = set(found.__slots__) - {"status"}
+        assert all(isinstance(getattr(found, each), float) for each in curve)
     else:
         assert type(found) is float
 
@@ -158,7 +160,8 @@ def test_dataarrays_are_broadcast_by_name_and_have_units(name):
 def test_a_labelled_cone_is_a_dataset(name):
     found = call(name, {**BASE, "friction_coefficient": labelled("friction_coefficient", "mu")})
     plain = call(name, {**BASE, "friction_coefficient": VALUES["friction_coefficient"]})
-    assert set(found.data_vars) == {"right", "left", "closed"}
+    status = {"status"} if name == "motion_cone" else set()
+    assert set(found.data_vars) == {"right", "left", "closed"} | status
     units = {key: found[key].attrs["units"] for key in ("right", "left", "closed")}
     assert units == {"right": "radian", "left": "radian", "closed": "1"}
     for key in units:
@@ -185,7 +188,12 @@ def test_a_labelled_limit_curve_is_a_dataset():
     found = pp.limit_curve(make_scene(length), xr.DataArray([0.1, 0.2], dims="phi"))
     assert isinstance(found, xr.Dataset)
     units = {name: unit_of(found[name].attrs) for name in found.data_vars}
-    assert units == {"force_size": "force", "spin_ratio": "1", "motion_angle": "radian"}
+    assert units == {
+        "force_size": "force",
+        "spin_ratio": "1",
+        "motion_angle": "radian",
+        "status": "1",
+    }
     assert dict(found.sizes) == {"length": 3, "phi": 2}
     plain = pp.limit_curve(make_scene(VALUES["rod_length"][:, None]), np.array([0.1, 0.2]))
     assert np.array_equal(found.force_size, plain.magnitude)

@@ -76,8 +76,8 @@ def make_scene_of(length, contact, effects, psi):
 def test_places_for_solutions():
     one = pp.solve(make_scene(2.0, 1.0), np.array([1.0]))
     both = pp.solve(make_scene(2.0, 1.0, BOTH), np.array([1.0]))
-    assert one.mode.shape == (1, SOLUTIONS[1]) == (1, 4)
-    assert both.mode.shape == (1, SOLUTIONS[2]) == (1, 8)
+    assert one.mode.shape == (1, SOLUTIONS[True]) == (1, 4)
+    assert both.mode.shape == (1, SOLUTIONS[False]) == (1, 8)
     assert both.twist.shape == (1, 8, 3)
     assert both.force.shape == both.center.shape == both.contact_motion.shape == (1, 8, 2)
     assert both.mode.dtype == both.solutions.dtype == np.int8
@@ -147,7 +147,7 @@ def test_labelled_solutions_are_a_dataset_with_units():
     assert units == {
         "solutions": "1", "mode": "1", "force": "force", "twist": "motion",
         "contact_motion": "motion", "spin_ratio": "1", "center": "length", "consistent": "1",
-        "outcome": "1", "force_end": "force", "pivot": "1",
+        "outcome": "1", "force_end": "force", "pivot": "1", "status": "1", "continuum": "1",
     }  # fmt: skip
     assert all(variable.attrs["long_name"] for variable in found.data_vars.values())
     plain = pp.solve(make_scene(np.array([[0.5], [2.0]]), 2.0), angle.values)

@@ -79,6 +79,26 @@ def settle(ball: arb, exact: Callable[[], Exact] | None = None) -> arb:
     return ball if not ball.contains(0) or sign(ball, exact) else arb(0)
 
 
+def norm(x: arb, y: arb) -> arb:
+    """Length of a vector; of a ball next to zero too, whose square as a product would be negative."""
+    square = x * x + y * y
+    if square > 0 or square.is_zero():
+        return square.sqrt()
+    low, high = (
+        a * a + b * b for a, b in ((_least(x), _least(y)), (abs(x).upper(), abs(y).upper()))
+    )
+    return low.sqrt().lower().union(high.sqrt())
+
+
+def _least(x: arb) -> arb:
+    return arb(x.abs_lower())
+
+
+def unit(x: arb) -> arb:
+    """A number that is known to be in [-1, 1]."""
+    return x if abs(x) <= 1 or not x.is_finite() else x.intersection(arb(0, 1))
+
+
 def _vanishes(number: Exact) -> bool:
     return not fmpq_poly([number]) if isinstance(number, fmpq) else not number % _MODULUS
 

@@ -43,7 +43,10 @@ class AngleInterval:
         edges = self.right, self.left
         if not all(map(_are_numbers, edges)):
             raise InvalidValue("AngleInterval", edges, "numbers of radians", "give both edges")
-        if not (is_lazy(self.right) or not np.any(self.right > self.left)):
+        if not (
+            is_lazy(self.right)
+            or np.all((self.right <= self.left) | (np.asarray(self.status) == Status.UNSOLVED))
+        ):
             raise InvalidValue("AngleInterval", edges, "right <= left", "unwrap the edges first")
 
     def __eq__(self, other: object) -> Any:

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics.angles import interval
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.cones import (
+    direction_in,
     force_columns,
     sight_in,
     under_force,
@@ -25,10 +26,10 @@ from planar_pushing.mechanics.plane import (
     rod,
     seen,
 )
-from planar_pushing.mechanics.reduced.magnitude import direction_under
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
+
 
 class Origin(StrEnum):
     """The point to which positions are relative."""
@@ -47,8 +48,12 @@ def _centers(kinds, rows, centers):
     """Behind the directions a row holds the radius, and the rod's length from the origin of the centers."""
     last = count_fields(kinds) + 4
     for i in range(len(rows)):
-        effects, own, at, force, _ = under_force(kinds, rows[i])
-        found, radius, reach = direction_under(effects, own, at, force), rows[i, last], rows[i, last + 1]
+        effects, own, at, force, ratio = under_force(kinds, rows[i])
+        found, radius, reach = (
+            direction_in(effects, own, at, force, ratio),
+            rows[i, last],
+            rows[i, last + 1],
+        )
         v_x, v_y = found.v_x * own.x - found.v_y * own.y, found.v_x * own.y + found.v_y * own.x
         x, y = center_from(v_x, v_y, found.spin) if found.found else (nan, nan)
         centers[i, 0], centers[i, 1] = radius * (x + reach * own.x), radius * (y + reach * own.y)
@@ -59,6 +64,7 @@ def motion_centers(
     force_angle: npt.ArrayLike,
     inertia_share: npt.ArrayLike | None = None,
     origin: Origin = Origin.CONTACT,
+    force_ratio: npt.ArrayLike | None = None,
 ) -> Number:
     """Motion centres, shape S + (2,), in the unit of the slider's lengths.
 
@@ -70,13 +76,13 @@ def motion_centers(
     scene : Scene
     force_angle : float or array, shape S
         phi, radians.
-    inertia_share : float or array, optional
+    inertia_share, force_ratio : float or array, optional
         As in `spin_ratio`, whose errors are those of this function.
     origin : {"contact", "ring-center"}
         The point to which the centres are relative.
     """
     origin = require_option("origin", origin, Origin, "name one of these points")
-    columns = force_columns(scene, force_angle, inertia_share)
+    columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
     return evaluated(_centers, scene.kinds, [*columns, scene.slider.radius, reach], CENTER)[0]
 

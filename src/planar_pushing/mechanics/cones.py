@@ -14,7 +14,7 @@ from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.effects.base import count_fields, made
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.plane import rod, seen
-from planar_pushing.mechanics.reduced.magnitude import angles_under, direction_under
+from planar_pushing.mechanics.reduced.magnitude import angles_under, direction_at, direction_under
 from planar_pushing.mechanics.reduced.psi import contact_at
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, required
@@ -59,7 +59,11 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number
     degrees = {entry.degree for entry in entries}
     for degree in sorted(degrees, reverse=True):
         share = 1.0 if len(degrees) == 1 else inertia_share if degree == 2 else 1.0 - inertia_share
-        unit = sum(entry.forces[0] for entry in entries if entry.degree == degree and len(entry.forces) == 1)
+        unit = sum(
+            entry.forces[0]
+            for entry in entries
+            if entry.degree == degree and len(entry.forces) == 1
+        )
         for entry in entries:
             if entry.degree == degree:
                 forces = [share * each / unit for each in entry.forces]
@@ -69,28 +73,59 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number
     return columns, [slider.length_ratio, slider.rod_angle]
 
 
-def force_columns(scene: Scene, force_angle: Number, inertia_share: Number | None) -> list[Number]:
-    """The columns of a scene under a force."""
-    share = _required_share(scene, inertia_share)
+def force_columns(
+    scene: Scene, force_angle: Number, inertia_share: Number | None, force_ratio: Number | None
+) -> list[Number]:
+    """The columns of a scene under a force, whose magnitude over the weight is 0 where a share is given."""
+    share, ratio = _required_magnitude(scene, inertia_share, force_ratio)
     columns, rod_columns = unit_columns(scene, share)
-    return [*columns, *rod_columns, required("force_angle", force_angle), 0.0]
+    return [*columns, *rod_columns, required("force_angle", force_angle), ratio]
 
 
-def _required_share(scene: Scene, inertia_share: Number | None) -> Number:
-    """The share of inertia where the effects leave it open."""
-    if len({entry.degree for entry in required_scene(scene).from_rest}) == 1:
-        if inertia_share is not None:
-            raise InvalidValue(
-                "inertia_share", inertia_share, "None for a scene whose effects are of one kind",
-                "leave the argument out",
-            )  # fmt: skip
-        return 0.5
-    if inertia_share is None:
+def _required_magnitude(
+    scene: Scene, share: Number | None, ratio: Number | None
+) -> tuple[Number, Number]:
+    """Share of inertia, and force over weight, where the effects leave the magnitude open."""
+    open_, given = is_magnitude_open(required_scene(scene)), (share, ratio)
+    name = "inertia_share" if ratio is None else "force_ratio"
+    if not open_ and given != (None, None):
         raise InvalidValue(
-            "inertia_share", inertia_share, "numbers in [0, 1] for a scene with friction and inertia",
-            "give s / (1 + s) with s = m a / W; motion_cone and solve need none",
+            name, share if ratio is None else ratio, "None for a scene whose effects are of one kind",
+            "leave the argument out",
         )  # fmt: skip
-    return required("inertia_share", inertia_share)
+    if not open_:
+        return 0.5, 0.0
+    if share is not None and not scene.isotropic:
+        raise InvalidValue(
+            "inertia_share", share, "None where the effects are not isotropic about the slider's center",
+            "give force_ratio = |f| / W: several motions may share one m a / W",
+        )  # fmt: skip
+    if (share is None) == (ratio is None):
+        raise InvalidValue(
+            "inertia_share", share, "numbers in [0, 1] for a scene with friction and inertia",
+            "give s / (1 + s) with s = m a / W, or force_ratio = |f| / W; motion_cone and solve need none",
+        )  # fmt: skip
+    return (
+        (required("inertia_share", share), 0.0)
+        if ratio is None
+        else (0.5, required("force_ratio", ratio))
+    )
+
+
+def is_magnitude_open(scene: Scene) -> bool:
+    """Whether the direction of a motion depends on its magnitude."""
+    return len({entry.degree for entry in scene.from_rest}) > 1
+
+
+@compiled
+def direction_in(effects, own, at, force, ratio):
+    """Direction of the motion under a force, of a magnitude over the weight where that is not 0."""
+    # With shares of one half, the unit of force is half the weight.
+    return (
+        direction_under(effects, own, at, force)
+        if ratio == 0.0
+        else direction_at(effects, at, force, ratio / 2)
+    )
 
 
 @compiled
@@ -101,19 +136,19 @@ def sight_in(row, i):
 
 @owning
 def under_force(kinds, row):
-    """Effects, rod, contact, and the forces in both directions of a row."""
+    """Effects, rod, contact, the force in the first direction of a row, and its last number."""
     sight = sight_in(row, count_fields(kinds))
     own = rod(sight.length, sight.angle)
     at = contact_at(-sight.length, 0.0)
-    return made(kinds, row, 0), own, at, seen(own, sight.first), seen(own, sight.second)
+    return made(kinds, row, 0), own, at, seen(own, sight.first), sight.second
 
 
 @kernel
 @owning
 def _spin_ratios(kinds, rows, ratios):
     for i in range(len(rows)):
-        effects, own, at, force, _ = under_force(kinds, rows[i])
-        found = direction_under(effects, own, at, force)
+        effects, own, at, force, ratio = under_force(kinds, rows[i])
+        found = direction_in(effects, own, at, force, ratio)
         ratios[i] = found.ratio if found.found else nan
 
 
@@ -121,13 +156,16 @@ def _spin_ratios(kinds, rows, ratios):
 @owning
 def _motion_angles(kinds, rows, angles):
     for i in range(len(rows)):
-        effects, own, at, force, _ = under_force(kinds, rows[i])
-        found = direction_under(effects, own, at, force)
+        effects, own, at, force, ratio = under_force(kinds, rows[i])
+        found = direction_in(effects, own, at, force, ratio)
         angles[i] = found.angle if found.found else nan
 
 
 def spin_ratio(
-    scene: Scene, force_angle: npt.ArrayLike, inertia_share: npt.ArrayLike | None = None
+    scene: Scene,
+    force_angle: npt.ArrayLike,
+    inertia_share: npt.ArrayLike | None = None,
+    force_ratio: npt.ArrayLike | None = None,
 ) -> Number:
     """Spin ratio k = R omega / v for each force angle.
 
@@ -137,8 +175,10 @@ def spin_ratio(
     force_angle : float or array
         phi, radians.
     inertia_share : float or array, optional
-        s / (1 + s) in [0, 1] with s = m a / W, required where the scene has friction and inertia and
-        refused otherwise; broadcast against `force_angle`.
+        s / (1 + s) in [0, 1] with s = m a / W and a the acceleration of the slider's center, for a scene with
+        friction and inertia that is isotropic about that center: only there does it determine the motion.
+    force_ratio : float or array, optional
+        |f| / W > 0, for any scene with effects of both degrees; NaN where friction holds such a force.
 
     Returns
     -------
@@ -155,12 +195,15 @@ def spin_ratio(
     Solves Eq. (7) for friction and Eq. (10) for inertia, with both
     ``h / R = (t(k) + s (rho/R)^2 k) / (f(k) + s)``.
     """
-    columns = force_columns(scene, force_angle, inertia_share)
+    columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     return evaluated(_spin_ratios, scene.kinds, columns, [Output("spin_ratio")])[0]
 
 
 def motion_angle(
-    scene: Scene, force_angle: npt.ArrayLike, inertia_share: npt.ArrayLike | None = None
+    scene: Scene,
+    force_angle: npt.ArrayLike,
+    inertia_share: npt.ArrayLike | None = None,
+    force_ratio: npt.ArrayLike | None = None,
 ) -> Number:
     """Angle of the contact's motion for each force angle, radians, unwrapped and increasing.
 
@@ -169,7 +212,7 @@ def motion_angle(
     scene : Scene
     force_angle : float or array
         phi, radians.
-    inertia_share : float or array, optional
+    inertia_share, force_ratio : float or array, optional
         As in `spin_ratio`, whose errors and equations are those of this function.
 
     Returns
@@ -177,7 +220,7 @@ def motion_angle(
     float, ndarray or DataArray
         As the arguments are.
     """
-    columns = force_columns(scene, force_angle, inertia_share)
+    columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     return evaluated(_motion_angles, scene.kinds, columns, [Output("motion_angle")])[0]
 
 
@@ -185,7 +228,8 @@ def motion_angle(
 @owning
 def _motion_cones(kinds, rows, right, left, closed, status):
     for i in range(len(rows)):
-        effects, own, at, first, second = under_force(kinds, rows[i])
+        effects, own, at, first, left_edge = under_force(kinds, rows[i])
+        second = seen(own, left_edge)
         low, high = angles_under(effects, own, at, first), angles_under(effects, own, at, second)
         # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
         right[i], left[i] = min(low.least, high.greatest), high.greatest

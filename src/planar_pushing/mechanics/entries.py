@@ -12,7 +12,13 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction, PerfectlyRough
-from planar_pushing.mechanics.effects import Inertia, RingFriction, SupportFriction
+from planar_pushing.mechanics.effects import (
+    Inertia,
+    Load,
+    RingFriction,
+    SupportFriction,
+    Viscous,
+)
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.terms.errors import InvalidValue
@@ -95,7 +101,14 @@ def _effect_entry(effect: object) -> dict[str, Any]:
         case Inertia(mass=mass, gyration_radius=radius, center=(x, y)):
             found = {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
             return found | ({"center": [float(x), float(y)]} if x or y else {})
-    allowed = "SupportFriction, RingFriction and Inertia"
+        case Viscous(support=support, coefficient=coefficient):
+            support = support_entry(support)
+            return {"type": "viscous", "coefficient": float(coefficient), "support": support}
+        case Load(force=force, center=center):
+            found = {"type": "load", "force": [float(each) for each in force]}
+            own = {} if center is None else {"center": [float(each) for each in center]}
+            return found | own
+    allowed = "SupportFriction, RingFriction, Inertia, Viscous and Load"
     raise InvalidValue("effects", effect, allowed, "save a scene of these effects")
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import copysign, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.effects.base import KINDS
 from planar_pushing.mechanics.reduced.free import free
 from planar_pushing.mechanics.reduced.psi import spin_guess
 from planar_pushing.mechanics.reduced.slips import SLIPS, SLOWEST, slips_along
@@ -20,6 +22,8 @@ from planar_pushing.mechanics.reduced.way import Way
 COINCIDENCE = 9e-13
 #: How far beyond the pusher's motion slips are sought, relative to it, so that one that is the stick is found.
 BEYOND = 1e-11
+#: A normal motion is not smaller than this, so that squares of it are doubles.
+LEAST = 1e-140
 #: A force this far outside the cone, relative to its magnitude, is taken to the edge.
 OUTSIDE = 5e-13
 #: Solutions of one push: separate, stick, and the slips under each edge.
@@ -60,15 +64,18 @@ def _inside(edge, side, f_x, f_y):
 
 
 @compiled
-def _kept_inside(push, pusher, moved, right_edge, left_edge, right, left):
-    """The sticking motion, its force taken to the edge of the cone that it has left by rounding."""
-    if min(right, left) >= -OUTSIDE * sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y):
-        return moved
-    return _on_edge(push, pusher, right_edge if right <= left else left_edge)
+def _blur(edge, moved):
+    """Rounding error of `_inside`."""
+    one, other = (
+        moved.noise_x + RESOLUTION * abs(moved.f_x),
+        moved.noise_y + RESOLUTION * abs(moved.f_y),
+    )
+    return abs(edge.along) * other + abs(edge.aside) * one
 
 
 @compiled
 def _on_edge(push, pusher, edge):
+    """The sticking motion whose force rounding has taken out of the cone, with its force on an edge."""
     along = edge.x * pusher.x + edge.y * pusher.y
     return pushed(push.effects, push.at, edge.along, -edge.aside, along)
 
@@ -106,9 +113,15 @@ def _write(push, mode, moved, found):
     """Write down a solution in the frame of the contact."""
     t_x, t_y = push.t_x, push.t_y
     found.mode, found.pivot, found.continuum = mode, moved.point, moved.continuum
-    found.twist[0], found.twist[1] = t_x * moved.v_x + t_y * moved.v_y, t_x * moved.v_y - t_y * moved.v_x
+    found.twist[0], found.twist[1] = (
+        t_x * moved.v_x + t_y * moved.v_y,
+        t_x * moved.v_y - t_y * moved.v_x,
+    )
     found.twist[2] = moved.spin
-    found.motion[0], found.motion[1] = t_x * moved.u_x + t_y * moved.u_y, t_x * moved.u_y - t_y * moved.u_x
+    found.motion[0], found.motion[1] = (
+        t_x * moved.u_x + t_y * moved.u_y,
+        t_x * moved.u_y - t_y * moved.u_x,
+    )
     f_x, f_y = moved.f_x - moved.free_x, moved.f_y - moved.free_y
     found.force[0], found.force[1] = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
     f_x, f_y = moved.f_x + moved.free_x, moved.f_y + moved.free_y
@@ -121,7 +134,12 @@ def _separate(push, found):
     rest = free(push.effects)
     at = push.at
     u_x, u_y = rest.x - rest.spin * at.y, rest.y + rest.spin * at.x
-    _write(push, SEPARATE, Moved(u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, -1, False, 0.0, True), found)
+    _write(
+        push,
+        SEPARATE,
+        Moved(u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, -1, False, 0.0, 0.0, True),
+        found,
+    )
     return found.motion[0], found.motion[1]
 
 
@@ -137,7 +155,7 @@ def _may_slip(edge, side, part, moved_force, size):
 
 
 @compiled
-def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, count):
+def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, count):
     """Write down the slips of a mode.
 
     Returns
@@ -155,43 +173,88 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, count):
     if count < 0 or not _may_slip(edge, side, part, force, size):
         return count, False, False
     e_x, e_y = edge.along, -edge.aside
-    n_x, n_y = -push.t_y * pusher.y, push.t_x * pusher.y
+    normal = copysign(max(abs(pusher.y), LEAST), pusher.y) if pusher.y != 0.0 else 0.0
+    n_x, n_y = -push.t_y * normal, push.t_x * normal
     if edge.x == 0.0:
-        slid = pushed(push.effects, push.at, e_x, e_y, edge.y * pusher.y)
-        return _write_slip(push, slid, side, mode, pusher, solutions, count)
+        slid = pushed(push.effects, push.at, e_x, e_y, edge.y * normal)
+        return _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count)
     sense = copysign(1.0, edge.x)
     way = Way(push.effects, push.at, e_x, e_y, n_x, n_y, sense * push.t_x, sense * push.t_y)
-    first = sense * rest_x - edge.y * (pusher.y - rest_y) / abs(edge.x)
+    first = sense * rest_x - edge.y * (normal - rest_y) / abs(edge.x)
     last = sense * (pusher.x - side * BEYOND)
-    unit = max(abs(pusher.y), abs(rest_x), abs(rest_y))
+    unit = max(abs(normal), abs(rest_x), abs(rest_y))
     if first == 0.0:
-        first = SLOWEST
+        first = SLOWEST * (unit if unit > 0.0 else 1.0)
     if not last > first:
         return count, False, False
     number, flat = slips_along(way, unit, first, last, scratch)
     at_edge = False
     for i in range(number):
         slid = moved_at(way, scratch[i, 0], scratch[i, 1], scratch[i, 2] != 0.0)
-        count, edge_too, _ = _write_slip(push, slid, side, mode, pusher, solutions, count)
+        count, edge_too, _ = _write_slip(
+            push, edge, slid, side, mode, pusher, solutions, place, count
+        )
         at_edge |= edge_too
     return count if number >= 0 else UNSOLVED, at_edge, flat
 
 
 @compiled
-def _write_slip(push, slid, side, mode, pusher, solutions, count):
-    """Write down a slip if it slips and its force pushes, as `_slipping`."""
+def _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count):
+    """Write down a slip if its force pushes, as the stick if it does not slip; as `_slipping`."""
     slip = push.t_x * slid.u_x + push.t_y * slid.u_y - pusher.x
     edge_force = abs(slid.f_x) + abs(slid.f_y)
     if not slid.found or count < 0:
         return UNSOLVED, False, False
-    if edge_force <= slid.noise:
+    if edge_force <= slid.noise_x + slid.noise_y:
         return count, False, False
-    if side * slip > COINCIDENCE:
+    if abs(slip) <= COINCIDENCE:
+        _write(push, STICK, slid, solutions[place])
+        _take_to(edge, slid, solutions[place])
+    elif side * slip > COINCIDENCE:
         if count == len(solutions):
             return UNSOLVED, False, False
         _write(push, mode, slid, solutions[count])
+        _take_to(edge, slid, solutions[count])
+        if 0.0 < abs(pusher.y) < LEAST:
+            part = abs(pusher.y) / LEAST
+            _shrink(solutions[count], part, _growth(push.effects, part))
         count += 1
     return count, abs(slip) <= COINCIDENCE, False
+
+
+@compiled
+def _take_to(edge, slid, found):
+    """Write down a force along an edge, free of the rounding of the body frame."""
+    size = edge.along * slid.f_x - edge.aside * slid.f_y
+    found.force[0], found.force[1] = size * edge.x, size * edge.y
+    found.force_end[0], found.force_end[1] = found.force[0], found.force[1]
+
+
+@compiled
+def _shrink(found, part, force):
+    """Take a motion and its force to parts of their magnitudes."""
+    for k in range(3):
+        found.twist[k] *= part
+    for k in range(2):
+        found.motion[k] *= part
+        found.force[k] *= force
+        found.force_end[k] *= force
+
+
+@generic
+def _growth(kinds: Any) -> Callable[..., Any]:
+    """Part of the force that a slow motion takes of a part of it: effects, part."""
+    return _in_proportion if all(KINDS[kind].DEGREE == 2 for kind in kinds) else _constant
+
+
+@compiled
+def _in_proportion(effects, part):
+    return part
+
+
+@compiled
+def _constant(effects, part):
+    return 1.0
 
 
 @compiled
@@ -238,17 +301,19 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
     right = _inside(right_edge, -1.0, moved.f_x, moved.f_y)
     left = _inside(left_edge, 1.0, moved.f_x, moved.f_y)
     rise = push.t_x * moved.f_y - push.t_y * moved.f_x
-    noise = max(RESOLUTION * sqrt(moved.f_x**2 + moved.f_y**2), moved.noise)
-    reached = right >= -noise and left >= -noise and rise >= -noise
-    held = law.rough or (right > noise and left > noise and rise > noise)
-    flat, slides = False, not law.closed
+    right_noise, left_noise = _blur(right_edge, moved), _blur(left_edge, moved)
+    noise = abs(push.t_x) * (moved.noise_y + RESOLUTION * abs(moved.f_y))
+    noise += abs(push.t_y) * (moved.noise_x + RESOLUTION * abs(moved.f_x))
+    reached = right >= -right_noise and left >= -left_noise and rise >= -noise
+    held = law.rough or (right > right_noise and left > left_noise and rise > noise)
+    flat, slides, on_left, on_right = False, not law.closed, False, False
     count = place + 1
     if law.slips:
         first, on_left, flat_left = _slipping(
-            push, left_edge, pusher, rest, moved, SLIP_RIGHT, scratch, solutions, place + 1
+            push, left_edge, pusher, rest, moved, SLIP_RIGHT, scratch, solutions, place, place + 1
         )
         count, on_right, flat_right = _slipping(
-            push, right_edge, pusher, rest, moved, SLIP_LEFT, scratch, solutions, first
+            push, right_edge, pusher, rest, moved, SLIP_LEFT, scratch, solutions, place, first
         )
         if count < 0:
             return UNSOLVED, False
@@ -260,9 +325,12 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
         held |= reached and law.closed and flat
         slides = slides_right or slides_left
     if held or (reached and not slides):
-        if not law.rough:
-            moved = _kept_inside(push, pusher, moved, right_edge, left_edge, right, left)
-        _write(push, STICK, moved, solutions[place])
+        outside = min(right, left) < -OUTSIDE * sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y)
+        if law.rough or not outside:
+            _write(push, STICK, moved, solutions[place])
+        elif not (on_left or on_right):
+            edge = right_edge if right <= left else left_edge
+            _write(push, STICK, _on_edge(push, pusher, edge), solutions[place])
         solutions[place].continuum = flat
         return count, flat
     for i in range(place, count - 1):

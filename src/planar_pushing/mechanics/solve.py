@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from math import inf, nan, sqrt
+from math import hypot, inf, nan
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -102,19 +102,33 @@ def _write(own, given, found, force, end, twist, contact, center):
     twist[0], twist[1], twist[2] = size * v_x, size * v_y, size * spin / radius
     x, y = motion_center(own, v_x, v_y, spin)
     center[0], center[1] = radius * x, radius * y
-    return spin_ratio(sqrt(v_x * v_x + v_y * v_y), spin)
+    return spin_ratio(hypot(v_x, v_y), spin)
 
 
 @kernel
 @owning
 def _modes(
-    kinds, rows, counts, status, modes, forces, ends, twists, contacts, ratios, centers, pivots, continua
+    kinds,
+    rows,
+    counts,
+    status,
+    modes,
+    forces,
+    ends,
+    twists,
+    contacts,
+    ratios,
+    centers,
+    pivots,
+    continua,
 ):
     scratch, solutions = np.empty((SLIPS, ENTRIES)), np.empty(MOST, SOLUTION)
     for i in range(len(rows)):
         given = given_in(rows[i], count_fields(kinds))
         own = rod(given.length, given.angle)
-        law = Law(given.right, given.left, given.slips != 0.0, given.closed != 0.0, given.rough != 0.0)
+        law = Law(
+            given.right, given.left, given.slips != 0.0, given.closed != 0.0, given.rough != 0.0
+        )
         push = Push(made(kinds, rows[i], 0), contact_at(-given.length, 0.0), own.x, -own.y)
         edges = toward(own, law.right), toward(own, law.left)
         pusher = toward(own, given.toward)
@@ -134,7 +148,14 @@ def _modes(
             elif found.pivot >= 0 and status[i] == CONSISTENT:
                 status[i] = PIVOTS
             ratios[i, j] = _write(
-                own, given, found, forces[i, j], ends[i, j], twists[i, j], contacts[i, j], centers[i, j]
+                own,
+                given,
+                found,
+                forces[i, j],
+                ends[i, j],
+                twists[i, j],
+                contacts[i, j],
+                centers[i, j],
             )
 
 

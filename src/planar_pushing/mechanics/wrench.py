@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import PerfectlyRough
-from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.core import entries
+from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.effects.base import count_fields, made, resistance
 from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array

@@ -73,6 +73,7 @@ RANGES = {
     "inertia_share": Range(
         lambda x: (x >= 0) & (x <= 1), "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
     ),
+    "force_ratio": _positive("give |f| / W"),
     "twist": Range(np.isfinite, "finite numbers", "give (v_x, v_y, omega) at the ring centre"),
     "velocity": Range(
         lambda speed: (speed == 0) | ((speed >= SPEEDS[0]) & (speed <= SPEEDS[1])),

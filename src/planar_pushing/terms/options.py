@@ -50,6 +50,8 @@ class EffectKind(StrEnum):
 
     SUPPORT_FRICTION = "support_friction"
     INERTIA = "inertia"
+    VISCOUS = "viscous"
+    LOAD = "load"
 
 
 class EffectSet(StrEnum):
@@ -65,6 +67,8 @@ EFFECT_TYPES = {
     "ring_friction": EffectKind.SUPPORT_FRICTION,
     "support_friction": EffectKind.SUPPORT_FRICTION,
     "inertia": EffectKind.INERTIA,
+    "viscous": EffectKind.VISCOUS,
+    "load": EffectKind.LOAD,
 }
 #: Effects by the degree of homogeneity of their potential.
 EFFECT_DEGREES = {1: EffectKind.SUPPORT_FRICTION, 2: EffectKind.INERTIA}

@@ -16,6 +16,8 @@ from planar_pushing.mechanics.supports.pressure.table import Table, pressure_of
 FARTHEST = 1e9
 #: From here on the force follows the motion of the center of pressure to what a slope needs.
 FAR = 1e3
+#: Rounding error of a sum over pieces in units of that of its largest term, as of polygons (4e-15).
+TERMS = 8.0
 #: Degree of homogeneity.
 DEGREE = 1
 
@@ -77,7 +79,9 @@ def resistance(effect, x, y, spin, blur):
     bend += -p_y * (2.0 * b_x + a_x) + p_x * (2.0 * b_y + a_y)
     xs, ys = extent * (b_x + a_x), extent * (b_y + a_y)
     ss = extent * extent * bend
-    return Resistance(f_x, f_y, extent * torque, xx, xy, yy, xs, ys, ss, most, now.atom)
+    return Resistance(
+        f_x, f_y, extent * torque, xx, xy, yy, xs, ys, ss, most, now.atom, TERMS * weight
+    )
 
 
 @compiled

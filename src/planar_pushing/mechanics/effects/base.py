@@ -40,6 +40,8 @@ class Resistance(NamedTuple):
         The largest friction of the points at the center of rotation.
     point : int
         Number of the first of these points, -1 without one.
+    gross : float
+        Magnitude of what the force is a sum of: its rounding error is a few units in the last place of this.
     """
 
     f_x: float
@@ -53,6 +55,7 @@ class Resistance(NamedTuple):
     ss: float
     most: float
     point: int
+    gross: float
 
 
 class Moment(NamedTuple):
@@ -97,7 +100,7 @@ def _resistances(effects, x, y, spin, blur):
         one.f_x + other.f_x, one.f_y + other.f_y, one.torque + other.torque,
         one.xx + other.xx, one.xy + other.xy, one.yy + other.yy,
         one.xs + other.xs, one.ys + other.ys, one.ss + other.ss,
-        one.most + other.most, point,
+        one.most + other.most, point, one.gross + other.gross,
     )  # fmt: skip
 
 
@@ -114,9 +117,7 @@ def _moment(effects, speed, x, y):
 @compiled
 def _moments(effects, speed, x, y):
     one, other = moment(effects[0], speed, x, y), moment(effects[1:], speed, x, y)
-    return Moment(
-        one.mass + other.mass, one.x + other.x, one.y + other.y, one.whole + other.whole
-    )
+    return Moment(one.mass + other.mass, one.x + other.x, one.y + other.y, one.whole + other.whole)
 
 
 #: `Moment` about (x, y) of the mass whose inertia an effect roughly equals at a speed, for first guesses:

@@ -90,7 +90,18 @@ def resistance(effect, x, y, spin, blur):
     torque = mass * gyration * spin + own_x * f_y - own_y * f_x
     whole = mass * (gyration + own_x * own_x + own_y * own_y)
     return Resistance(
-        f_x, f_y, torque, mass, 0.0, mass, -mass * own_y, mass * own_x, whole, 0.0, -1
+        f_x,
+        f_y,
+        torque,
+        mass,
+        0.0,
+        mass,
+        -mass * own_y,
+        mass * own_x,
+        whole,
+        0.0,
+        -1,
+        mass * abs(spin) * (abs(own_x) + abs(own_y)),
     )
 
 

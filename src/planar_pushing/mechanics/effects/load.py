@@ -84,7 +84,7 @@ def scaled(effect, one, two):
 @compiled
 def resistance(effect, x, y, spin, blur):
     return Resistance(
-        -effect.x, -effect.y, -effect.torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1
+        -effect.x, -effect.y, -effect.torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1, 0.0
     )
 
 

@@ -48,9 +48,9 @@ def resistance(effect, x, y, spin, blur):
     c, s, across = (x / speed, y / speed, force / speed) if speed > 0.0 else (0.0, 0.0, vv)
     bend = vv - across
     return Resistance(
-        weight * force * c, weight * force * s, weight * torque,
+        weight * across * x, weight * across * y, weight * torque,
         weight * (across + bend * c * c), weight * bend * c * s, weight * (across + bend * s * s),
-        weight * vs * c, weight * vs * s, weight * ss, 0.0, -1,
+        weight * vs * c, weight * vs * s, weight * ss, 0.0, -1, 0.0,
     )  # fmt: skip
 
 

@@ -13,19 +13,21 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.compiled import compiled, generic, owning
+from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, owning
 from planar_pushing.mechanics.effects.base import energy, is_steady, scaled
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.ring import RingSupport
 from planar_pushing.mechanics.numerics.root import dip, increasing_root
 from planar_pushing.mechanics.plane import contact_motion_angle, moment_arm
 from planar_pushing.mechanics.reduced.psi import Contact
-from planar_pushing.mechanics.reduced.under import pushed, pushed_ends
+from planar_pushing.mechanics.reduced.under import not_found, pushed, pushed_ends
 from planar_pushing.mechanics.supports.ring import ring_spin_ratio
 
 #: Magnitudes at which the angle of the contact's motion is evaluated, to either side of the one at which
 #: the effects are of one magnitude: hyperbolic sines, this far apart, are their logarithms.
 NODES, APART = 32, 0.11
+#: Logarithm of a part along the line of force whose inertia counts for nothing beside friction.
+SLOWEST = -34.0
 #: Steps between the two neighbors of a node at which the angle is extreme.
 FINER = 16
 #: Added to angles from the force, which makes them positive.
@@ -85,8 +87,10 @@ def _at_unit_speed(effects, at, e_x, e_y):
 
 @compiled
 def at_force(effects, at, e_x, e_y, size):
-    """The motion under a force of a size, which must be more than what friction alone takes."""
+    """The motion under a force of a size; not found where friction holds the slider."""
     of = Pull(effects, at, e_x, e_y, size)
+    if _force(of, SLOWEST) >= 0.0:
+        return not_found(moved_by(of, SLOWEST))
     return moved_by(of, increasing_root(_force, of, 0.0, 1.0))
 
 
@@ -133,6 +137,12 @@ def direction_under(kinds: Any) -> Callable[..., Any]:
 
 
 @compiled
+def direction_at(effects, at, force, size):
+    """Direction of the motion under a force of a size."""
+    return turned(at_force(effects, at, force.along, -force.aside, size), force)
+
+
+@compiled
 def _under(effects, own, at, force):
     return turned(at_speed(effects, at, force.along, -force.aside), force)
 
@@ -157,7 +167,7 @@ class Angles(NamedTuple):
     found: bool
 
 
-@generic
+@generic_owning
 def angles_under(kinds: Any) -> Callable[..., Any]:
     """`Angles` under a force in a direction, over all magnitudes: effects, rod, contact, force."""
     if kinds == (RingSupport,):
@@ -180,7 +190,7 @@ def _steady_angles(effects, own, at, force):
     return Angles(force.angle + low, force.angle + high, first.point >= 0, first.continuum, found)
 
 
-@compiled
+@owning
 def _all_angles(effects, own, at, force):
     slow = _steady_angles(scaled(effects, 1.0, 0.0), own, at, force)
     fast = _steady_angles(scaled(effects, 0.0, 1.0), own, at, force)

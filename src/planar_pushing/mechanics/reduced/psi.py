@@ -10,7 +10,7 @@ that point's friction can take: a root within the jump is a pivot, and leaves an
 
 from __future__ import annotations
 
-from math import copysign, inf, nan, sqrt
+from math import copysign, inf, sqrt
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
@@ -63,8 +63,8 @@ class Psi(NamedTuple):
         Half of a pivot's interval of forces, zero elsewhere.
     point : int
         Number of the support point about which the slider pivots, -1 without one.
-    noise : float
-        Rounding error of the force.
+    noise_x, noise_y : float
+        Rounding errors of the force.
     found : bool
         Whether the iteration has settled.
     """
@@ -82,7 +82,8 @@ class Psi(NamedTuple):
     free_x: float
     free_y: float
     point: int
-    noise: float
+    noise_x: float
+    noise_y: float
     found: bool
 
 
@@ -90,7 +91,9 @@ class Psi(NamedTuple):
 def contact_at(x, y):
     """The contact at a position of the body frame."""
     reach = sqrt(x * x + y * y)
-    return Contact(x, y, reach, y / reach, -x / reach) if reach > 0.0 else Contact(x, y, 0.0, 1.0, 0.0)
+    return (
+        Contact(x, y, reach, y / reach, -x / reach) if reach > 0.0 else Contact(x, y, 0.0, 1.0, 0.0)
+    )
 
 
 @compiled
@@ -101,7 +104,7 @@ def about(effects, at, x, y, spin, blur):
     across, turn = now.xs + a * now.xx + b * now.xy, now.ys + a * now.xy + b * now.yy
     return Resistance(
         now.f_x, now.f_y, now.torque + (a * now.f_x + b * now.f_y), now.xx, now.xy, now.yy, across, turn,
-        now.ss + a * (now.xs + across) + b * (now.ys + turn), now.most, now.point,
+        now.ss + a * (now.xs + across) + b * (now.ys + turn), now.most, now.point, now.gross,
     )  # fmt: skip
 
 
@@ -139,7 +142,8 @@ def psi(effects, at, x, y, guess):
     short one the rotation.
     """
     along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
-    far = at.reach > 1.0
+    rough = moment(effects, speed, at.x, at.y)
+    far = 2.0 * rough.mass * at.reach * at.reach > rough.whole
     start, rest = (-along / at.reach, 0.0) if far else (0.0, along)
     p_x, p_y = x - along * at.a_x, y - along * at.a_y
     q, low, high, last = guess - start, -inf, inf, inf
@@ -158,7 +162,7 @@ def psi(effects, at, x, y, guess):
         scale = (abs(v_x) + abs(v_y) + abs(spin)) / (1.0 + at.reach)
         size = abs(step) / scale if value != 0.0 else 0.0
         if is_last(size, last):
-            return _settled(now, at, v_x, v_y, spin, step if value != 0.0 else 0.0, speed, True)
+            return _settled(now, at, v_x, v_y, spin, step if value != 0.0 else 0.0, x, y, True)
         if value > 0.0:
             high = q
         else:
@@ -166,14 +170,14 @@ def psi(effects, at, x, y, guess):
         new = q + step
         if not (low < new < high) or size > last / 2.0:
             if high - low <= ROUNDING * scale:
-                return _settled(now, at, v_x, v_y, spin, 0.0, speed, True)
+                return _settled(now, at, v_x, v_y, spin, 0.0, x, y, True)
             last, new = inf, _next(effects, at, x, y, low, high, start, q, scale)
         elif not abs(step) < 8.0 * (abs(q) + scale):
             last, new = inf, q + copysign(8.0 * (abs(q) + scale), step)
         else:
             last = size
         q = new
-    return _settled(now, at, v_x, v_y, spin, 0.0, speed, False)
+    return _settled(now, at, v_x, v_y, spin, 0.0, x, y, False)
 
 
 @compiled
@@ -187,18 +191,19 @@ def _next(effects, at, x, y, low, high, start, q, scale):
 
 
 @compiled
-def _settled(now, at, v_x, v_y, spin, step, speed, found):
+def _settled(now, at, v_x, v_y, spin, step, x, y, found):
     """Psi from what is felt one last Newton step before the root."""
     turn_x, turn_y = (-now.xs / now.ss, -now.ys / now.ss) if now.ss > 0.0 else (0.0, 0.0)
     xx, xy, yy = now.xx + turn_x * now.xs, now.xy + turn_x * now.ys, now.yy + turn_y * now.ys
     f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
-    force = abs(f_x) + abs(f_y)
-    noise = (1.0 + (1.0 + at.reach) * (abs(turn_x) + abs(turn_y))) * force
-    noise += (abs(xx) + abs(xy) + abs(yy)) * speed
+    # The torque is known up to its parts' rounding, and so is the rotation.
+    lever = (1.0 + at.reach) * (abs(at.a_x * f_x) + abs(at.a_y * f_y))
+    noise_x = now.gross + abs(f_x) + abs(xx * x) + abs(xy * y) + lever * abs(turn_x)
+    noise_y = now.gross + abs(f_y) + abs(xy * x) + abs(yy * y) + lever * abs(turn_y)
     carried = step * at.reach
     return Psi(
         v_x + carried * at.a_x, v_y + carried * at.a_y, spin + step, f_x, f_y, xx, xy, yy,
-        turn_x, turn_y, 0.0, 0.0, NOWHERE, ROUNDING * noise, found,
+        turn_x, turn_y, 0.0, 0.0, NOWHERE, ROUNDING * noise_x, ROUNDING * noise_y, found,
     )  # fmt: skip
 
 
@@ -224,5 +229,5 @@ def _pivot(effects, at, x, y, i):
     noise = abs(now.f_x) + abs(now.f_y) + now.most + abs(part)
     return Psi(
         v_x, v_y, spin, f_x, f_y, now.xx, now.xy, now.yy, turn_x, turn_y,
-        free * r_x, free * r_y, i, 4.0 * ROUNDING * noise, True,
+        free * r_x, free * r_y, i, 4.0 * ROUNDING * noise, 4.0 * ROUNDING * noise, True,
     )  # fmt: skip

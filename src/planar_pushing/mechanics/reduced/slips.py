@@ -20,6 +20,7 @@ from planar_pushing.mechanics.reduced.way import (
     flat_end,
     is_flat,
     kink_near,
+    motion,
     node,
 )
 
@@ -27,6 +28,8 @@ from planar_pushing.mechanics.reduced.way import (
 WIDTH, LEAST = 0.5, 3
 #: The slowest motion along the fence, of one unit: friction or inertia alone counts below it.
 SLOWEST = exp(-32.0)
+#: Angle by which motions of a continuum differ at least.
+TURN = 1e-9
 #: Where a way is: at its start, outside of a continuum, inside of one.
 REST, OUTSIDE, INSIDE = 0, 1, 2
 #: How often a dip is halved at most.
@@ -71,7 +74,7 @@ def slips_along(way, unit, first, last, found):
     flat : bool
         Whether the last motions are a part of a continuum.
     """
-    unit = max(unit, SLOWEST)
+    straight, unit = unit == 0.0, unit if unit > 0.0 else SLOWEST
     cells = _cells(way.effects, unit, first, last)
     start, end = asinh(first / unit), asinh(last / unit)
     here, count, run = first_node(way, first), 0, REST
@@ -80,13 +83,15 @@ def slips_along(way, unit, first, last, found):
         kink = kink_near(way, here.s, s, here.s)
         while kink.s == kink.s:
             there = node(way, kink.s, kink.spin)
-            count, run = _between(way, unit, here, there, found, count, run)
-            if there.before * there.after < 0.0 and not (_is_zero(there, there.before) or _is_zero(there, there.after)):
+            count, run = _between(way, unit, straight, here, there, found, count, run)
+            if there.before * there.after < 0.0 and not (
+                _is_zero(there, there.before) or _is_zero(there, there.after)
+            ):
                 count = _write(there, False, found, count)
             here = there
             kink = kink_near(way, here.s, s, here.s)
         there = beside(way, here, s)
-        count, run = _between(way, unit, here, there, found, count, run)
+        count, run = _between(way, unit, straight, here, there, found, count, run)
         here = there
     return count, run == INSIDE
 
@@ -106,12 +111,14 @@ def _write(at, continuum, found, count):
 
 
 @compiled
-def _between(way, unit, low, high, found, count, run):
+def _between(way, unit, straight, low, high, found, count, run):
     """Write down the slips between two motions; the number of slips then, and whether it ends in a continuum."""
     if count < 0 or not (low.found and high.found):
         return -1, run
-    if _is_zero(low, low.after) or _is_zero(high, high.before):
-        return _touching(way, low, high, found, count, run)
+    if _may_be_flat(way.effects, straight) and (
+        _is_zero(low, low.after) or _is_zero(high, high.before)
+    ):
+        return _touching(way, straight, low, high, found, count, run)
     if (low.after > 0.0) != (high.before > 0.0):
         return _write_root(way, unit, low, high, found, count), OUTSIDE
     bottom = _dip(way, low, high)
@@ -121,23 +128,54 @@ def _between(way, unit, low, high, found, count, run):
     return count, OUTSIDE
 
 
+@generic
+def _may_be_flat(kinds: Any) -> Callable[..., Any]:
+    """Whether a part of a way may be a continuum: along the fence, or of effects of one degree."""
+    return _always if is_steady(kinds) else _along_the_fence
+
+
 @compiled
-def _touching(way, low, high, found, count, run):
+def _always(effects, straight):
+    return True
+
+
+@compiled
+def _along_the_fence(effects, straight):
+    return straight
+
+
+@compiled
+def _flat_end(way, straight, at, other):
+    """The end of a flat part that begins at a motion; that motion where it is nothing but a root.
+
+    Motions along the fence differ in size, all others in direction.
+    """
+    if not _is_zero(at, at.after if other.s > at.s else at.before):
+        return at
+    near = beside(way, at, at.s + FLAT * (other.s - at.s))
+    if max(abs(near.before), abs(near.after)) > near.noise:
+        return at
+    end = flat_end(way, near, other)
+    (x, y), (u_x, u_y) = motion(way, at.s), motion(way, end.s)
+    turn = abs(x * u_y - y * u_x) / ((abs(x) + abs(y)) * (abs(u_x) + abs(u_y)))
+    return end if straight or turn > TURN else at
+
+
+@compiled
+def _touching(way, straight, low, high, found, count, run):
     """As `_between`, where the force is along the edge at an end: a root there, or a continuum."""
-    width = high.s - low.s
-    after, before = beside(way, low, low.s + FLAT * width), beside(way, high, high.s - FLAT * width)
-    starts = _is_zero(low, low.after) and _is_zero(after, after.before)
-    ends = _is_zero(high, high.before) and _is_zero(before, before.after)
-    if (starts or run == OUTSIDE) and _is_zero(low, low.after) and run != INSIDE and not (starts and run == REST):
+    first, last = _flat_end(way, straight, low, high), _flat_end(way, straight, high, low)
+    starts, ends = first.s > low.s, last.s < high.s
+    if _is_zero(low, low.after) and run != INSIDE and not (starts and run == REST):
         count = _write(low, starts, found, count)
     if starts and ends:
         return count, INSIDE
     if starts:
-        count = _write(flat_end(way, after, high), True, found, count)
+        count = _write(first, True, found, count)
     elif run == INSIDE:
         count = _write(low, True, found, count)
     if ends:
-        return _write(flat_end(way, before, low), True, found, count), INSIDE
+        return _write(last, True, found, count), INSIDE
     if _is_zero(high, high.before) and not _is_zero(high, high.after):
         count = _write(high, False, found, count)
     return count, OUTSIDE
@@ -174,10 +212,12 @@ def _write_root(way, unit, low, high, found, count):
     """Write down the slip between two motions of other signs; of a continuum both ends."""
     start = low.s + min(max(_part(low, high), 0.05), 0.95) * (high.s - low.s)
     root = crossing(way, low, high, beside(way, low, start))
-    if not is_flat(way, root, abs(root.s) + unit):
+    if not (_may_be_flat(way.effects, False) and is_flat(way, root, abs(root.s) + unit)):
         return _write(root, False, found, count)
-    count = _write(flat_end(way, root, low), True, found, count)
-    return _write(flat_end(way, root, high), True, found, count)
+    first, last = _flat_end(way, False, root, low), _flat_end(way, False, root, high)
+    if first.s == root.s and last.s == root.s:
+        return _write(root, False, found, count)
+    return _write(last, True, found, _write(first, True, found, count))
 
 
 @compiled

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import moment
+from planar_pushing.mechanics.numerics.root import SETTLED
 from planar_pushing.mechanics.reduced.psi import psi
 from planar_pushing.mechanics.reduced.way import (
     Way,
@@ -21,7 +22,11 @@ from planar_pushing.mechanics.reduced.way import (
     flat_end,
     is_flat,
     motion,
+    node,
 )
+
+#: Newton steps of a root within the rounding of its motion.
+POLISHES = 2
 
 
 class Moved(NamedTuple):
@@ -41,8 +46,8 @@ class Moved(NamedTuple):
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
         Whether the motion is an end of a continuum.
-    noise : float
-        Rounding error of the force.
+    noise_x, noise_y : float
+        Rounding errors of the force.
     found : bool
         Whether the iterations have settled.
     """
@@ -58,7 +63,8 @@ class Moved(NamedTuple):
     free_y: float
     point: int
     continuum: bool
-    noise: float
+    noise_x: float
+    noise_y: float
     found: bool
 
 
@@ -67,7 +73,16 @@ def with_force(moved, f_x, f_y, free_x, free_y):
     """A motion with another force."""
     return Moved(
         moved.u_x, moved.u_y, moved.v_x, moved.v_y, moved.spin, f_x, f_y, free_x, free_y,
-        moved.point, moved.continuum, moved.noise, moved.found,
+        moved.point, moved.continuum, moved.noise_x, moved.noise_y, moved.found,
+    )  # fmt: skip
+
+
+@compiled
+def not_found(moved):
+    """A motion that is none."""
+    return Moved(
+        moved.u_x, moved.u_y, moved.v_x, moved.v_y, moved.spin, moved.f_x, moved.f_y, 0.0, 0.0,
+        moved.point, moved.continuum, moved.noise_x, moved.noise_y, False,
     )  # fmt: skip
 
 
@@ -77,14 +92,31 @@ def sticking(effects, at, x, y, guess):
     now = psi(effects, at, x, y, guess)
     return Moved(
         x, y, now.v_x, now.v_y, now.spin, now.f_x, now.f_y, now.free_x, now.free_y,
-        now.point, False, now.noise, now.found,
+        now.point, False, now.noise_x, now.noise_y, now.found,
     )  # fmt: skip
+
+
+@compiled
+def _polished(way, s, spin):
+    """The motion of a root of a way, and the rotation, corrected by less than the rounding of the motion.
+
+    The force on a long rod depends on the small parts of a motion, which the sum ``p + s d`` rounds away.
+    """
+    x, y = motion(way, s)
+    for _ in range(POLISHES):
+        here = node(Way(way.effects, way.at, way.e_x, way.e_y, x, y, way.d_x, way.d_y), 0.0, spin)
+        step = -here.before / here.slope if here.slope != 0.0 else 0.0
+        small = abs(step) * (abs(way.d_x) + abs(way.d_y)) <= SETTLED * (abs(x) + abs(y))
+        if here.before != here.after or not small:
+            break
+        x, y, spin = x + step * way.d_x, y + step * way.d_y, here.spin + step * here.swing
+    return x, y, spin
 
 
 @compiled
 def moved_at(way, s, spin, continuum):
     """The motion of a root of a way, with its force taken to be along the edge."""
-    x, y = motion(way, s)
+    x, y, spin = _polished(way, s, spin)
     now = psi(way.effects, way.at, x, y, spin)
     part = 0.0
     half = way.e_x * now.free_y - way.e_y * now.free_x
@@ -94,7 +126,7 @@ def moved_at(way, s, spin, continuum):
     size = way.e_x * (now.f_x + part * now.free_x) + way.e_y * (now.f_y + part * now.free_y)
     return Moved(
         x, y, now.v_x, now.v_y, now.spin, size * way.e_x, size * way.e_y, 0.0, 0.0,
-        now.point, continuum, now.noise, now.found,
+        now.point, continuum, now.noise_x, now.noise_y, now.found,
     )  # fmt: skip
 
 

@@ -102,12 +102,16 @@ def _node(way, s, now):
         size = (abs(now.free_x) + abs(now.free_y)) * (abs(d_x) + abs(d_y))
         if abs(ahead) > DIRECTION * size:
             # As Psi is convex, the force along d steps up where s increases.
-            before, after = across - copysign(half, half * ahead), across + copysign(half, half * ahead)
+            before, after = (
+                across - copysign(half, half * ahead),
+                across + copysign(half, half * ahead),
+            )
         else:
             # The whole way is across the line to the point, whose friction may take the force to the edge.
             before = copysign(max(abs(across) - abs(half), 0.0), across)
             after, slope = before, 0.0
-    return Node(s, before, after, slope, now.noise, now.spin, swing, now.found)
+    noise = abs(e_x) * now.noise_y + abs(e_y) * now.noise_x
+    return Node(s, before, after, slope, noise, now.spin, swing, now.found)
 
 
 @compiled
@@ -172,7 +176,8 @@ def crossing(way, low, high, here):
             low, value = here, after
         else:
             high, value = here, before
-        scale = abs(here.s) + (abs(way.p_x) + abs(way.p_y)) / part
+        least = (abs(way.p_x) + abs(way.p_y)) / part
+        scale = abs(here.s) + least
         slope = sense * here.slope
         step = -value / slope if slope > 0.0 else copysign(inf, -value)
         size, new = abs(step) / scale, here.s + step
@@ -181,7 +186,7 @@ def crossing(way, low, high, here):
         if not low.s < new < high.s or size > last / 2.0:
             if high.s - low.s <= 4.0 * EPSILON * scale:
                 return here
-            last, new = inf, _middle(low.s, high.s, scale)
+            last, new = inf, _middle(low.s, high.s, scale, EPSILON * least)
         elif size > FARTHEST:
             last, new = inf, here.s + copysign(FARTHEST * scale, step)
         else:
@@ -208,16 +213,17 @@ def at_infinity(s, value):
 
 
 @compiled
-def _middle(low, high, scale):
-    """Middle of a bracket; of one that spans sizes, the middle of the sizes."""
+def _middle(low, high, scale, least):
+    """Middle of a bracket; of one that spans sizes above the least, the middle of the sizes."""
     if low == -inf:
         return high - FARTHEST * scale
     if high == inf:
         return low + FARTHEST * scale
-    if low > scale * EPSILON and high > 4.0 * low:
-        return sqrt(low) * sqrt(high)
-    if high < -scale * EPSILON and low < 4.0 * high:
-        return -sqrt(-low) * sqrt(-high)
+    near, far = max(abs(low), least), max(abs(high), least)
+    if high > 4.0 * near and near > 0.0:
+        return sqrt(near) * sqrt(high)
+    if -low > 4.0 * far and far > 0.0:
+        return -sqrt(far) * sqrt(-low)
     return low + (high - low) / 2.0
 
 
@@ -228,7 +234,9 @@ def flat_end(way, inside, outside):
         scale = abs(inside.s) + abs(outside.s)
         if abs(inside.s - outside.s) <= EPSILON * scale:
             break
-        middle = beside(way, inside, _middle(min(inside.s, outside.s), max(inside.s, outside.s), scale))
+        middle = beside(
+            way, inside, _middle(min(inside.s, outside.s), max(inside.s, outside.s), scale, 0.0)
+        )
         if max(abs(middle.before), abs(middle.after)) <= middle.noise:
             inside = middle
         else:

@@ -13,7 +13,14 @@ from planar_pushing.mechanics.contact import (
     InfiniteFriction,
     PerfectlyRough,
 )
-from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction, SupportFriction
+from planar_pushing.mechanics.effects import (
+    Effect,
+    Inertia,
+    Load,
+    RingFriction,
+    SupportFriction,
+    Viscous,
+)
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.files.fields import (
     AtZeroNormalName,
@@ -114,11 +121,37 @@ class InertiaEntry(FileModel):
         return Inertia(mass=self.mass, gyration_radius=self.gyration_radius, center=self.center)
 
 
+class ViscousEntry(FileModel):
+    """Viscous friction of a support; coefficient is the force over the speed in a translation."""
+
+    type: Literal["viscous"]
+    coefficient: Positive = 1.0
+    support: SupportEntry
+
+    def build(self) -> Effect:
+        return Viscous(support=self.support.build(), coefficient=self.coefficient)
+
+
+class LoadEntry(FileModel):
+    """A force along and normal to the fence, constant in the world, at a point of the body frame.
+
+    Without a center it acts at the center of mass, without inertia at the slider's center.
+    """
+
+    type: Literal["load"]
+    force: Point
+    center: Point | None = None
+
+    def build(self) -> Effect:
+        return Load(force=self.force, center=self.center)
+
+
 ContactEntry = Annotated[
     CoulombEntry | InfiniteFrictionEntry | PerfectlyRoughEntry, Field(discriminator="law")
 ]
 EffectEntry = Annotated[
-    RingFrictionEntry | SupportFrictionEntry | InertiaEntry, Field(discriminator="type")
+    RingFrictionEntry | SupportFrictionEntry | InertiaEntry | ViscousEntry | LoadEntry,
+    Field(discriminator="type"),
 ]
 
 

@@ -69,7 +69,7 @@ def _at_rim(c: arb) -> tuple[arb, arb, arb]:
     On the rim K is infinite, but its factors vanish: the limits are exact. D and |G| increase with the
     distance and the mean of 1 / rho falls, so that the ends of a ball across the rim enclose them.
     """
-    if c.contains(1) and not c.is_exact():
+    if not c.is_exact() and (c * c).contains(1):
         with ctx.workprec(3 * ctx.prec):  # separates the ends from the rim
             ends = list(zip(_at_rim(c.lower()), _at_rim(c.upper()), strict=True))
         whole, slope, inverse = (low.union(high) for low, high in ends)

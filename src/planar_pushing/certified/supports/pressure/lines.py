@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from flint import arb
 
-from planar_pushing.certified.balls import Undecided
+from planar_pushing.certified.balls import Undecided, norm
 from planar_pushing.certified.supports.pressure.pieces import Line
 
 Vector = tuple[arb, arb]
@@ -51,7 +51,7 @@ def seen(line: Line, c: Vector) -> Seen:
     length = (d_x * d_x + d_y * d_y).sqrt()
     ends = [(x - c[0], y - c[1]) for x, y in (line.start, line.end)]
     s_1, s_2 = ((x * d_x + y * d_y) / length for x, y in ends)
-    rho_1, rho_2 = ((x * x + y * y).sqrt() for x, y in ends)
+    rho_1, rho_2 = (norm(x, y) for x, y in ends)
     # The product of exact places is exact, so that a centre on the line is seen to be on it.
     h = (ends[0][0] * d_y - ends[0][1] * d_x) / length
     log = _log(length, (s_1, s_2), (rho_1, rho_2), h)
@@ -65,10 +65,10 @@ def _log(length: arb, s: Vector, rho: Vector, h: arb) -> arb:
     sigma = rho[0] + rho[1]
     between = s[0] < 0 < s[1]
     parts = 1 / (rho[0] + abs(s[0])) + 1 / (rho[1] + abs(s[1]))
-    if h.contains(0):
-        return _next_to_line(abs(h).upper(), (sigma + length) / parts)
     if 2 * length < sigma:  # far away, where the logarithm is that of nearly one
         return 2 * h * (length / sigma).atanh()
+    if not h * h > 0:
+        return _next_to_line(abs(h).upper(), (sigma + length) / parts)
     rest = h * h * parts if between else sigma - length
     return h * ((sigma + length) / rest).log()
 

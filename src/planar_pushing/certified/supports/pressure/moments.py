@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from planar_pushing.certified.balls import Undecided
+from planar_pushing.certified.balls import Undecided, norm, unit
 from planar_pushing.certified.supports.pressure.circles import disc, ring
 from planar_pushing.certified.supports.pressure.lines import edge, segment
 from planar_pushing.certified.supports.pressure.pieces import Circle, Pieces, Point
@@ -87,8 +87,8 @@ def _point(point: Point, c: Vector) -> Part:
     x, y = point.place[0] - c[0], point.place[1] - c[1]
     if x.is_zero() and y.is_zero():
         return (arb(0),) * 6
-    rho, share = (x * x + y * y).sqrt(), point.share
-    e_x, e_y, rate = x / rho, y / rho, share / rho
+    rho, share = norm(x, y), point.share
+    e_x, e_y, rate = unit(x / rho), unit(y / rho), share / rho
     second = rate * e_y * e_y, -rate * e_x * e_y, rate * e_x * e_x
     return share * rho, share * e_x, share * e_y, *second
 
@@ -96,7 +96,7 @@ def _point(point: Point, c: Vector) -> Part:
 def distance(circle: Circle, c: Vector) -> arb:
     """Distance of a centre of rotation from that of a circle."""
     x, y = c[0] - circle.center[0], c[1] - circle.center[1]
-    return (x * x + y * y).sqrt()
+    return norm(x, y)
 
 
 def _turned(circle: Circle, c: Vector, radial: tuple[arb, arb, arb, arb]) -> Part:
@@ -105,7 +105,7 @@ def _turned(circle: Circle, c: Vector, radial: tuple[arb, arb, arb, arb]) -> Par
     x, y, size = c[0] - circle.center[0], c[1] - circle.center[1], distance(circle, c)
     if size.is_zero():
         return whole, arb(0), arb(0), across, arb(0), across
-    e_x, e_y = x / size, y / size
+    e_x, e_y = unit(x / size), unit(y / size)
     second = (
         along * e_x * e_x + across * e_y * e_y,
         (along - across) * e_x * e_y,

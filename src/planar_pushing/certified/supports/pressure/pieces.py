@@ -76,6 +76,25 @@ class Pieces:
         x, y = (sum((share * place[i] for share, place in loads), fmpq(0)) for i in (0, 1))
         return x, y
 
+    @cached_property
+    def second(self) -> tuple[fmpq, fmpq, fmpq]:
+        """Second moments xx, xy, yy about the origin."""
+        parts = [(each.share, _square(each.place, each.place)) for each in self.points]
+        parts += [(each.share, _line_square(each)) for each in self.segments]
+        for part, circles in ((2, self.rings), (4, self.discs)):
+            parts += [(each.share, _circle_square(each, part)) for each in circles]
+        parts += [
+            (_wedge(each)[0] / 2, _line_square(each)) for each in self.edges
+        ]  # a triangle from the origin
+        xx, xy, yy = (sum((share * each[i] for share, each in parts), fmpq(0)) for i in range(3))
+        return xx, xy, yy
+
+    @property
+    def spread(self) -> fmpq:
+        """Mean square distance from the centre of pressure."""
+        (x, y), (xx, _, yy) = self.center, self.second
+        return xx + yy - x * x - y * y
+
     @property
     def extent(self) -> arb:
         """Largest distance from the centre of pressure."""
@@ -98,6 +117,24 @@ def _wedge(line: Line) -> tuple[fmpq, Place]:
     """Load and centre of the triangle from the origin to an edge."""
     (a, b), (c, d) = line.start, line.end
     return line.share * (a * d - b * c) / 2, ((a + c) / 3, (b + d) / 3)
+
+
+def _square(a: Place, b: Place) -> tuple[fmpq, fmpq, fmpq]:
+    return a[0] * b[0], (a[0] * b[1] + a[1] * b[0]) / 2, a[1] * b[1]
+
+
+def _line_square(line: Line) -> tuple[fmpq, fmpq, fmpq]:
+    """Mean squares along a line; half of them is the mean over the triangle from the origin."""
+    a, b = line.start, line.end
+    first, last, mixed = _square(a, a), _square(b, b), _square(a, b)
+    xx, xy, yy = ((first[i] + last[i] + mixed[i]) / 3 for i in range(3))
+    return xx, xy, yy
+
+
+def _circle_square(circle: Circle, part: int) -> tuple[fmpq, fmpq, fmpq]:
+    xx, xy, yy = _square(circle.center, circle.center)
+    own = circle.radius**2 / part
+    return xx + own, xy, yy + own
 
 
 def pieces(entry: Entry) -> Pieces:
@@ -180,7 +217,12 @@ def _composite(entry: Entry) -> Pieces:
     shares = [rational(member["share"]) for member in entry["members"]]
     whole = sum(shares, fmpq(0))
     found = [pieces(member["support"]) for member in entry["members"]]
-    parts = [_shared(each, share / whole) for each, share in zip(found, shares, strict=True)]
+    return together([(each, share / whole) for each, share in zip(found, shares, strict=True)])
+
+
+def together(members: Iterable[tuple[Pieces, fmpq]]) -> Pieces:
+    """Supports that carry shares of one load."""
+    parts = [_shared(each, share) for each, share in members]
     return Pieces(
         points=_merged([point for each in parts for point in each.points]),
         segments=tuple(line for each in parts for line in each.segments),

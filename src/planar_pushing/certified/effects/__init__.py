@@ -1,0 +1,1 @@
+"""Contact modes under any tuple of effects, in ball arithmetic."""

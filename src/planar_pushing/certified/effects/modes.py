@@ -1,0 +1,208 @@
+"""Contact modes with any effects: every consistent solution for a pusher motion from rest."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from planar_pushing.certified.balls import Exact, Undecided, rational, sign
+from planar_pushing.certified.contact.modes import SLIPS, Law, Mode
+from planar_pushing.certified.effects import direction as directions
+from planar_pushing.certified.effects.direction import Direction, relative, returned
+from planar_pushing.certified.effects.precision import decided
+from planar_pushing.certified.effects.resistance import Resistance, Scene, resistance
+from planar_pushing.certified.effects.rest import free_normal, is_held
+from planar_pushing.certified.effects.slips import Slip, slips
+from planar_pushing.certified.effects.steady import steady_foot, steady_slips
+from planar_pushing.certified.effects.sticking import NOTHING, Stuck, is_across, stick
+from planar_pushing.certified.effects.way import Way, line
+from planar_pushing.certified.supports.pressure.moments import Vector
+from planar_pushing.certified.supports.push import Push
+
+FENCE, NORMAL = directions.degrees(fmpq(0)), directions.degrees(fmpq(90))
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A consistent solution; fence's frame.
+
+    Attributes
+    ----------
+    mode : Mode
+    motion : tuple of arb
+        Of the contact; NaN of a slider that leaves, whose motion is not asked for.
+    spin : arb
+        Rotation.
+    force : tuple of arb
+        Of the pusher; of a pivot that sticks the middle of the interval of forces.
+    free : tuple of arb
+        Half of that interval, else zero.
+    pivot : int
+        Number of the support's point that is the centre of rotation, -1 without one.
+    continuum : bool
+        Whether every slip from rest up to this solution is one too.
+    """
+
+    mode: Mode
+    motion: Vector
+    spin: arb
+    force: Vector
+    free: Vector = NOTHING
+    pivot: int = -1
+    continuum: bool = False
+
+
+def edge(law: Law, side: int) -> Direction:
+    """Edge of the friction cone, 1 for the right and -1 for the left one."""
+    if law.friction_coefficient == math.inf:
+        return directions.degrees(fmpq(90 - 90 * side))
+    return directions.along(side * rational(law.friction_coefficient), fmpq(1))
+
+
+def modes(scene: Scene, law: Law, pusher: Direction, size: fmpq) -> list[Solution]:
+    """Every consistent solution, by mode; of one mode the one next to the stick first.
+
+    Parameters
+    ----------
+    scene : Scene
+    law : Law
+    pusher : Direction
+        Of the pusher's motion, fence's frame.
+    size : fmpq
+        Its magnitude, > 0.
+
+    Raises
+    ------
+    Undecided
+        Where a coincidence is not decided at any precision, for instance a force on an edge that is not
+        known to be so, or where a load moves the slider against friction alone.
+    """
+    return decided(lambda: list(_solutions(_Problem(resistance(scene), scene, law, pusher, size))))
+
+
+class _Problem(NamedTuple):
+    total: Resistance
+    scene: Scene
+    law: Law
+    pusher: Direction
+    size: fmpq
+
+    @property
+    def moves(self) -> int:
+        """Sign of the pusher's normal motion."""
+        exact = self.pusher.exact
+        return sign(self.pusher.ball()[1], None if exact is None else lambda: exact[1])
+
+    @property
+    def normal(self) -> arb | fmpq:
+        """The pusher's normal motion, an exact zero along the fence."""
+        return self.pusher.ball()[1] * self.size if self.moves else fmpq(0)
+
+    @property
+    def push(self) -> Push:
+        """The pusher's motion in the body frame."""
+        return self.total.push(relative(self.pusher, self.scene.rod))
+
+    @property
+    def way(self) -> Way:
+        """Contact motions with the pusher's normal part."""
+        toward, normal = (
+            self.total.push(relative(each, self.scene.rod)) for each in (FENCE, NORMAL)
+        )
+        return Way(self.total, line(normal, self.normal), toward)
+
+    @property
+    def is_even(self) -> bool:
+        """Whether all forces are along the fence, by symmetry, while the contact moves along it."""
+        return self.moves == 0 and is_across(self.push) and self.total.is_even()
+
+
+def _solutions(problem: _Problem) -> Iterator[Solution]:
+    law, total = problem.law, problem.total
+    yield from _separate(problem)
+    push = problem.push
+    stuck = stick(total, push, problem.size)
+    # Slips from rest up to the stick, all under a force on both edges.
+    continuum = problem.is_even and law.slips and math.isinf(law.friction_coefficient)
+    if law.adhesive or _admits(problem, stuck):
+        motion = returned((push.x * problem.size, push.y * problem.size), total.rod)
+        force, free = (returned(each, total.rod) for each in (stuck.force, stuck.free))
+        yield Solution(Mode.STICK, motion, stuck.spin, force, free, stuck.pivot, continuum)
+    if law.slips and not continuum:
+        for mode, side in SLIPS.items():
+            yield from _slips(problem, mode, side)
+
+
+def _separate(problem: _Problem) -> Iterator[Solution]:
+    """The slider moves on its own, and the pusher does not catch up."""
+    if is_held(problem.total):
+        if problem.moves <= 0:
+            yield Solution(Mode.SEPARATE, NOTHING, arb(0), NOTHING)
+        return
+    if problem.total.mass == 0:
+        raise Undecided("the load moves the slider against friction alone")
+    normal = relative(NORMAL, problem.scene.rod)
+    if sign(free_normal(problem.total, normal, problem.normal)) <= 0:
+        unknown = arb.nan(), arb.nan()
+        yield Solution(Mode.SEPARATE, unknown, arb.nan(), NOTHING)
+
+
+def _admits(problem: _Problem, stuck: Stuck) -> bool:
+    """Whether a force of a sticking motion is in the cone; of a pivot any of the interval."""
+    law, low, high = problem.law, arb(-1), arb(1)
+    force, free = (returned(each, problem.total.rod) for each in (stuck.force, stuck.free))
+    exact = problem.pusher.exact if stuck.straight else None
+    for side in (1, -1):
+        bound = edge(law, side)
+        depth, change = (side * _cross(bound.ball(), each) for each in (force, free))
+        if stuck.pivot < 0:
+            within = sign(depth, _exact_depth(bound, side, exact))
+            if within < 0 or (within == 0 and not law.closed):
+                return False
+        elif sign(change) > 0:
+            low = arb.max(low, -depth / change)
+        else:
+            high = arb.min(high, -depth / change)
+    if stuck.pivot >= 0:
+        return sign(high - low) > 0
+    return law.friction_coefficient > 0 or sign(force[1]) > 0
+
+
+def _cross(a: tuple[Exact, Exact], b: tuple[Exact, Exact]) -> Exact:
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def _exact_depth(
+    bound: Direction, side: int, exact: tuple[Exact, Exact] | None
+) -> Callable[[], Exact] | None:
+    if exact is None or bound.exact is None:
+        return None
+    known = bound.exact
+    return lambda: side * _cross(known, exact)
+
+
+def _slips(problem: _Problem, mode: Mode, side: int) -> Iterator[Solution]:
+    """Slips of a mode, whose force is on the edge of a side and which goes to the other side."""
+    total, way = problem.total, problem.way
+    loaded = relative(edge(problem.law, side), problem.scene.rod).ball()
+    stick_place = problem.pusher.ball()[0] * problem.size
+    found: Iterable[Slip]
+    foot = steady_foot(way)
+    if foot >= 0:
+        found = steady_slips(way, loaded, stick_place, -side, foot, problem.is_even)
+    elif problem.is_even or (problem.moves == 0 and _is_inert(total)):
+        found = ()
+    else:
+        found = slips(way, loaded, stick_place, -side)
+    for each in found:
+        motion, force = (returned(vector, total.rod) for vector in (each.motion, each.force))
+        yield Solution(mode, motion, each.spin, force, NOTHING, each.pivot, continuum=foot >= 0)
+
+
+def _is_inert(total: Resistance) -> bool:
+    """Whether force is a multiple of motion: along the fence it is then never on an edge, but at rest."""
+    return total.weight == 0 and all(each.is_zero() for each in total.load)

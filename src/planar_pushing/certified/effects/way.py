@@ -1,0 +1,191 @@
+"""Sticking along a way of contact motions ``start + s toward``: forces at a place and over an interval.
+
+A way through rest is taken apart there: friction has one limit on each side, and is evaluated at the unit
+motion. Where a foot pivots the force jumps; towards either side it has a limit too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from planar_pushing.certified.balls import Undecided
+from planar_pushing.certified.effects.gradient import Motion, Response, response, slopes
+from planar_pushing.certified.effects.resistance import Resistance
+from planar_pushing.certified.effects.sticking import Stuck, pivot, rotation, rotations
+from planar_pushing.certified.supports.pressure.moments import Vector
+from planar_pushing.certified.supports.push import Push
+
+
+class Way(NamedTuple):
+    """Contact motions on a straight line, body frame.
+
+    Attributes
+    ----------
+    total : Resistance
+    start : tuple of arb
+        Zero exactly where the way goes through rest.
+    toward : Push
+        Direction of the way.
+    """
+
+    total: Resistance
+    start: Vector
+    toward: Push
+
+    @property
+    def rests(self) -> bool:
+        """Whether friction has a kink at s = 0, where the contact is at rest."""
+        still = self.start[0].is_zero() and self.start[1].is_zero()
+        return still and self.total.weight != 0
+
+    def motion(self, s: arb) -> tuple[Vector, arb]:
+        """The contact's motion, and its scale; through rest the unit motion, on one side."""
+        (x, y), (t_x, t_y) = self.start, (self.toward.x, self.toward.y)
+        if not self.rests:
+            return (x + s * t_x, y + s * t_y), arb(1)
+        side = 1 if s > 0 or s.lower() == 0 else -1
+        return (side * t_x, side * t_y), abs(s)
+
+
+class Place(NamedTuple):
+    """A place of a way: the rotation per scale, the force, and the foot that pivots there, if one does.
+
+    Next to a pivot the force is that towards the interval which the place ends.
+    """
+
+    s: arb
+    spin: arb
+    force: Vector
+    foot: int = -1
+
+
+class Kink(NamedTuple):
+    """A place at which a foot pivots, and the interval of forces."""
+
+    s: arb
+    foot: int
+    stuck: Stuck
+
+    def toward(self, way: Way, side: int) -> Place:
+        """The end of the interval of forces towards larger s (1) or smaller s (-1)."""
+        part = side * way.toward.along(way.total.foot(self.foot))
+        (x, y), (e_x, e_y) = self.stuck.force, self.stuck.free
+        return Place(self.s, self.stuck.spin, (x + part * e_x, y + part * e_y), self.foot)
+
+
+def at(way: Way, s: arb, side: int = 0) -> Place:
+    """The place at an s off the kinks; at rest its limit on a side."""
+    (x, y), scale = way.motion(s if s != 0 or not side else arb(side))
+    scale = abs(s) if way.rests else scale
+    spin = rotation(way.total, (x, y), scale)
+    now = response(way.total, Motion((x, y), spin, scale))
+    if now.feet:
+        raise Undecided("a centre of rotation next to a foot")
+    return Place(s, spin, (now.x, now.y))
+
+
+def kinks(way: Way) -> Iterator[Kink]:
+    """Every place but rest at which a foot pivots.
+
+    Raises
+    ------
+    Undecided
+        Where the feet are too close to a place that is next to a share.
+    """
+    for i in range(len(way.total.support.points)):
+        x, y = way.total.foot(i)
+        if way.rests or not (x or y) or way.toward.along((x, y)) == 0:
+            continue
+        s = -(x * way.start[0] + y * way.start[1]) / (x * way.toward.x + y * way.toward.y)
+        (u_x, u_y), scale = way.motion(s)
+        spin = (x * u_y - y * u_x) / (x * x + y * y)
+        if spin.contains(0):
+            continue  # the contact is at rest there
+        found = pivot(way.total, (u_x, u_y), scale, i, spin)
+        if found is not None:
+            yield Kink(s, i, found)
+
+
+class Cell(NamedTuple):
+    """An interval of a way between two places; kinks are at its ends only."""
+
+    low: Place
+    high: Place
+
+    @property
+    def s(self) -> arb:
+        """All of the interval."""
+        return self.low.s.union(self.high.s)
+
+
+class Range(NamedTuple):
+    """Balls over a cell: contact motion, scale, rotation, force."""
+
+    motion: Motion
+    force: Vector
+
+
+def over(way: Way, cell: Cell) -> Range:
+    """Enclose the forces over a cell.
+
+    Raises
+    ------
+    Undecided
+        Where the cell is too large.
+    """
+    t, scale = _motion(way, cell)
+    spin = rotations(way.total, t, scale, cell.low.spin.union(cell.high.spin))
+    motion = Motion(t, spin, scale)
+    now = response(way.total, motion)
+    return Range(motion, _with_feet(way, cell, now))
+
+
+def _motion(way: Way, cell: Cell) -> tuple[Vector, arb]:
+    t, scale = way.motion(cell.s)
+    if way.rests:
+        t, _ = way.motion((cell.low.s + cell.high.s).mid())
+    return t, scale
+
+
+def _with_feet(way: Way, cell: Cell, now: Response) -> Vector:
+    """The force with that of the feet which may be at the centre of rotation."""
+    for side, end in ((1, cell.low), (-1, cell.high)):
+        if now.feet == (end.foot,):
+            return _next_to_pivot(way, now, side)
+    x, y = now.x, now.y
+    for i in now.feet:
+        most = arb(way.total.weight * way.total.support.points[i].share)
+        x, y = x + arb(0, most), y + arb(0, most)
+    return x, y
+
+
+def _next_to_pivot(way: Way, now: Response, side: int) -> Vector:
+    """The force next to a pivot, where its foot slides slowly.
+
+    The foot has no torque about the contact left, which gives its friction across the line to the contact;
+    along it the foot moves as the contact does.
+    """
+    (i,), total = now.feet, way.total
+    (x, y), share = total.foot(i), arb(total.weight * total.support.points[i].share)
+    reach = arb(x * x + y * y).sqrt()
+    part = -now.torque / reach
+    rest = arb.max(share * share - part * part, arb(0)).sqrt()
+    along = side * way.toward.along((x, y)) * rest
+    return now.x + (along * x - part * y) / reach, now.y + (along * y + part * x) / reach
+
+
+def rise(way: Way, motion: Motion) -> Vector:
+    """Slope of the force along the way over a motion's balls, times its scale."""
+    xx, xy, yy = slopes(way.total, motion).felt()
+    x, y = way.toward.x, way.toward.y
+    return xx * x + xy * y, xy * x + yy * y
+
+
+def line(push: Push, part: arb | fmpq) -> Vector:
+    """A part of the unit vector of a push."""
+    if isinstance(part, fmpq) and not part:
+        return arb(0), arb(0)
+    return push.x * part, push.y * part

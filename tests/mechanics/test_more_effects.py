@@ -1,0 +1,77 @@
+"""Loads, viscous friction, and the magnitude of a force, against values of an outside computation."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+
+SLIDER = pp.Slider(rod_length=2.0, rod_angle=np.pi / 4, radius=1.0)
+RING = pp.RingFriction()
+
+
+def scene(*effects, contact=None):
+    return pp.Scene(slider=SLIDER, contact=contact or pp.InfiniteFriction(), effects=effects)
+
+
+@pytest.mark.parametrize(
+    ("force", "cone"),
+    [
+        ((0.0, -0.3), (-40.602404, 157.663777)),
+        ((0.3, 0.0), (-29.819697, 145.278721)),
+        ((-0.3, 0.0), (-34.721279, 150.180303)),
+    ],
+)
+def test_a_load_turns_the_motion_cone(force, cone):
+    for effects in ((RING, pp.Load(force=force)), (pp.Load(force=force), RING)):
+        assert pp.motion_cone(scene(*effects)).degrees == pytest.approx(cone, abs=1e-6)
+
+
+def test_a_load_at_the_contact_shifts_the_force():
+    """There it is a part of the pusher's own force."""
+    load = pp.Load(force=(0.1, -0.2), center=(-2.0, 0.0))
+    for angle in (0.4, 1.2, 2.0):
+        (without,) = (s for s in pp.solve(scene(RING), angle) if s.mode == pp.ContactMode.STICK)
+        found = pp.solve(scene(RING, load, contact=pp.PerfectlyRough()), angle)
+        (loaded,) = (s for s in found if s.mode == pp.ContactMode.STICK)
+        assert loaded.force == pytest.approx(without.force - [0.1, -0.2], abs=1e-13)
+        assert loaded.twist == pytest.approx(without.twist, abs=1e-13)
+
+
+def test_viscous_friction_resists_like_a_mass_at_the_center_of_pressure():
+    """A square of side 2: the mean square of the distance from its center is 2/3."""
+    square = pp.Polygon([(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)])
+    viscous = scene(RING, pp.Viscous(support=square, coefficient=0.7))
+    mass = scene(RING, pp.Inertia(mass=0.7, gyration_radius=(2 / 3) ** 0.5))
+    for angle in (-0.2, 0.9, 2.9):
+        one, other = pp.solve(viscous, angle, 1.3), pp.solve(mass, angle, 1.3)
+        assert one.modes == other.modes
+        for a, b in zip(one, other, strict=True):
+            assert a.force == pytest.approx(b.force, abs=1e-13)
+
+
+def test_viscous_friction_is_absent_from_a_push_from_rest_with_inertia():
+    heavy = RING, pp.Inertia()
+    film = pp.Viscous(support=pp.Disc(1.0), coefficient=3.0)
+    assert pp.solve(scene(*heavy, film), 0.7) == pp.solve(scene(*heavy), 0.7)
+
+
+def test_several_effects_of_a_kind_act_like_their_sum():
+    parts = pp.Inertia(mass=0.25), pp.RingFriction(weight=0.4), pp.RingFriction(weight=0.6)
+    (one, other) = (
+        pp.solve(scene(*effects), 0.7) for effects in (parts, (RING, pp.Inertia(mass=0.25)))
+    )
+    assert one.modes == other.modes
+    for a, b in zip(one, other, strict=True):
+        assert a.force == pytest.approx(b.force, abs=1e-13)
+
+
+def test_the_force_determines_the_motion_where_the_acceleration_does_not():
+    """With the mass aside two motions share m a / W = 0.235787; this one has |f| = 0.8415 W."""
+    aside = scene(RING, pp.Inertia(gyration_radius=0.5, center=(-0.5, 0.0)))
+    angle = pp.motion_angle(aside, np.deg2rad(150), force_ratio=[0.8415, 0.1])
+    assert np.rad2deg(angle[0]) == pytest.approx(138.605, abs=1e-3)
+    assert np.isnan(angle[1])  # friction holds the slider
+    with pytest.raises(pp.InvalidValue, match="force_ratio"):
+        pp.motion_angle(aside, 1.0, 0.3)
