@@ -243,6 +243,8 @@ def faults(scene, angle, magnitude, solutions):
         for name, where in wrong.items() for i in np.flatnonzero(where)
     ]  # fmt: skip
     missing = of_existence(problem, found)
+    unsolved = np.ravel(solutions.status) == pp.Status.UNSOLVED
+    missing["unsolved"] = np.broadcast_to(unsolved, len(problem))
     return shown + [
         f"{name}: problem {i}, pusher {problem.pusher[i]}"
         for name, where in missing.items() for i in np.flatnonzero(where)
