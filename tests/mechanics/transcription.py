@@ -72,9 +72,16 @@ def size_of(vector):
     return np.hypot(vector[..., 0], vector[..., 1])
 
 
+def unit(angle):
+    """Cosine and sine; the double that is nearest to a multiple of 90 degrees stands for it."""
+    c, s = np.cos(angle), np.sin(angle)
+    right = np.isin(np.abs(angle), (0.0, np.pi / 2, np.pi))
+    return np.where(right, np.rint(c), c), np.where(right, np.rint(s), s)
+
+
 def turned(vector, angle):
     """Vectors turned by angles."""
-    c, s = np.cos(angle), np.sin(angle)
+    c, s = unit(angle)
     x, y = vector[..., 0], vector[..., 1]
     return np.stack([c * x - s * y, s * x + c * y], axis=-1)
 
@@ -99,7 +106,7 @@ def problem_of(scene, angle, magnitude=1.0):
     shape = np.broadcast_shapes(laws.shape, np.shape(mu), *map(np.shape, given))
     columns = [np.broadcast_to(each, shape).ravel().astype(float) for each in given]
     length, psi, weight, mass, gyration, x, y, angle, magnitude = columns
-    pusher = magnitude[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    pusher = magnitude[:, None] * np.stack(unit(angle), axis=-1)
     pressure = pressure_of(friction[0].support, scene.slider.radius) if friction else None
     law = _law_of(laws, shape, mu)
     return Problem(
@@ -256,8 +263,9 @@ def of_numbers(problem, found):
     mode, motion, w = found.mode, found.motion, problem.pusher
     numbers = np.column_stack([found.force, found.force_end, motion, found.twist])
     omega, rod = found.twist[:, 2], problem.length
-    lever = rod[:, None] * np.stack([np.sin(problem.psi), -np.cos(problem.psi)], axis=-1)
-    off = size_of(found.twist[:, :2] + omega[:, None] * lever - motion)
+    c, s = unit(problem.psi)
+    own = found.twist[:, :2] + (omega * rod)[:, None] * np.stack([s, -c], axis=-1)
+    off = size_of(own - motion)
     slack, gap = TOLERANCE * speed_of(problem, found.twist), motion - w
     slip, rests = mode > STICK, mode == SEPARATE
     return {
