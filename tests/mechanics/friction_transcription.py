@@ -102,11 +102,9 @@ def _cells(support, share):
     loads = loads * np.diff(y)[:, None] * np.diff(x)
     loads = share * loads / loads.sum()
     return tuple(
-        _polygon(
-            loads[j, i], np.array([(x[a], y[b]) for a, b in [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]])
-        )
+        _polygon(loads[j, i], np.column_stack([x[[i, i + 1, i + 1, i]], y[[j, j, j + 1, j + 1]]]))
         for j, i in np.argwhere(loads > 0)
-    )  # fmt: skip
+    )
 
 
 # --- Rings and discs -----------------------------------------------------------------------------

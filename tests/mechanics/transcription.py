@@ -23,7 +23,7 @@ from mechanics.friction_transcription import (
 )
 
 SEPARATE, STICK, SLIP_RIGHT, SLIP_LEFT = (int(mode) for mode in pp.ContactMode)
-TOLERANCE = 1e-11
+TOLERANCE = 1e-9
 #: A foot slower than this, relative to the slider, is at the centre of rotation.
 AT_REST = 1e-9
 #: Motions that differ by less, relative to their speed, are one solution.
@@ -32,7 +32,7 @@ SAME = 1e-11
 
 @dataclass(frozen=True)
 class Problem:
-    """Scenes and pushes as flat arrays of n entries; edges of the cone and the pusher's motion are vectors."""
+    """Scenes and pushes as flat arrays of n entries; the cone's edges and the pusher's motion are vectors."""
 
     pressure: Pressure | None
     length: Any
@@ -328,8 +328,8 @@ def twice(problem, found):
 def of_existence(problem, found):
     """Solutions that have to be there.
 
-    *Separation* is consistent wherever the pusher does not move into the slider, w_y <= 0. *A rough contact*
-    sticks for every push, once.
+    *Separation* is consistent wherever the pusher does not move into the slider, w_y <= 0.
+    *A rough contact* sticks for every push, once.
 
     *A closed cone that slips* has a solution for every push. Where w_y <= 0 that is separation. Let
     w_y > 0, and let f(u_x) be the force at the contact motion (u_x, w_y), the gradient of the reduced
@@ -337,8 +337,8 @@ def of_existence(problem, found):
     included. The power f . u is positive. At u_x -> -inf the motion is along -x, so f_x < 0 there, and
     f_x > 0 at +inf: somewhere f_x = 0, and there f_y w_y > 0, so f is along the normal, which every cone
     holds. If f(w) is in the cone, the slider sticks. If it is beyond the right edge with f_x > 0, then
-    between w_x and the place where f is along the normal, at u_x < w_x, f turns within f_x >= 0 and is never
-    zero, so it passes the edge: a slip to the left. With f_x < 0 a slip to the right mirrors this.
+    between w_x and the place where f is along the normal, at u_x < w_x, f turns within f_x >= 0 and is
+    never zero, so it passes the edge: a slip to the left. With f_x < 0 a slip to the right mirrors this.
 
     *A pull that sticks*, w_y < 0 with f(w) inside of the cone, is followed by a slip. As f . w > 0 and
     f_y > 0, f_x w_x > 0: take w_x > 0. At u_x = 0 the power is f_y w_y > 0, so f_y < 0. On the way from w_x
