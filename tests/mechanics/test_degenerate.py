@@ -351,7 +351,7 @@ def test_definition_two_has_no_stick_along_the_fence_for_a_symmetric_slider():
 )
 @pytest.mark.parametrize("masses", [(), (pp.Inertia(),)], ids=["friction", "both"])
 def test_without_friction_at_the_contact_a_push_along_the_fence_moves_nothing(support, masses):
-    """The force is along the normal and so has no power where u_y = 0; a retreat cannot pull, however slow."""
+    """The force is normal and so has no power where u_y = 0; and no retreat can pull, however slow."""
     scene = scene_of(support, 1.0, 1.0, pp.Coulomb(0.0), *masses)
     for angle in (0.0, math.pi, -math.pi, -1e-15, -1e-12, -1e-4):
         assert names(solved(scene, angle)) == ["SEPARATE"]

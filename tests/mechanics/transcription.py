@@ -32,7 +32,7 @@ SAME = 1e-11
 
 @dataclass(frozen=True)
 class Problem:
-    """Scenes and pushes as flat arrays of n entries; the cone's edges and the pusher's motion are vectors."""
+    """Scenes and pushes as flat arrays; edges of the cone and the pusher's motion are vectors."""
 
     pressure: Pressure | None
     length: Any
