@@ -134,6 +134,27 @@ def test_slips_of_many_feet_are_as_many_as_a_scan_finds(seed, effects):
     assert_scanned(*generic_arrays([seed, 6], support, effects, 150))
 
 
+NEAR_PIVOTS = {
+    "foot at the contact": (
+        pp.Points([(0, 0), (0.1, -1.4), (1.5, -1.3)], [2, 1, 2]), 0.0, 2.288691053419013, 1e-12
+    ),
+    "foot above the contact": (
+        pp.Points([(0, -1), (0, 0), (0, 1)], [1, 3, 2]), 2.0, UPRIGHT, math.pi - 1e-13
+    ),
+    "feet on the rod": (pp.Points([(-1, 0), (-1, 1), (-1, -1)], [3, 3, 1]), 3.0, UPRIGHT, 1e-10),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("near", NEAR_PIVOTS.values(), ids=NEAR_PIVOTS)
+def test_the_force_of_a_foot_that_barely_moves_leaves_no_torque(near):
+    """The twist, in doubles, does not say how such a foot moves; the balance of torques says it."""
+    support, length, psi, angle = near
+    scene = scene_of(support, length, psi, pp.PerfectlyRough())
+    each = found_of(solved(scene, angle))
+    problem = problem_of(scene, angle)[each.place]
+    assert imbalance(problem, each.twist, each.force, rounding=0.0).max() <= 1
+
+
 # --- Symmetry and units --------------------------------------------------------------------------
 
 

@@ -26,6 +26,8 @@ SEPARATE, STICK, SLIP_RIGHT, SLIP_LEFT = (int(mode) for mode in pp.ContactMode)
 TOLERANCE = 1e-9
 #: A foot slower than this, relative to the slider, is at the centre of rotation.
 AT_REST = 1e-9
+#: Rounding of a twist relative to its speed: it turns the friction of a foot that barely moves.
+ROUNDING = 1e-14
 #: Motions that differ by less, relative to their speed, are one solution.
 SAME = 1e-11
 
@@ -158,11 +160,12 @@ def speed_of(problem, twist):
     return size_of(twist) + (problem.length + problem.extent) * np.abs(twist[:, 2])
 
 
-def imbalance(problem, twist, force):
+def imbalance(problem, twist, force, rounding=ROUNDING):
     """Residual of force and torque over what rounding of the twist explains; right where at most 1.
 
     Parameters are in the fence's frame. The foot that is nearest to the centre of rotation carries what is
-    left, up to its share where it is at rest, and otherwise up to the rounding of its direction.
+    left, up to its share where it is at rest, and otherwise up to the rounding of its direction. Without
+    `rounding` even a foot that barely moves has to leave no torque about the contact, as exact forces do.
     """
     body = np.column_stack([turned(twist[:, :2], -problem.psi), twist[:, 2]])
     lacks, torque = gradient(problem, body)
@@ -173,18 +176,21 @@ def imbalance(problem, twist, force):
         middle = size_of(point_velocities(body, problem.pressure.center[None])[:, 0])
         turn = problem.pressure.extent * np.abs(twist[:, 2])
         slack = slack + problem.weight * speed / np.maximum(middle + turn, 1e-300)
-        lacks, torque, share = _with_atoms(problem, body, speed, lacks, torque)
-        slack = slack + share
+        lacks, torque, share, turns = _with_atoms(problem, body, speed, lacks, torque)
+        slack = slack + share + rounding / TOLERANCE * turns
     allowed = TOLERANCE * slack
     arm = np.maximum(problem.length + problem.extent, 1e-300)
     return np.maximum(size_of(lacks), np.abs(torque) / arm) / np.maximum(allowed, 1e-300)
 
 
 def _with_atoms(problem, body, speed, lacks, torque):
-    """Residuals with the atoms, the nearest one's force chosen, and the slack of the directions."""
+    """Residuals with the atoms, the nearest one's force chosen.
+
+    Then the slack of the directions of the others, and how far a unit of rounding turns the nearest one's.
+    """
     atoms = problem.pressure.atoms
     if not len(atoms):
-        return lacks, torque, 0.0
+        return lacks, torque, 0.0, 0.0
     moves = size_of(point_velocities(body, atoms[:, :2]))
     rows, nearest = np.arange(len(body)), np.argmin(moves, axis=1)
     rests = moves[rows, nearest] <= AT_REST * speed
@@ -199,8 +205,10 @@ def _with_atoms(problem, body, speed, lacks, torque):
     size = size_of(lacks)
     hinge = -lacks * np.minimum(1.0, limit / np.maximum(size, 1e-300))[:, None]
     place = atoms[nearest, :2] + np.stack([problem.length, 0 * problem.length], axis=-1)
+    turns = share * np.minimum(blur[rows, nearest], 1.0 / ROUNDING)
     blur[rows, nearest] = 0.0
-    return lacks + hinge, torque + cross(place, hinge), (weights * blur).sum(axis=1)
+    share = (weights * blur).sum(axis=1)
+    return lacks + hinge, torque + cross(place, hinge), share, turns
 
 
 # --- Conditions ----------------------------------------------------------------------------------
