@@ -294,11 +294,13 @@ def test_feet_beside_the_contact_under_infinite_friction(center):
 
 
 def test_one_place_is_no_support_however_its_weights_round():
-    """Defect D."""
+    """Defect D: the extent of such points is 0 or some 1e-17."""
     random = np.random.default_rng(13)
+    slider = pp.Slider(rod_length=1.0, rod_angle=1.0, radius=1.0)
     for weights in ([1, 2, 4, 6], *random.uniform(0.1, 1, (50, 4))):
+        friction = pp.SupportFriction(support=pp.Points([(0.3, 0.7)] * 4, weights))
         with pytest.raises(pp.InvalidValue):
-            pp.solve(scene_of(pp.Points([(0.3, 0.7)] * 4, weights), 1.0, 1.0, INFINITE), 1.0)
+            pp.solve(pp.Scene(slider=slider, contact=INFINITE, effects=(friction,)), 1.0)
 
 
 ALONG_ROD = {

@@ -11,8 +11,8 @@ from simulation.runs import check
 
 #: Degrees of rod angle by which the integrators may differ, of which one is of first order.
 AGREE = 0.2
-#: A run takes at most ten thousand steps of twelve stages, and a stage evaluates friction some times.
-EVALUATIONS = 10_000 * 12 * 10
+#: A run takes at most ten thousand steps of twelve stages.
+EVALUATIONS = 10_000 * 12
 
 
 def common_end(*logs):
