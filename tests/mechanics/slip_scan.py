@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from mechanics.transcription import cross, gradient, of_places, turned
+from mechanics.friction_transcription import of_places
+from mechanics.problems import cross, turned
+from mechanics.transcription import gradient
 
 #: Width of the bracket at the end, relative to the rotation.
 ROUNDING = 1e-15
