@@ -46,7 +46,7 @@ def steady_slips(
         return
     t = sense * way.toward.x, sense * way.toward.y
     (x, y), share = way.total.foot(foot), way.total.weight * way.total.support.points[foot].share
-    spin, reach = (x * t[1] - y * t[0]) / (x * x + y * y), arb(x * x + y * y).sqrt()
+    spin, reach = (y * t[0] - x * t[1]) / (x * x + y * y), arb(x * x + y * y).sqrt()
     still, moving = (response(way.total, Motion(t, spin, arb(i)), foot) for i in (0, 1))
     part = -still.torque / reach, (still.torque - moving.torque) / reach
     middle = still.x - part[0] * y / reach, still.y + part[0] * x / reach

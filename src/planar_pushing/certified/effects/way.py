@@ -101,7 +101,7 @@ def kinks(way: Way) -> Iterator[Kink]:
             continue
         s = -(x * way.start[0] + y * way.start[1]) / (x * way.toward.x + y * way.toward.y)
         (u_x, u_y), scale = way.motion(s)
-        spin = (x * u_y - y * u_x) / (x * x + y * y)
+        spin = (y * u_x - x * u_y) / (x * x + y * y)
         if spin.contains(0):
             continue  # the contact is at rest there
         found = pivot(way.total, (u_x, u_y), scale, i, spin)
