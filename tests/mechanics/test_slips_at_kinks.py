@@ -1,4 +1,4 @@
-"""Slips within rounding of a kink, against roots that were bracketed in 60 digits and stand for rods an ulp off.
+"""Slips within rounding of a kink, against roots bracketed in 60 digits that stand for rods an ulp off.
 
 Feet on one line that meets the contact's tangent, its normal or the line of the force: there one force has
 an interval of motions, or one motion an interval of forces, and a root of the force across the edge is
