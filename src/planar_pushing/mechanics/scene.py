@@ -125,6 +125,16 @@ class Scene:
         return [each for each in self.effects if isinstance(each, (SupportFriction, RingFriction))]
 
     @property
+    def viscous(self) -> list[Viscous]:
+        """Its viscous friction on supports."""
+        return [each for each in self.effects if isinstance(each, Viscous)]
+
+    @property
+    def loads(self) -> list[Load]:
+        """Its loads."""
+        return [each for each in self.effects if isinstance(each, Load)]
+
+    @property
     def masses(self) -> list[Inertia]:
         """The effects that store energy."""
         return [each for each in self.effects if isinstance(each, Inertia)]

@@ -1,118 +1,173 @@
-"""`simulate_batch`: the motion of many scenes at once, from arrays of parameters."""
+"""`simulate_batch`: the motion of many scenes at once, from a scene of arrays."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from typing import Any, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.contact import Coulomb
-from planar_pushing.mechanics.effects import Effect, RingFriction
+from planar_pushing.mechanics.contact.laws import friction_coefficient
+from planar_pushing.mechanics.numerics.arrays import is_labelled
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.simulation.blocks import run_scenes
+from planar_pushing.mechanics.scene import Scene, required_scene
+from planar_pushing.simulation.blocks import Fences, Scenes, run_scenes
 from planar_pushing.simulation.log.variables import FINGER, described, variables
-from planar_pushing.simulation.parameters import coefficients, scenes_of, velocities
+from planar_pushing.simulation.policies import marked, starts_of
 from planar_pushing.simulation.problem import Problem, sample_count
-from planar_pushing.simulation.pusher import Pusher, required_shape
+from planar_pushing.simulation.pusher import Pusher, constant_fences
 from planar_pushing.simulation.rows import in_units
+from planar_pushing.simulation.systems.setup import columns
 from planar_pushing.terms import quantities
+from planar_pushing.terms.errors import InvalidValue, require_kind
 from planar_pushing.terms.options import Policy, Shape
 
 #: Variables of the dataset that are those of a row.
-SAMPLED = ("time", "position", "rod_angle", "slip", "gap", "mode", "solutions", "stopped")
+SAMPLED = (
+    "time", "position", "rod_angle", "slip", "gap", "mode", "solutions", "pivot", "stopped",
+)  # fmt: skip
 #: Types of those that are no variables of a log.
 TYPES = {"time": "f8", "stopped": "i1"}
 
 
 def simulate_batch(
+    scene: Scene,
+    pusher: Pusher,
     *,
-    rod_length: npt.ArrayLike,
-    rod_angle: npt.ArrayLike,
-    velocity: Any,
     duration: npt.ArrayLike,
-    friction_coefficient: Any = None,
-    contact: Any = None,
-    radius: npt.ArrayLike = 1.0,
-    effects: Sequence[Effect] = (RingFriction(),),
     twist: Sequence[npt.ArrayLike] = (0.0, 0.0, 0.0),
     gap: npt.ArrayLike = 0.0,
     rtol: float = 1e-10,
     on_ambiguity: str | Sequence[tuple[float, str]] = Policy.KEEP_CONTACT,
     samples: int | None = None,
-    side: tuple[npt.ArrayLike, npt.ArrayLike] = (-math.inf, math.inf),
-    shape: str = Shape.FENCE,
     progress: bool = False,
 ) -> xr.Dataset:
-    """Simulate many scenes, each as `simulate` does.
+    """Simulate a scene of arrays, each of its scenes as `simulate` does.
 
     Parameters
     ----------
-    rod_length, duration, radius, gap : array_like, shape (scenes,) or ()
-        As in `Slider` and `simulate`. All arrays are broadcast against one another.
-    rod_angle : array_like, shape (scenes,) or ()
-        psi between the fence and the rod, radians, in (0, pi), at time 0.
-    velocity : array_like, shape (scenes, 2) or (2,), or Pusher
-        Velocity of the fence, length per time; or one motion of the fence for every scene. Scenes under a
-        fence that is a function of time run one by one.
-    friction_coefficient : array_like, shape (scenes,) or ()
-        mu >= 0, infinite for infinite friction by the paper's definition 1.
-    contact : ContactLaw, or array of laws
-        Instead of a coefficient.
-    effects : sequence of effects
-        Their parameters may be arrays.
+    scene : Scene
+        Parameters of slider, law and effects may be arrays of shape (scenes,), or labelled arrays.
+    pusher : Pusher
+        One for every scene; the two parts of its velocity may be arrays. Scenes under a pusher that follows
+        a function of time run one by one.
+    duration, gap : array_like
+        As in `simulate`. All arrays are broadcast against one another, labelled ones by name.
     twist : (v_x, v_y, omega)
         As in `simulate`, omega in radians per time; numbers or arrays.
     rtol, on_ambiguity
         As in `simulate`.
     samples : int, optional
         Number of evenly spaced instants, the first and the last included; without it only the last.
-    side : (start, end), of array_like of shape (scenes,) or ()
-        As in `Slider`, for fingers.
-    shape : {"fence", "finger"}
-        What pushes, where velocities are given; a `Pusher` has its own shape.
     progress : bool
         Whether to show a progress bar.
 
     Returns
     -------
     xarray.Dataset
-        Over `scene`, and `part` of the duration where samples are asked for; angles are degrees. The
-        numbers are those of `simulate`.
+        Over `scene`, or the dimensions of the labelled arrays, and `part` of the duration where samples are
+        asked for; angles are degrees. The numbers are those of `simulate`.
 
     Raises
     ------
     InvalidValue
         Where a value is not allowed, or shapes do not match.
     """
-    mu = coefficients(friction_coefficient, contact)
-    law = Coulomb(np.where(np.isinf(mu), 0.0, mu)) if contact is None else contact
-    slider = Slider(rod_length=rod_length, rod_angle=rod_angle, radius=radius, side=cast(Any, side))
+    require_kind("pusher", pusher, Pusher)
     problem = Problem(
-        scene=Scene(slider=slider, contact=law, effects=cast(Any, effects)),
-        pusher=velocity if isinstance(velocity, Pusher) else velocities(velocity),
-        duration=np.atleast_1d(duration), twist=twist, gap=gap, rtol=rtol,
-        on_ambiguity=on_ambiguity, shape=required_shape(shape),
+        scene=required_scene(scene), pusher=pusher, duration=duration, twist=twist, gap=gap,
+        rtol=rtol, on_ambiguity=on_ambiguity,
     )  # fmt: skip
+    given = _given(problem)
     parts = np.ones(1) if samples is None else np.linspace(0.0, 1.0, sample_count(samples))
-    scenes = scenes_of(problem, mu)
+    ends = given.scenes.ends
     # As `simulate` has them, bit for bit.
-    times = np.linspace(0.0, scenes.ends, len(parts), axis=-1) if samples else scenes.ends[:, None]
-    rows, changes = run_scenes(problem, scenes, np.ascontiguousarray(times), progress)
-    found = _variables(problem, in_units(rows, scenes.radius), samples is None)
-    found["mode_changes"] = "scene", changes
-    found["evaluations"] = "scene", np.array(rows["evaluations"][:, -1])
-    coordinates = _coordinates(problem, mu, scenes.ends) | (
-        {"part": ("part", parts)} if samples else {}
-    )
+    times = np.linspace(0.0, ends, len(parts), axis=-1) if samples else ends[:, None]
+    rows, changes = run_scenes(problem, given.scenes, np.ascontiguousarray(times), progress)
+    found = _variables(problem, in_units(rows, given.scenes.radius), samples is None)
+    found["mode_changes"] = ("scene",), changes
+    found["evaluations"] = ("scene",), np.array(rows["evaluations"][:, -1])
+    found = {name: _unflat(value, given) for name, value in found.items()}
+    coordinates = _coordinates(problem, given) | ({"part": ("part", parts)} if samples else {})
     dataset = xr.Dataset(found, coordinates)
     for label, variable in dataset.variables.items():
-        variable.attrs = described(quantities.BATCH, str(label))
+        described_as = described(quantities.BATCH, str(label)) if label not in given.own else {}
+        variable.attrs = described_as or variable.attrs
     return dataset
+
+
+class Given(NamedTuple):
+    """The scenes of a problem, and the dimensions, shape and coordinates of its arrays."""
+
+    scenes: Scenes
+    dims: tuple[str, ...]
+    shape: tuple[int, ...]
+    own: dict[str, Any]
+
+
+def _given(problem: Problem) -> Given:
+    """Scenes of arrays that are broadcast against one another."""
+    scene, pusher = problem.scene, problem.pusher
+    velocity = pusher.arrays or (0.0, 0.0)
+    numbers = columns(scene, problem.twist, problem.gap)
+    columns_, dims, shape, own = _broadcast(
+        [*numbers, scene.slider.radius, problem.duration, *velocity]
+    )
+    *rows, radius, ends, v_x, v_y = columns_
+    moves = np.stack([v_x, v_y], axis=-1) if pusher.arrays else None
+    fences = _fences(problem, ends, radius, moves)
+    return Given(Scenes(np.stack(rows, axis=-1), ends, radius, fences), dims, shape, own)
+
+
+def _broadcast(
+    given: list[Any],
+) -> tuple[list[Array], tuple[str, ...], tuple[int, ...], dict[str, Any]]:
+    """Flat arrays, and dimensions, shape and coordinates of what was given."""
+    if any(map(is_labelled, given)):
+        loose = [each for each in given if np.ndim(each) and not is_labelled(each)]
+        if loose:
+            raise InvalidValue(
+                "shapes", np.shape(loose[0]), "labelled arrays, or arrays of one shape",
+                "give this array as an xarray.DataArray too",
+            )  # fmt: skip
+        every = xr.broadcast(*(each if is_labelled(each) else xr.DataArray(each) for each in given))
+        dims = tuple(map(str, every[0].dims))
+        arrays, own = [each.values for each in every], dict(every[0].coords)
+    else:
+        arrays, dims, own = [np.asarray(each, float) for each in given], ("scene",), {}
+    shapes = {np.shape(each) for each in arrays}
+    try:
+        shape = np.broadcast_shapes((1,) * len(dims), *shapes)
+    except ValueError:
+        shape = ()
+    if len(shape) != len(dims) or 0 in shape:
+        raise InvalidValue(
+            "shapes", sorted(shapes), "() or (scenes,)", "give one number for each scene"
+        )
+    flat = [np.broadcast_to(np.asarray(each, float), shape).reshape(-1) for each in arrays]
+    return flat, dims, shape, own
+
+
+def _fences(problem: Problem, ends: Array, radius: Array, moves: Any) -> Fences:
+    """The fences of scenes; those that are functions of time are made for one scene at a time."""
+    pusher, policies = problem.pusher, problem.on_ambiguity
+    if problem.follows_function:
+
+        def function(part: slice) -> tuple[Any, Array]:
+            fence = problem.fence(float(ends[part.start]), float(radius[part.start]))
+            return fence[None], np.array([len(fence)])
+
+        return function
+    starts, velocities = (np.zeros(1), moves[:, None]) if moves is not None else pusher.steps
+    every = np.broadcast_to(velocities, (len(ends), len(starts), 2)) / radius[:, None, None]
+
+    def constant(part: slice) -> tuple[Any, Array]:
+        fences, counts = constant_fences(starts, every[part], ends[part], starts_of(policies))
+        return marked(fences, policies), counts
+
+    return constant
 
 
 def _variables(problem: Problem, rows: Any, only_last: bool) -> dict[str, Any]:
@@ -127,16 +182,44 @@ def _variables(problem: Problem, rows: Any, only_last: bool) -> dict[str, Any]:
     return found
 
 
-def _coordinates(problem: Problem, mu: Array, ends: Array) -> dict[str, Any]:
-    """What the dataset says of each scene."""
-    slider, size = problem.scene.slider, len(ends)
-    given = {
+def _unflat(value: Any, given: Given) -> Any:
+    """A variable over the scenes, over their dimensions."""
+    dims, array = value
+    return (*given.dims, *dims[1:]), np.asarray(array).reshape(*given.shape, *array.shape[1:])
+
+
+def _coordinates(problem: Problem, given: Given) -> dict[str, Any]:
+    """Coordinates that describe each scene."""
+    slider, contact = problem.scene.slider, problem.scene.contact
+    laws = np.asarray(contact, dtype=object)
+    mu = [friction_coefficient(law) for law in laws.ravel()] if laws.ndim else None
+    every = {
         "rod_length": slider.rod_length, "initial_rod_angle": np.rad2deg(slider.rod_angle),
-        "friction_coefficient": mu, "duration": ends,
+        "duration": problem.duration,
+        "friction_coefficient": _coefficients(contact) if mu is None else _like(contact, mu),
     }  # fmt: skip
-    found: dict[str, Any] = {"xy": ("xy", ["x", "y"])}
-    for name, each in given.items():
-        found[name] = "scene", np.array(np.broadcast_to(np.asarray(each, float), (size,)))
-    if not isinstance(problem.pusher, Pusher):
-        found["velocity"] = ("scene", "xy"), np.array(np.broadcast_to(problem.pusher, (size, 2)))
+    found: dict[str, Any] = {"xy": ("xy", ["x", "y"])} | given.own
+    for name, each in every.items():
+        if name not in found:
+            found[name] = _over(each, given)
+    if problem.pusher.arrays and "velocity" not in found:
+        parts = [_over(each, given)[1] for each in problem.pusher.arrays]
+        found["velocity"] = (*given.dims, "xy"), np.stack(parts, axis=-1)
     return found
+
+
+def _coefficients(law: Any) -> Any:
+    return getattr(law, "friction_coefficient", np.inf)
+
+
+def _like(contact: Any, mu: list[float]) -> Any:
+    array = np.reshape(mu, np.shape(contact))
+    return contact.copy(data=array) if is_labelled(contact) else array
+
+
+def _over(value: Any, given: Given) -> Any:
+    """A number or an array over the dimensions of the scenes."""
+    if is_labelled(value):
+        value = value.broadcast_like(xr.DataArray(np.zeros(given.shape), dims=given.dims))
+        value = value.transpose(*given.dims).values
+    return given.dims, np.array(np.broadcast_to(np.asarray(value, float), given.shape))

@@ -2,73 +2,122 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from threading import Event
+from typing import Any, NamedTuple
 
 import numpy as np
 from tqdm import tqdm
 
 from planar_pushing.mechanics.compiled import inlined, kernel, owning
-from planar_pushing.mechanics.effects.base import made
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
-from planar_pushing.simulation.events.run import RUNS, STATE, Task
-from planar_pushing.simulation.parameters import Scenes
+from planar_pushing.simulation.events.run import STATE, Task, run_type
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import ROW, records
+from planar_pushing.simulation.rows import records, row_type
 from planar_pushing.simulation.systems.base import BODY, Inertial, QuasiStatic
-from planar_pushing.simulation.systems.setup import PUSHERS, fill, put, shape_of
+from planar_pushing.simulation.systems.setup import (
+    NUMBERS,
+    PUSHERS,
+    fill,
+    kinds_of,
+    new_room,
+    parts_of,
+    put,
+    shape_of,
+    size_of,
+)
 
-#: Scenes of a block: some milliseconds of work, so that Ctrl-C is heard.
+#: Scenes of a block.
 BLOCK = 128
 #: Rows that the integrator hands on at once.
 ROWS = 64
+#: Steps after which a block returns to Python, so that Ctrl-C is heard: a fraction of a second of work.
+STEPS = 5_000
+
+#: Of a slice of many scenes: their fences, shape (scenes, pieces), and how many pieces of each count.
+Fences = Callable[[slice], tuple[Any, Array]]
+
+
+class Scenes(NamedTuple):
+    """Many scenes in radii: rows as `systems.setup` has them, durations, radii and fences."""
+
+    rows: Array
+    ends: Array
+    radius: Array
+    fences: Fences
 
 
 @inlined
-def _follow(system, row, task, run, rows, found):
-    """Run one scene; `found` takes its row at each of the task's times, the last one where it ends before.
+def _begin(system, numbers, run, at):
+    """Begin the next scene of a block, unless it is under way."""
+    if not at.begun:
+        fill(numbers, system.fence, system.body)
+        put(system, numbers, run.vectors[STATE])
+        begin(system, run)
+        at.begun, at.place = True, 0
 
-    Returns the number of changes of mode.
+
+@inlined
+def _follow(system, task, run, rows, found, changes, at):
+    """Go on with one scene; `found` takes its row at each of the task's times, the last where it ends before.
+
+    Returns the number of steps.
     """
-    times, place = task.times, 0
-    fill(row, system.fence, system.body)
-    put(system, row, run.vectors[STATE])
-    begin(system, run)
-    while run.phase != ENDED:
-        count = advance(system, task, run, rows)
-        for i in range(count):
-            while place < len(times) - 1 and rows[i].time > times[place]:
-                place += 1
-            found[place] = rows[i]
-        if count > 0 and run.phase == ENDED:
-            last = rows[count - 1]
-            for j in range(place + (0 if last.time < times[place] else 1), len(times)):
-                found[j] = last
-    return run.changes
+    times, before = task.times, run.steps
+    count = advance(system, task, run, rows)
+    for i in range(count):
+        while at.place < len(times) - 1 and rows[i].time > times[at.place]:
+            at.place += 1
+        found[at.place] = rows[i]
+    if count > 0 and run.phase == ENDED:
+        last = rows[count - 1]
+        for j in range(at.place + (0 if last.time < times[at.place] else 1), len(times)):
+            found[j] = last
+    if run.phase == ENDED:
+        changes[at.scene] = run.changes
+        at.scene, at.begun = at.scene + 1, False
+    return 1 + run.steps - before
 
 
-# Two kernels and no layer above them: the compiler optimises each layer with all that it calls.
+# Two kernels, and nothing between them and what they call: a system holds a record, which no function returns.
 @kernel
 @owning
 def _quasi_static(
-    kinds, shape, scenes, fences, counts, times, rtol, body, run, rows, found, changes
+    kinds, shape, scenes, fences, counts, times, rtol, body, room, run, rows, found, changes, at
 ):
-    """Run a block of scenes whose effects are all friction."""
-    for i in range(len(scenes)):
-        row, fence, task = scenes[i], fences[i, : counts[i]], Task(rtol, times[i])
-        system = QuasiStatic(made(kinds, row), body, fence, shape_of(shape, row))
-        changes[i] = _follow(system, row, task, run, rows, found[i])
+    """Go on with a block of scenes without inertia, from where it is, until it ends or many steps are done."""
+    done = 0
+    while at.scene < len(scenes) and done < STEPS:
+        i = at.scene
+        row, fence, numbers = scenes[i], fences[i, : counts[i]], scenes[i, len(scenes[i]) - NUMBERS :]
+        effects, friction, films = parts_of(kinds, row)
+        own = shape_of(shape, numbers)
+        system = QuasiStatic(effects, friction, films, kinds.loads, body, fence, own, room)
+        _begin(system, numbers, run, at)
+        done += _follow(system, Task(rtol, times[i]), run, rows, found[i], changes, at)
 
 
 @kernel
 @owning
-def _inertial(kinds, shape, scenes, fences, counts, times, rtol, body, run, rows, found, changes):
-    """Run a block of scenes with inertia."""
-    for i in range(len(scenes)):
-        row, fence, task = scenes[i], fences[i, : counts[i]], Task(rtol, times[i])
-        system = Inertial(made(kinds, row), body, fence, shape_of(shape, row))
-        changes[i] = _follow(system, row, task, run, rows, found[i])
+def _inertial(
+    kinds, shape, scenes, fences, counts, times, rtol, body, room, run, rows, found, changes, at
+):
+    """As `_quasi_static`, of scenes with inertia."""
+    done = 0
+    while at.scene < len(scenes) and done < STEPS:
+        i = at.scene
+        row, fence, numbers = scenes[i], fences[i, : counts[i]], scenes[i, len(scenes[i]) - NUMBERS :]
+        effects, friction, films = parts_of(kinds, row)
+        own = shape_of(shape, numbers)
+        system = Inertial(effects, friction, films, kinds.loads, body, fence, own, room)
+        _begin(system, numbers, run, at)
+        done += _follow(system, Task(rtol, times[i]), run, rows, found[i], changes, at)
+
+
+#: Where a block is.
+PLACE = np.dtype([("scene", "i8"), ("place", "i8"), ("begun", "b1")], align=True)
 
 
 def run_scenes(
@@ -78,23 +127,33 @@ def run_scenes(
 
     The last row of a scene that stops before stands for the times after.
     """
-    size, kinds, shape = len(times), problem.scene.kinds, PUSHERS[problem.shape]
-    block = 1 if problem.follows_function else BLOCK
-    moves = problem.scene.stores_energy
-    kernel = _inertial if moves else _quasi_static
-    found = records(ROW, times.size).reshape(times.shape)
-    changes = np.zeros(size, np.int64)
+    size, scene, shape = len(times), problem.scene, PUSHERS[problem.shape]
+    kinds, entries = kinds_of(scene), size_of(scene)
+    block, go_on = (
+        1 if problem.follows_function else BLOCK,
+        _inertial if scene.stores_energy else _quasi_static,
+    )
+    rows_as = row_type(len(kinds.effects))
+    found = records(rows_as, times.size).reshape(times.shape)
+    changes, stop = np.zeros(size, np.int64), Event()
 
     def run(start: int) -> None:
         part = slice(start, min(start + block, size))
-        body, state, rows = records(BODY, 1)[0], records(RUNS[moves], 1)[0], records(ROW, ROWS)
-        kernel(
-            kinds, shape, scenes.rows[part], *scenes.fences(part), times[part].copy(), problem.rtol,
-            body, state, rows, found[part], changes[part],
-        )  # fmt: skip
-        bar.update(part.stop - start)
+        body, state, at = (records(each, 1)[0] for each in (BODY, run_type(entries), PLACE))
+        rows, room, fences = records(rows_as, ROWS), new_room(entries), scenes.fences(part)
+        while at.scene < part.stop - start and not stop.is_set():
+            before = int(at.scene)
+            go_on(
+                kinds, shape, scenes.rows[part], *fences, times[part].copy(), problem.rtol,
+                body, room, state, rows, found[part], changes[part], at,
+            )  # fmt: skip
+            bar.update(int(at.scene) - before)
 
     with tqdm(total=size, disable=not progress, unit="scene", leave=False) as bar:
-        run(0)  # which compiles where it must, before the threads do
-        in_threads(run, range(block, size, block))
+        try:
+            run(0)  # which compiles where it must, before the threads do
+            in_threads(run, range(block, size, block))
+        except BaseException:
+            stop.set()
+            raise
     return found, changes

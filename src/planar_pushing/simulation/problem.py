@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
@@ -30,8 +31,7 @@ TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
 class Problem:
     """What is to be simulated, as `simulate` has it.
 
-    In a batch numbers are arrays over the scenes, and `pusher` may be an array of velocities, of pushers
-    of a `shape`; a `Pusher` has its own. `on_ambiguity` becomes policies with their start times.
+    In a batch numbers are arrays over the scenes. `on_ambiguity` becomes policies with their start times.
 
     Raises
     ------
@@ -40,13 +40,12 @@ class Problem:
     """
 
     scene: Scene
-    pusher: Any
+    pusher: Pusher
     duration: Number
     twist: Sequence[Number] = (0.0, 0.0, 0.0)
     gap: Number = 0.0
     on_ambiguity: Any = Policy.KEEP_CONTACT
     rtol: float = 1e-10
-    shape: Shape = Shape.FENCE
 
     def __post_init__(self) -> None:
         require_fields(self, "duration", "gap")
@@ -57,13 +56,17 @@ class Problem:
         object.__setattr__(self, "rtol", rtol)
         object.__setattr__(self, "twist", _twist(self.twist, self.scene))
         object.__setattr__(self, "on_ambiguity", required_policies(self.on_ambiguity))
-        if isinstance(self.pusher, Pusher):
-            object.__setattr__(self, "shape", self.pusher.shape)
+        require_held(self.scene)
+
+    @property
+    def shape(self) -> Shape:
+        """The shape of the pusher."""
+        return Shape(self.pusher.shape)
 
     @property
     def follows_function(self) -> bool:
         """Whether the pusher's velocity is a function of time."""
-        return isinstance(self.pusher, Pusher) and not self.pusher.pieces
+        return not self.pusher.pieces and self.pusher.arrays is None
 
     def fence(self, duration: float, radius: float) -> Any:
         """The motion of a `Pusher` as an array of pieces, each with its policy; errors as of the pusher."""

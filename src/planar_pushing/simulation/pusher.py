@@ -53,6 +53,7 @@ class Pusher:
     ----------
     velocity : (v_x, v_y), sequence of (start_time, (v_x, v_y)), or callable
         Length per time. The pieces start at 0 and follow one another; each holds until the next starts.
+        For `simulate_batch` v_x and v_y may be arrays.
     acceleration : callable, optional
         Derivative of a callable velocity. It is not needed: a callable velocity becomes polynomials,
         whose derivatives are known.
@@ -73,9 +74,12 @@ class Pusher:
     breakpoints: Sequence[float] = ()
     shape: str = Shape.FENCE
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
+    arrays: tuple[Any, Any] | None = field(init=False, default=None, repr=False)
 
     def __post_init__(self) -> None:
-        if not callable(self.velocity):
+        if _are_arrays(self.velocity):
+            object.__setattr__(self, "arrays", _required_arrays(self.velocity))
+        elif not callable(self.velocity):
             object.__setattr__(self, "pieces", _pieces(self.velocity))
         times = as_floats(self.breakpoints)
         increase = all(a < b for a, b in itertools.pairwise([*times, math.inf]))
@@ -154,6 +158,23 @@ def _fence(spans: Sequence[Sequence[Piece]], radius: float) -> Any:
     paths = lengths[:, None] * fence["series"][:, MEAN:].sum(axis=-1)
     fence["origin"][1:] = paths.cumsum(axis=0)[:-1]
     return fence
+
+
+def _are_arrays(given: Any) -> bool:
+    """Whether a velocity is two parts, of which one at least is an array of numbers."""
+    pair = isinstance(given, (tuple, list)) and len(given) == 2
+    return pair and any(getattr(each, "ndim", 0) > 0 for each in given)
+
+
+def _required_arrays(given: Any) -> tuple[Any, Any]:
+    """The parts of the velocities of many pushers, or `InvalidValue`."""
+    x, y = given
+    for each in given:
+        numbers = np.asarray(each)
+        if numbers.dtype.kind not in "iuf" or not np.isfinite(numbers).all():
+            raise InvalidValue("velocity", np.ravel(each)[0], "finite numbers", REMEDY)
+    required("velocity", np.hypot(x, y))
+    return x, y
 
 
 def _constant(given: object) -> Vector:

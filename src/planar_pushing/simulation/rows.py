@@ -3,30 +3,68 @@
 from __future__ import annotations
 
 from enum import IntEnum
+from functools import cache
 from typing import Any
 
 import numpy as np
 
 #: Value of `mode` where no mode is consistent; otherwise it is one of `ContactMode`.
 NO_MODE = -1
-#: One instant, lengths in radii of the slider: ring centre, rod angle in radians, twist with R omega,
-#: displacement of the pusher, and energies since the start. `stopped` is a `Stop`. Place of a finger along
-#: the side, and whether its contact has ended for good.
-ROW = np.dtype(
-    [
-        ("time", "f8"), ("position", "f8", (2,)), ("rod_angle", "f8"), ("twist", "f8", (3,)),
-        ("fence", "f8", (2,)), ("slip", "f8"), ("gap", "f8"), ("force", "f8", (2,)),
-        ("mode", "i8"), ("solutions", "i8"), ("spin_ratio", "f8"), ("dissipated", "f8"),
-        ("contact_dissipated", "f8"), ("work", "f8"), ("kinetic_energy", "f8"),
-        ("evaluations", "i8"), ("stopped", "i8"), ("contact_position", "f8"), ("parted", "i8"),
-    ],
-    align=True,
-)  # fmt: skip
 #: Variables that the core has in radii; energies too are forces times radii.
 LENGTHS = (
-    "position", "twist", "fence", "slip", "gap", "contact_position",
-    "dissipated", "contact_dissipated", "work", "kinetic_energy",
+    "position", "fence", "slip", "gap", "contact_position",
+    "dissipated", "contact_dissipated", "work", "load_work", "kinetic_energy",
 )  # fmt: skip
+
+
+@cache
+def row_type(effects: int) -> np.dtype[Any]:
+    """One instant of a scene with so many effects that resist the motion, lengths in radii of the slider.
+
+    Slider's center, rod angle in radians, twist, displacement of the pusher, number of the support point
+    that is a pivot, why the mode was chosen anew (`Event`), and energies since the start. `stopped` is a
+    `Stop`. Position of a finger along the side, and whether its contact has ended for good.
+    """
+    return np.dtype(
+        [
+            ("time", "f8"), ("position", "f8", (2,)), ("rod_angle", "f8"), ("twist", "f8", (3,)),
+            ("fence", "f8", (2,)), ("slip", "f8"), ("gap", "f8"), ("force", "f8", (2,)),
+            ("mode", "i8"), ("solutions", "i8"), ("pivot", "i8"), ("event", "i8"),
+            ("spin_ratio", "f8"), ("dissipated", "f8", (max(effects, 1),)),
+            ("contact_dissipated", "f8"), ("work", "f8"), ("load_work", "f8"),
+            ("kinetic_energy", "f8"), ("evaluations", "i8"), ("stopped", "i8"),
+            ("contact_position", "f8"), ("parted", "i8"),
+        ],
+        align=True,
+    )  # fmt: skip
+
+
+class Event(IntEnum):
+    """Why a mode ends, or why the modes are enumerated anew."""
+
+    NONE = -1
+    #: The force leaves the friction cone; a slip or a force ends; the contact is made.
+    LEAVES_CONE = 0
+    SLIP_ENDS = 1
+    FORCE_ENDS = 2
+    TOUCHES = 3
+    #: The fence begins to push a slider at rest; without a force the contact would part, or no longer.
+    STARTS = 4
+    LIFTS = 5
+    #: Friction no longer holds the support point about which the slider pivots.
+    HINGE_YIELDS = 6
+    #: The slider's center comes down to the fence; the slider comes to rest.
+    LIES = 7
+    STOPS = 8
+    #: The center of rotation arrives at a support point, or leaves it.
+    ARRIVES = 9
+    #: The response to the motion is not smooth, or a pivot starts or ends.
+    KINK = 10
+    #: The normal motion of the fence changes its sign, or it starts to move; that along itself does.
+    TURNS = 11
+    TURNS_ALONG = 12
+    #: A finger comes to the end of its side.
+    END_OF_SIDE = 13
 
 
 class Stop(IntEnum):
@@ -38,6 +76,7 @@ class Stop(IntEnum):
     NO_IMPULSE = 3
     SINGULAR = 4
     EVENTS = 5
+    PROGRESS = 6
 
 
 REASONS = {
@@ -47,6 +86,7 @@ REASONS = {
     Stop.NO_IMPULSE: "no impulse at the contact is consistent",
     Stop.SINGULAR: "the motion is singular in the mode",
     Stop.EVENTS: "without any time between them",
+    Stop.PROGRESS: "thousands of steps make no progress",
 }
 
 
@@ -65,10 +105,12 @@ def in_units(rows: Any, radius: Any) -> Any:
 
     Parameters
     ----------
-    rows : array of ROW
+    rows : array of a `row_type`
     radius : float, or ndarray over the first dimension of the rows
     """
     for name in LENGTHS:
         values = rows[name].T  # the last dimension is that of the radii
         values *= radius
+    velocity = rows["twist"][..., :2].T
+    velocity *= radius
     return rows

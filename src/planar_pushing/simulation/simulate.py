@@ -95,7 +95,10 @@ def simulate(
         Where `path` cannot be written.
     """
     required_single(required_scene(scene))
-    require_kind("pusher", pusher, Pusher)
+    if require_kind("pusher", pusher, Pusher).arrays is not None:
+        raise InvalidValue(
+            "velocity", "arrays", "one velocity", "take the pushers one by one, or call simulate_batch"
+        )
     for name, given in (("duration", duration), ("gap", gap)):
         require_number(name, required(name, given), math.isfinite, "one number", "give one")
     problem = Problem(

@@ -47,8 +47,9 @@ def choose(system, run, policy, excluded):
     """Take a consistent mode by the policy, `excluded` apart; whether there is one."""
     state, before = run.vectors[at.STATE], run.kind
     run.count = base.modes(
-        system, span(system.fence, run.span), run.time, state, run.kinds[:], run.starts[:]
-    )
+        system, span(system.fence, run.span), run.time, state, run.kinds[:], run.feet[:],
+        run.hinged[:], run.starts[:],
+    )  # fmt: skip
     run.solutions, run.chosen, run.kind = 0, -1, NO_KIND
     for i in range(run.count):
         kind = base.contact_mode(run.kinds[i])

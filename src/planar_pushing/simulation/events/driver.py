@@ -8,7 +8,7 @@ it can hand on its rows, and go on, at any time.
 from __future__ import annotations
 
 from planar_pushing.mechanics.compiled import compiled, inlined, kernel
-from planar_pushing.mechanics.numerics.copying import copy
+from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.events import choice, step, watch
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.explicit import interpolate
@@ -21,15 +21,17 @@ from planar_pushing.simulation.systems.written import write
 #: What comes next: a span of the fence's motion, a step, the samples within it, a choice, a row, nothing.
 ENTERS, STEPS, SAMPLES, CHANGES, LOGS, ENDED = range(6)
 #: Phases until the driver returns in any case, so that an interrupt is heard.
-PHASES_AT_ONCE = 20_000
+PHASES_AT_ONCE = 5_000
 #: Events of one run, and events in a row between which no time passes, before it is given up.
 MOST_EVENTS, MOST_AT_ONCE = 100_000, 25
 #: Part of the duration that counts as no time.
 NO_TIME = 1e-12
+#: Steps after which a run has to have gone on, by this part of the duration.
+PATIENCE, LEAST_PROGRESS = 5000, 1e-6
 #: Part of the tolerance that one step may use, since the errors of steps add up; and the least one.
 STEP_PART, LEAST = 0.02, 2.3e-14
 GOES_ON, INCONSISTENT, LAY_DOWN = int(Stop.NO), int(Stop.INCONSISTENT), int(Stop.LIES)
-SINGULAR, TOO_MANY = int(Stop.SINGULAR), int(Stop.EVENTS)
+SINGULAR, TOO_MANY, NO_PROGRESS = int(Stop.SINGULAR), int(Stop.EVENTS), int(Stop.PROGRESS)
 
 
 @kernel
@@ -39,7 +41,7 @@ def begin(system, run):
     run.time, run.last_size, run.phase, run.span, run.sample = 0.0, 0.0, ENTERS, 0, 0
     run.chosen, run.count, run.kind, run.solutions = -1, 0, choice.NO_KIND, 0
     run.stopped, run.events, run.at_once, run.changes = GOES_ON, 0, 0, 0
-    run.cause = watch.NOTHING
+    run.cause, run.steps, run.checked = watch.NOTHING, 0, 0.0
     system.body.evaluations = 0
     base.scales(system, run.vectors[at.SCALES])
 
@@ -72,6 +74,7 @@ def _log(system, task, run, row):
     # Samples of that time count as done.
     while run.sample < len(task.times) and task.times[run.sample] <= run.time:
         run.sample += 1
+    row.event, run.cause = max(run.cause, watch.NOTHING), watch.NOTHING
     run.phase = ENDED if run.stopped != GOES_ON or run.span == len(system.fence) else STEPS
     return 1
 
@@ -85,6 +88,7 @@ def _sample(system, task, run, row):
         interpolate(system, mode, run, time, state)
         solutions = choice.solutions_now(system, run, time, state)
         _row(system, run, time, state, solutions, row)
+        row.event = watch.NOTHING
         run.sample += 1
         return 1
     if run.cause == watch.NOTHING:
@@ -155,7 +159,9 @@ def _begin_mode(system, run, excluded):
 def _step(system, task, run):
     """Take one step, and look for an event in it."""
     mode = at.candidate(system, run, run.chosen)
-    if step.take(system, mode, run, mode.during.end, max(STEP_PART * task.rtol, LEAST)):
+    if not _gets_on(system, run):
+        _stop(run, NO_PROGRESS)
+    elif step.take(system, mode, run, mode.during.end, max(STEP_PART * task.rtol, LEAST)):
         run.cause = watch.first_event(system, mode, run)
         run.phase = CHANGES if run.cause == watch.MISJUDGED else SAMPLES
     else:
@@ -163,9 +169,21 @@ def _step(system, task, run):
 
 
 @inlined
+def _gets_on(system, run):
+    """Whether the steps since the last look have taken the run further."""
+    run.steps += 1
+    if run.steps % PATIENCE != 0:
+        return True
+    passed, run.checked = run.time - run.checked, run.time
+    return passed > LEAST_PROGRESS * system.fence[len(system.fence) - 1].end
+
+
+@inlined
 def _move_on(system, run):
     """Go to the end of a step."""
-    step.move_on(system, run)
+    step.move_on(run)
+    base.remember(system, run.time, run.vectors[at.STATE], at.candidate(system, run, run.chosen),
+                  run.starts[run.chosen])
     run.phase, during = STEPS, span(system.fence, run.span)
     if run.time >= during.end:
         _count(system, run, during)

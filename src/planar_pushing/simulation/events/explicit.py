@@ -102,7 +102,7 @@ def _prepare(system, mode, run):
     """Coefficients of the dense output, and the stages that only it takes."""
     for i in range(STEP + 1, STAGES):
         _stage(system, mode, run, i)
-    slopes, dense = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.DENSE : at.IMPLICIT]
+    slopes, dense = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.DENSE :]
     reached, state = run.vectors[at.REACHED], run.vectors[at.STATE]
     for k in range(len(state)):
         dense[0, k] = reached[k] - state[k]
@@ -114,27 +114,11 @@ def _prepare(system, mode, run):
 
 
 @compiled
-def stiffness(run):
-    """Step times Jacobian, from the two stages at the end of the step (Hairer and Wanner II, Sec. IV.2)."""
-    slopes, trial = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.TRIAL]
-    _sum(A[STEP - 1], STEP - 1, slopes, trial)
-    apart, change = 0.0, 0.0
-    for k in range(len(trial)):
-        apart += (run.vectors[at.REACHED, k] - run.vectors[at.STATE, k] - trial[k]) ** 2
-        change += (slopes[STEP, k] - slopes[STEP - 1, k]) ** 2
-    return sqrt(change / apart) if apart > 0.0 else 0.0
-
-
-@compiled
 def interpolate(system, mode, run, time, found):
-    """State at a time within the last step, whichever method took it."""
+    """State at a time within the last step."""
     if not run.prepared:
         _prepare(system, mode, run)
-    dense, state, x = run.vectors[at.DENSE : at.IMPLICIT], run.vectors[at.STATE], _part(run, time)
-    if not run.explicit:
-        for k in range(len(found)):
-            found[k] = state[k] + x * (dense[0, k] + x * (dense[1, k] + x * dense[2, k]))
-        return
+    dense, state, x = run.vectors[at.DENSE :], run.vectors[at.STATE], _part(run, time)
     y = 1.0 - x
     for k in range(len(found)):
         value = dense[4, k] + y * (dense[5, k] + x * dense[6, k])

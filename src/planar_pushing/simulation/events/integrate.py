@@ -10,10 +10,10 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
-from planar_pushing.simulation.events.run import RUNS, STATE, Task
+from planar_pushing.simulation.events.run import STATE, Task, run_type
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import ROW, Stop, in_units, reason, records
-from planar_pushing.simulation.systems.setup import put, row_of, system_of
+from planar_pushing.simulation.rows import Stop, in_units, reason, records, row_type
+from planar_pushing.simulation.systems.setup import NUMBERS, put, row_of, size_of, system_of
 
 #: Rows handed on at once.
 BATCH = 256
@@ -36,13 +36,13 @@ class EventDriven:
         row = row_of(scene, problem.twist, problem.gap)
         self.system = system_of(problem, row, fence)
         self.task = Task(problem.rtol, np.asarray(times, float))
-        self.run = records(RUNS[scene.stores_energy], 1)[0]
-        put(self.system, row, self.run.vectors[STATE])
+        self.run, self.effects = records(run_type(size_of(scene)), 1)[0], len(self.system.effects)
+        put(self.system, row[-NUMBERS:], self.run.vectors[STATE])
         begin(self.system, self.run)
 
     def __iter__(self) -> Iterator[Any]:
         while self.run.phase != ENDED:
-            rows = records(ROW, BATCH)
+            rows = records(row_type(self.effects), BATCH)
             count = advance(self.system, self.task, self.run, rows)
             if count:
                 yield in_units(rows[:count], self.radius)

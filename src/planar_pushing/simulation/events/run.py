@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,8 +16,6 @@ from planar_pushing.simulation.systems import base
 
 #: Parts of a step at which the guards are evaluated where an event may lie in it.
 NODES = (0.25, 0.5, 0.75, 1.0)
-#: Stages of the stiff method.
-RADAU = 3
 
 
 class Task(NamedTuple):
@@ -28,11 +27,10 @@ class Task(NamedTuple):
 
 #: Vectors of a run, each with the entries of the state: the state, that at the end of the step, two on
 #: which functions work, typical sizes; rates at the start and at the end of a step; changes in its stages,
-#: coefficients of the dense output, and what the stiff method works on.
+#: and coefficients of the dense output.
 STATE, REACHED, TRIAL, PASSING, SCALES, FIRST, LAST, SLOPES = range(8)
 DENSE = SLOPES + STAGES
-IMPLICIT = DENSE + 7
-VECTORS = IMPLICIT + 3 * RADAU
+VECTORS = DENSE + 7
 #: Guards of a run by cause: their signs, zero until a guard was away from zero; values at the start of the
 #: step and at its nodes, about its middle, and two sets on which functions work.
 SIGNS, VALUES = range(2)
@@ -40,8 +38,9 @@ END = VALUES + len(NODES)
 ABOUT, NOW, LATER = range(END + 1, END + 4)
 
 
-def _dtype(entries: int) -> np.dtype[Any]:
-    """Where a run is.
+@cache
+def run_type(entries: int) -> np.dtype[Any]:
+    """A run whose state has so many entries.
 
     `phase` of `driver`; `time` of the state, `until` at the end of the step that is examined, and `event`
     in it, with its `cause`; `before` when the mode was chosen; `planned` size of the next step, `prepared`
@@ -52,22 +51,18 @@ def _dtype(entries: int) -> np.dtype[Any]:
     return np.dtype(
         [
             ("time", "f8"), ("until", "f8"), ("event", "f8"), ("before", "f8"), ("planned", "f8"),
-            ("last_size", "f8"), ("last_error", "f8"), ("stable", "f8"),
-            ("pivot", "f8"), ("side", "f8"),
+            ("last_size", "f8"), ("last_error", "f8"), ("pivot", "f8"), ("side", "f8"),
+            ("checked", "f8"),
             ("phase", "i8"), ("span", "i8"), ("chosen", "i8"), ("count", "i8"), ("kind", "i8"),
             ("solutions", "i8"), ("sample", "i8"), ("cause", "i8"), ("stopped", "i8"),
-            ("events", "i8"), ("at_once", "i8"), ("changes", "i8"), ("agree", "i8"),
-            ("explicit", "b1"), ("fresh", "b1"), ("prepared", "b1"),
+            ("events", "i8"), ("at_once", "i8"), ("changes", "i8"), ("steps", "i8"),
+            ("fresh", "b1"), ("prepared", "b1"),
             ("vectors", "f8", (VECTORS, entries)), ("guards", "f8", (LATER + 1, base.CAUSES)),
-            ("kinds", "i8", (MOST,)), ("starts", "f8", (MOST, 3)),
-            ("jacobian", "f8", (entries, entries)),
+            ("kinds", "i8", (MOST,)), ("feet", "i8", (MOST,)), ("hinged", "i8", (MOST,)),
+            ("starts", "f8", (MOST, 3)),
         ],
         align=True,
     )  # fmt: skip
-
-
-#: Runs of systems without and with inertia.
-RUNS = {False: _dtype(base.STILL), True: _dtype(base.MOVING)}
 
 
 @compiled
@@ -75,6 +70,7 @@ def candidate(system, run, index):
     """One of the modes that might be, or the state without a contact force where there is none."""
     during = span(system.fence, min(run.span, len(system.fence) - 1))
     if index < 0:
-        return base.Mode(0, 0.0, 0.0, 0.0, during)
-    start = run.starts[index]
-    return base.Mode(run.kinds[index], start[0], start[1], start[2], during)
+        return base.Mode(0, -1, False, 0.0, 0.0, 0.0, during)
+    start, foot = run.starts[index], run.feet[index]
+    hinged = run.hinged[index] != 0
+    return base.Mode(run.kinds[index], foot, hinged, start[0], start[1], start[2], during)

@@ -6,9 +6,8 @@ from math import inf
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.mechanics.numerics.bracket import RESOLUTION, bracketed, dip
-from planar_pushing.mechanics.numerics.copying import copy
-from planar_pushing.mechanics.numerics.root import EQUATIONS
+from planar_pushing.mechanics.numerics.root import RESOLUTION, dip, root
+from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.explicit import PART, interpolate
 from planar_pushing.simulation.systems import base
@@ -42,14 +41,6 @@ def _value(of, time):
     return -found[of.cause] if run.guards[at.SIGNS, of.cause] < 0.0 else found[of.cause]
 
 
-@compiled
-def _guarded(of, time):
-    return _value(of, time), 0.0
-
-
-EQUATIONS[Guarded] = _guarded
-
-
 @inlined
 def start_watch(system, mode, run):
     """Look at the guards at the start of a mode."""
@@ -72,10 +63,8 @@ def first_event(system, mode, run):
 
     A mode is misjudged where a margin is negative from its start on.
     """
-    if not run.explicit:
-        base.guards(system, mode, run.until, run.vectors[at.REACHED], run.guards[at.END])
     run.event, found = run.until, NOTHING
-    if not run.explicit or _may_end(run):
+    if _may_end(run):
         found = _search(system, mode, run)
     copy(run.guards[at.VALUES], run.guards[at.END])
     return found
@@ -89,7 +78,7 @@ def look_for_pivot(system, mode, run):
         equation, slack = Guarded(system, mode, run, base.KINK), BEHIND * (run.until - run.time)
         at_start, at_end = abs(run.guards[at.VALUES, base.KINK]), -abs(end[base.KINK])
         low, high, fine = run.time, run.until, slack / (4.0 * run.until)
-        run.pivot = bracketed(equation, low, high, at_start, at_end, fine) + slack
+        run.pivot = root(_value, equation, low, high, at_start, at_end, fine) + slack
         run.side = -1.0
 
 
@@ -184,7 +173,7 @@ def _dip(of):
         c = run.guards[at.VALUES + j + 1, of.cause]
         if min(a, b, c) > 0.0 and _dips(a, b, c, 0.5):
             low, middle, high = _node(run, j - 1), _node(run, j), _node(run, j + 1)
-            time, least = dip(of, low, middle, high, b, -base.SLACK)
+            time, least = dip(_value, of, low, middle, high, b, -base.SLACK)
             if least < -base.SLACK:
                 return _within(of, low, time)
     return inf
@@ -201,7 +190,7 @@ def _crossing(of, low, high, at_low, at_high):
     """Time at which a guard vanishes between two times; where it jumps, beyond the jump."""
     if at_low <= 0.0:
         return low
-    time = bracketed(of, low, high, at_low, at_high)
+    time = root(_value, of, low, high, at_low, at_high)
     step = RESOLUTION * time
     while step > 0.0 and time < high and _value(of, time) > base.SLACK:
         time, step = min(time + step, high), 2.0 * step

@@ -9,12 +9,14 @@ import xarray as xr
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.effects import Inertia, Load, Viscous
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import NO_MODE, Stop
+from planar_pushing.simulation.rows import NO_MODE, Event, Stop
+from planar_pushing.simulation.systems.setup import order_of
 from planar_pushing.terms import quantities
-from planar_pushing.terms.options import EFFECT_DEGREES, Shape
+from planar_pushing.terms.options import EffectKind, Shape
 
 #: Dimensions after time, and type, of the variables of the log.
 VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
@@ -26,6 +28,8 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
     "gap": ((), "f8"),
     "force": (("xy",), "f8"),
     "mode": ((), "i1"),
+    "pivot": ((), "i4"),
+    "event": ((), "i1"),
     "outcome": ((), "i1"),
     "solutions": ((), "i1"),
     "adhesive": ((), "?"),
@@ -41,17 +45,21 @@ FINGER: dict[str, tuple[tuple[str, ...], str]] = {
     "contact_position": ((), "f8"),
     "parted": ((), "?"),
 }
+#: And of a slider with loads.
+LOADED: dict[str, tuple[tuple[str, ...], str]] = {"load_work": ((), "f8")}
 #: Names of the numbers of flags, in logs and in batches.
 FLAGS = {
     "mode": {"NONE": NO_MODE} | {mode.name: int(mode) for mode in ContactMode},
     "outcome": {outcome.name: int(outcome) for outcome in Outcome},
+    "event": {event.name: int(event) for event in Event},
     "stopped": {stop.name: int(stop) for stop in Stop},
 }
 
 
 def variables(problem: Problem) -> dict[str, tuple[tuple[str, ...], str]]:
     """Dimensions after time, and type, of the variables of a problem's log."""
-    return VARIABLES | FINGER if problem.shape == Shape.FINGER else VARIABLES
+    finger = FINGER if problem.shape == Shape.FINGER else {}
+    return VARIABLES | finger | (LOADED if problem.scene.loads else {})
 
 
 def arrays(rows: Any, problem: Problem) -> dict[str, Any]:
@@ -61,7 +69,7 @@ def arrays(rows: Any, problem: Problem) -> dict[str, Any]:
         "rod_angle": np.rad2deg(rows["rod_angle"]),
         "outcome": np.minimum(rows["solutions"], Outcome.AMBIGUOUS),
         "adhesive": _pressure(rows, problem) < -RESOLUTION * np.hypot(force[:, 0], force[:, 1]),
-        "dissipated": rows["dissipated"][:, None] * _shares(scene),
+        "dissipated": _dissipated(rows["dissipated"], scene),
         "evaluations": np.repeat(rows["evaluations"][:, None], len(scene.effects), axis=1),
     }
     return {"time": np.array(rows["time"])} | {
@@ -78,18 +86,28 @@ def _pressure(rows: Any, problem: Problem) -> Any:
     return rows["force"][:, 1] * np.cos(turned) - rows["force"][:, 0] * np.sin(turned)
 
 
-def _shares(scene: Scene) -> list[float]:
-    """Part of the friction on the support that is each effect's: the core adds effects of one kind."""
-    return [float(getattr(effect, "weight", 0.0) / scene.weight) for effect in scene.effects]
+def _dissipated(energies: Any, scene: Scene) -> Any:
+    """Energy that each effect dissipates, zero of those that dissipate none; shape (rows, effects)."""
+    found = np.zeros((len(energies), len(scene.effects)))
+    for i, index in enumerate(order_of(scene)):
+        if index >= 0:
+            found[:, i] = energies[:, index]
+    return found
+
+
+def _name_of(effect: Any) -> EffectKind:
+    """Kind of an effect."""
+    kinds = {Inertia: EffectKind.INERTIA, Viscous: EffectKind.VISCOUS, Load: EffectKind.LOAD}
+    return kinds.get(type(effect), EffectKind.SUPPORT_FRICTION)
 
 
 def coordinates(scene: Scene) -> dict[str, list[str]]:
     """Labels along the dimensions other than time."""
-    names = [str(EFFECT_DEGREES.get(effect.degree, "effect")) for effect in scene.effects]
+    names = [str(_name_of(effect)) for effect in scene.effects]
     repeated = [name if names.count(name) == 1 else f"{name}_{i}" for i, name in enumerate(names)]
     return {
         "xy": ["x", "y"],
-        "twist_component": ["v_x", "v_y", "R omega"],
+        "twist_component": ["v_x", "v_y", "omega"],
         "effect": repeated,
     }
 

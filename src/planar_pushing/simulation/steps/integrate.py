@@ -10,15 +10,12 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import NO_MODE, ROW, in_units, reason, records
-from planar_pushing.simulation.steps import friction, inertia
-from planar_pushing.simulation.steps.driver import CLOCK, Plan, advance, ended
-from planar_pushing.simulation.steps.trials import INCREMENTS
-from planar_pushing.simulation.systems import base, setup
+from planar_pushing.simulation.rows import NO_MODE, in_units, reason, records, row_type
+from planar_pushing.simulation.steps.driver import Plan, advance, clock_type, ended
+from planar_pushing.simulation.systems import setup
 from planar_pushing.terms.errors import InvalidValue, require_positive
 from planar_pushing.terms.options import MOST_STEPS
 
-INCREMENTS.update({base.QuasiStatic: friction, base.Inertial: inertia})
 #: Steps of a run whose step is not given.
 STEPS = 1000
 #: Rows handed on at once.
@@ -60,14 +57,16 @@ class TimeStepping:
         row = setup.row_of(problem.scene, problem.twist, problem.gap)
         self.system = setup.system_of(problem, row, fence)
         self.plan = _plan(fence, np.asarray(times, float), size)
-        self.run = records(CLOCK, 1)[0]
-        self.run.kind, self.run.fence[1] = NO_MODE, -row[setup.GAP]
-        self.run.twist[:] = row[setup.V_X : setup.GAP]
-        base.initial(self.system, row[setup.ANGLE], row[setup.GAP], self.run.twist, self.run.state)
+        entries, self.effects = setup.size_of(problem.scene), len(self.system.effects)
+        self.run = records(clock_type(entries), 1)[0]
+        numbers = row[-setup.NUMBERS :]
+        self.run.kind, self.run.fence[1] = NO_MODE, -numbers[setup.GAP]
+        self.run.twist[:] = numbers[setup.V_X : setup.GAP]
+        setup.put(self.system, numbers, self.run.state)
 
     def __iter__(self) -> Iterator[Any]:
         while not ended(self.plan, self.run):
-            rows = records(ROW, BATCH)
+            rows = records(row_type(self.effects), BATCH)
             count = advance(self.system, self.plan, self.run, rows)
             if count:
                 yield in_units(rows[:count], self.radius)

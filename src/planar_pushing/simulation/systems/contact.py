@@ -1,8 +1,8 @@
 """What the contact transmits: the friction cone, and forces and impulses on a slider with inertia.
 
-A force f at the contact accelerates it by ``G f`` with ``G = I / m + (l^2 / J) e e^T``, where l is the
-distance of the centre of mass, and e the right-hand normal of the line there. Impacts are inelastic;
-friction of the support is finite and has no part in them.
+With r from the contact to the center of mass, a force f at the contact accelerates it by
+``f / m + (r_y f_x - r_x f_y) (r_y, -r_x) / J``. Impacts are inelastic; friction of the support is finite and has no
+part in them.
 """
 
 from __future__ import annotations
@@ -64,46 +64,47 @@ def admits(body, p_x, p_y):
 
 
 @compiled
-def moment_of(own, f_x, f_y):
-    """Torque about the end of a rod of a force at the contact."""
-    return own.length * (f_x * own.y - f_y * own.x)
+def moment_of(arm_x, arm_y, f_x, f_y):
+    """Torque about the end of an arm of a force at its start."""
+    return arm_y * f_x - arm_x * f_y
 
 
 @compiled
-def pushed(body, own, f_x, f_y):
-    """Acceleration of the contact under a force."""
-    swing = own.length * moment_of(own, f_x, f_y) / body.moment
-    return f_x / body.mass + swing * own.y, f_y / body.mass - swing * own.x
+def pushed(body, arm_x, arm_y, f_x, f_y):
+    """Acceleration of a point under a force there; the arm is from it to the center of mass."""
+    turn = moment_of(arm_x, arm_y, f_x, f_y) / body.moment
+    return f_x / body.mass + turn * arm_y, f_y / body.mass - turn * arm_x
 
 
 @compiled
-def _pushing(body, own, a_x, a_y):
-    """Force that accelerates the contact."""
-    along = body.mass * (a_x * own.x + a_y * own.y)
-    swing = own.length * own.length / body.moment
-    aside = (a_x * own.y - a_y * own.x) / (1.0 / body.mass + swing)
-    return along * own.x + aside * own.y, along * own.y - aside * own.x
+def pushing(body, arm_x, arm_y, a_x, a_y):
+    """Force at a point that accelerates it."""
+    turn = moment_of(arm_x, arm_y, a_x, a_y)
+    square = arm_x * arm_x + arm_y * arm_y
+    # The mass counts along the arm, and less across it, by the part that turns the slider.
+    lost = body.mass * body.mass * turn / (body.moment + body.mass * square)
+    return body.mass * a_x - lost * arm_y, body.mass * a_y + lost * arm_x
 
 
 @compiled
-def pushed_in(body, own, kind, x, y):
+def pushed_in(body, arm_x, arm_y, kind, x, y):
     """Force of a mode, and acceleration of the contact over the fence with it, given that without it.
 
     As well the impulse of a mode, and the velocity after it, given that before.
     """
     if kind == base.STICK:
-        return *_pushing(body, own, -x, -y), 0.0, 0.0
+        return *pushing(body, arm_x, arm_y, -x, -y), 0.0, 0.0
     if side_of(kind) == 0.0:
         return 0.0, 0.0, x, y
     e_x, e_y, _ = edge_of(body, kind)
-    along, normal = pushed(body, own, e_x, e_y)
+    along, normal = pushed(body, arm_x, arm_y, e_x, e_y)
     size = -y / normal if normal != 0.0 else 0.0
     return size * e_x, size * e_y, x + size * along, 0.0
 
 
 @compiled
 def preferred(policy, previous, kinds, count):
-    """Place of the contact mode that a policy takes, the first of equals; -1 where there is none."""
+    """Index of the contact mode that a policy takes, the first of equals; -1 where there is none."""
     best = -1
     for i in range(count):
         place = base.rank(policy, previous, kinds[i])
@@ -119,19 +120,18 @@ def impact(system, during, time, state, kind, policy):
     if max(abs(x), abs(y)) <= base.SLACK * body.speed:
         state[base.OVER], state[base.RISE] = 0.0, 0.0
         return 0
-    own = base.pose(system, state).arm
-    kinds, count = body.kinds[:], 0
+    now, kinds, count = base.pose(system, state), system.room.kinds, 0
     for each in range(MODES):
-        if _consistent(body, own, each, x, y):
+        if _consistent(body, now, each, x, y):
             kinds[count] = each
             count += 1
     place = preferred(policy, base.contact_mode(kind), kinds, count)
     if place < 0:
         return NO_IMPULSE
     chosen = kinds[place]
-    p_x, p_y, after_x, after_y = pushed_in(body, own, chosen, x, y)
+    p_x, p_y, after_x, after_y = pushed_in(body, now.arm_x, now.arm_y, chosen, x, y)
     state[base.OVER], state[base.RISE] = after_x, after_y
-    state[base.SPIN] += moment_of(own, p_x, p_y) / body.moment
+    state[base.SPIN] += moment_of(now.arm_x, now.arm_y, p_x, p_y) / body.moment
     fence_x, fence_y = base.velocity(system, during, time, state)
     state[base.WORK] += p_x * fence_x + p_y * fence_y
     state[base.LOST] -= p_x * (x + after_x) / 2 + p_y * (y + after_y) / 2
@@ -139,10 +139,10 @@ def impact(system, during, time, state, kind, policy):
 
 
 @compiled
-def _consistent(body, own, kind, x, y):
+def _consistent(body, now, kind, x, y):
     """Whether the impulse of a mode lies in the cone, and the contact then does what the mode says."""
     slack = base.SLACK * body.speed
-    p_x, p_y, after_x, _ = pushed_in(body, own, kind, x, y)
+    p_x, p_y, after_x, _ = pushed_in(body, now.arm_x, now.arm_y, kind, x, y)
     if kind == base.SEPARATE:
         return y >= -slack
     if kind == base.STICK:

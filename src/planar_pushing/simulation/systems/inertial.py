@@ -1,27 +1,40 @@
 """Inertia, with or without friction of the support: the twist is part of the state.
 
-It is kept as the velocity of the contact over the fence and the rotation R omega, so that a contact that
-sticks has no relative velocity at all, and one that slips no normal one. The contact force follows from
-the mode, and the accelerations follow from the force.
+It is kept as the velocity of the contact over the fence and the rotation, so that a contact that sticks has
+no relative velocity at all, and one that slips no normal one. The contact force follows from the mode, and
+the accelerations follow from the force. While the slider pivots about a support point, the twist is that of
+the rotation about it.
 """
 
 from __future__ import annotations
 
-from math import sqrt
+from math import nan, sqrt
 
 from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.fence import span, velocity
 from planar_pushing.simulation.systems import base, contact, rest
-from planar_pushing.simulation.systems.motion import Motion, at_rest, friction, size_of
+from planar_pushing.simulation.systems.drag import drag, foot_at, load_at, slowest_foot
+from planar_pushing.simulation.systems.frame import (
+    Motion,
+    at_rest,
+    center_motion,
+    contact_motion,
+    size_of,
+    to_body,
+    to_contact,
+)
+from planar_pushing.simulation.systems.hinge import hinged_motion
 from planar_pushing.simulation.systems.shapes.base import relative, seen
 
-#: Part of the typical force below which a force has no direction of its own.
+#: Fraction of the typical force below which a force has no direction of its own.
 NO_FORCE = 1e-9
-#: The slider rests below this part of the typical speed; what is left is finished in closed form.
+#: The slider rests below this fraction of the typical speed; what is left is finished in closed form.
 STOPPED = 2e-9
-#: Below this part of the typical speed a slider that starts has no direction but the impending one.
+#: Below this fraction of the typical speed a slider that starts has no direction but the impending one.
 NO_DIRECTION = 1e-13
+#: A support point slower than this fraction of the slider's speed has arrived at the center of rotation; one
+#: that leaves it has left above the second; and one below the third may be a pivot.
+ARRIVED, LEFT, NEAR = 1e-10, 1e-6, 1e-9
 
 
 @inlined
@@ -44,41 +57,66 @@ def enter(system, index, state, kind, policy):
 
 
 @inlined
-def modes(system, during, time, state, kinds, starts):
-    starts[:] = 0.0
+def modes(system, during, time, state, kinds, feet, hinged, starts):
+    starts[:], feet[:], hinged[:] = 0.0, -1, 0
     body, (v_x, v_y) = system.body, base.center_velocity(system, during, time, state)
-    slow = size_of(v_x, v_y, state[base.SPIN]) <= base.AT_REST * body.speed
-    rests = slow and body.weight > 0.0
+    rests = base.is_slow(system, v_x, v_y, state[base.SPIN]) and body.weight > 0.0
     if (
         base.clearance(system, state) > base.SLACK
         or abs(state[base.RISE]) > base.SLACK * body.speed
     ):
-        kinds[0] = base.CLEAR if rests else base.SEPARATE
-        return 1
+        if rests:
+            return rest.clear(system, state, kinds, feet, hinged, starts)
+        return _in_motion(system, during, time, state, 1, kinds, feet, hinged)
     if rests:
-        return rest.starting(system.effects, system, during, time, state, kinds, starts)
-    return _in_motion(system, during, time, state, kinds)
+        return rest.starting(system.friction, system, during, time, state, kinds, feet, hinged, starts)
+    return _in_motion(system, during, time, state, contact.MODES, kinds, feet, hinged)
 
 
 @inlined
-def _in_motion(system, during, time, state, kinds):
-    """Modes of a contact on the fence whose slider moves."""
+def _in_motion(system, during, time, state, most, kinds, feet, hinged):
+    """Modes of a slider that moves, of the first contact modes."""
     body, slip, count = system.body, state[base.OVER], 0
-    flight = base.motion(system, base.Mode(base.SEPARATE, 0.0, 0.0, 0.0, during), time, state)
-    for kind in range(contact.MODES):
+    near = _near_foot(system, during, time, state)
+    for kind in range(most):
+        mode, foot = base.Mode(kind, near, True, 0.0, 0.0, 0.0, during), near >= 0
+        if foot:
+            foot = kind != base.STICK and base.motion(system, mode, time, state).hold > base.SLACK
+        mode = base.Mode(kind, near, foot, 0.0, 0.0, 0.0, during)
         may = body.slips and contact.side_of(kind) * slip >= -base.SLACK * body.speed
         if kind == base.SEPARATE:
-            may = flight.lift >= -base.SLACK * body.force / body.mass
+            lift = base.motion(system, mode, time, state).lift
+            may = most == 1 or lift >= -base.SLACK * body.force / body.mass
         elif kind == base.STICK:
             may = abs(slip) <= base.SLACK * body.speed
         if may:
-            kinds[count] = kind
+            kinds[count], feet[count], hinged[count] = kind, near, foot
             count += 1
     return count
 
 
+@compiled
+def _near_foot(system, during, time, state):
+    """The support point at the center of rotation, -1 without one."""
+    now, spin = base.pose(system, state), state[base.SPIN]
+    v_x, v_y = base.center_velocity(system, during, time, state)
+    foot, ratio = _slowest(system, now, v_x, v_y, spin)
+    return foot if ratio <= NEAR else -1
+
+
+@compiled
+def _slowest(system, now, v_x, v_y, spin):
+    """The slowest support point, and its speed relative to the slider's."""
+    x, y = to_body(now.frame, v_x, v_y)
+    foot, speed = slowest_foot(system.friction, x, y, spin)
+    return foot, speed / max(size_of(v_x, v_y, spin), NO_DIRECTION * system.body.speed)
+
+
 @inlined
 def after(system, cause, mode, time, state, policy):
+    if mode.hinged:
+        now = base.motion(system, mode, time, state)
+        state[base.OVER], state[base.RISE] = now.slip, now.rise
     if cause == base.TOUCHES:
         state[base.GAP] = 0.0
         return time, contact.impact(system, mode.during, time, state, mode.kind, policy)
@@ -95,41 +133,71 @@ def after(system, cause, mode, time, state, policy):
 def motion(system, mode, time, state):
     fence_x, fence_y = base.velocity(system, mode.during, time, state)
     turn_x, turn_y = base.acceleration(system, mode.during, time, state)
+    if mode.kind == base.PROPPED:
+        return at_rest(fence_x, fence_y, turn_x, turn_y, mode.x, mode.y)
     if mode.kind >= base.CLEAR:
-        return at_rest(fence_x, fence_y, turn_x, turn_y)
+        return at_rest(fence_x, fence_y, turn_x, turn_y, 0.0, 0.0)
     body, now, spin = system.body, base.pose(system, state), state[base.SPIN]
     body.evaluations += 1
-    slip, rise = state[base.OVER], state[base.RISE]
-    v_x, v_y = contact_motion(now.own, fence_x + slip, fence_y + rise, -spin)
-    drag_x, drag_y, drag = _drag(system, now, mode, v_x, v_y, spin)
-    rubbed = drag_x * v_x + drag_y * v_y + drag * spin
-    drag -= now.x * drag_y - now.y * drag_x
-    free_x, free_y = _free(body, now.arm, drag_x, drag_y, drag, spin)
-    free_x, free_y = relative(system.shape, spin, slip, rise, free_x - turn_x, free_y - turn_y)
-    f_x, f_y, a_x, a_y = contact.pushed_in(body, now.arm, mode.kind, free_x, free_y)
-    turn = (contact.moment_of(now.arm, f_x, f_y) - drag) / body.moment
+    slip, rise, foot_x, foot_y = state[base.OVER], state[base.RISE], 0.0, 0.0
+    v_x, v_y = center_motion(now, fence_x + slip, fence_y + rise, spin)
+    if mode.hinged:
+        p_x, p_y = foot_at(system.friction, mode.foot)
+        foot_x, foot_y = to_contact(now.frame, p_x, p_y)
+        v_x, v_y = spin * foot_y, -spin * foot_x
+        u_x, u_y = contact_motion(now, v_x, v_y, spin)
+        slip, rise = u_x - fence_x, u_y - fence_y if mode.kind == base.SEPARATE else 0.0
+    x, y, turned = _direction(system, mode, now, v_x, v_y, spin)
+    found = drag(system.effects, x, y, turned)
+    x, y = to_body(now.frame, v_x, v_y)
+    rubbed = found.f_x * x + found.f_y * y + found.torque * spin
+    pull = load_at(body, state[base.ANGLE])
+    d_x, d_y = pull.x - found.f_x, pull.y - found.f_y
+    torque = pull.torque - found.torque - (body.center[0] * d_y - body.center[1] * d_x)
+    d_x, d_y = to_contact(now.frame, d_x, d_y)
+    a_x, a_y, turn = d_x / body.mass, d_y / body.mass, torque / body.moment
+    pivot, hold = found.point, 1.0
+    if mode.hinged:
+        q_x, q_y = foot_x + now.x - now.arm_x, foot_y + now.y - now.arm_y
+        f_x, f_y, a_x, a_y, turn, free_y, carried = hinged_motion(
+            system, now, mode.kind, q_x, q_y, (a_x, a_y, turn), (slip, rise, spin), (turn_x, turn_y)
+        )
+        hold, pivot = (found.most - carried) / (found.most + carried), mode.foot
+    else:
+        free_x, free_y = _at_contact(now, a_x, a_y, turn, spin)
+        free_x, free_y = relative(system.shape, spin, slip, rise, free_x - turn_x, free_y - turn_y)
+        f_x, f_y, a_x, a_y = contact.pushed_in(
+            body, now.arm_x, now.arm_y, mode.kind, free_x, free_y
+        )
+        turn += contact.moment_of(now.arm_x, now.arm_y, f_x, f_y) / body.moment
+        pivot = -1
     return Motion(
-        slip, rise, fence_x, fence_y,
-        v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
-        f_x, f_y, rubbed, a_x, a_y, turn, free_y,
+        slip, rise, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
+        f_x, f_y, rubbed, a_x, a_y, turn, free_y, pivot, hold,
     )  # fmt: skip
 
 
 @compiled
-def _drag(system, now, mode, v_x, v_y, spin):
-    """Friction on the support against the motion, or against the impending one from rest."""
-    impending = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
-    if impending and size_of(v_x, v_y, spin) <= NO_DIRECTION * system.body.speed:
-        return friction(now.effects, now.own, mode.x, mode.y, mode.spin)
-    return friction(now.effects, now.own, v_x, v_y, spin)
+def remember(system, time, state, mode, start):
+    pass
 
 
 @compiled
-def _free(body, own, drag_x, drag_y, drag, spin):
-    """Acceleration of the contact without a force of the fence."""
-    x, y = contact_motion(own, -drag_x / body.mass, -drag_y / body.mass, -drag / body.moment)
-    pull = own.length * spin * spin
-    return x + pull * own.x, y + pull * own.y
+def _direction(system, mode, now, v_x, v_y, spin):
+    """The twist, body frame, against which friction acts: from rest it is the impending one."""
+    impending = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
+    if impending and size_of(v_x, v_y, spin) <= NO_DIRECTION * system.body.speed:
+        x, y = to_body(now.frame, mode.x, mode.y)
+        return x, y, mode.spin
+    x, y = to_body(now.frame, v_x, v_y)
+    return x, y, spin
+
+
+@compiled
+def _at_contact(now, a_x, a_y, turn, spin):
+    """Acceleration of the contact, of that of the center of mass."""
+    pull = spin * spin
+    return a_x + turn * now.arm_y + pull * now.arm_x, a_y - turn * now.arm_x + pull * now.arm_y
 
 
 @compiled
@@ -142,7 +210,14 @@ def guard_contact(system, mode, state, now, found):
         size = now.f_x * e_x + now.f_y * e_y
         found[base.SLIP_ENDS] = side * now.slip / body.speed
         found[base.FORCE_ENDS] = size / (abs(size) + body.force)
-    if base.contact_mode(kind) != base.SEPARATE:
+    if base.contact_mode(kind) != base.SEPARATE and kind != base.PROPPED:
         found[base.LIFTS] = now.lift * body.mass / body.force
     if kind < base.CLEAR and body.weight > 0.0:
-        found[base.STOPS] = (now.speed + abs(now.spin)) / body.speed - STOPPED
+        size = now.speed + abs(now.spin)
+        found[base.STOPS] = size / body.speed - STOPPED
+        if mode.hinged:
+            found[base.HINGE_YIELDS] = now.hold
+        elif kind != base.STICK:
+            _, ratio = _slowest(system, base.pose(system, state), now.v_x, now.v_y, now.spin)
+            left = LEFT if mode.foot >= 0 else ARRIVED
+            found[base.ARRIVES] = min(ratio, 1.0) - left if size > STOPPED * body.speed else nan

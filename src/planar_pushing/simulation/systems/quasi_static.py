@@ -1,18 +1,29 @@
-"""Friction of the support alone: the fence's velocity and the rod angle settle the twist (Sec. 3).
+"""No inertia: the pusher's velocity and the rod angle determine the twist (Sec. 3).
 
 The state needs no twist, and the contact stays on the fence because the gap is part of the state.
 """
 
 from __future__ import annotations
 
-from math import nan, sqrt
+from collections.abc import Callable
+from math import copysign, inf, nan, sqrt
+from typing import Any
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.plane import contact_motion
-from planar_pushing.mechanics.reduced.base import edge_motion, stick
+from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.effects.base import KINDS
+from planar_pushing.mechanics.effects.load import Wrench
+from planar_pushing.mechanics.plane import toward
+from planar_pushing.mechanics.reduced.psi import psi, spin_guess
+from planar_pushing.mechanics.reduced.slips import slips_along
+from planar_pushing.mechanics.reduced.under import moved_at, pushed
+from planar_pushing.mechanics.reduced.way import Way, at_infinity, crossing, first_node
 from planar_pushing.simulation.systems import base, contact
-from planar_pushing.simulation.systems.motion import Motion, at_rest, kink, seen_from
+from planar_pushing.simulation.systems.drag import kink, with_loads
+from planar_pushing.simulation.systems.frame import Motion, at_rest, to_body, to_contact
 from planar_pushing.simulation.systems.shapes.base import steady
+
+#: Slips are sought from a little before the stick, up to this many normal motions along the fence.
+BEFORE, FARTHEST = 1e-3, 1e3
 
 
 @compiled
@@ -21,8 +32,8 @@ def enter(system, index, state, kind, policy):
 
 
 @compiled
-def modes(system, during, time, state, kinds, starts):
-    starts[:] = 0.0
+def modes(system, during, time, state, kinds, feet, hinged, starts):
+    starts[:], feet[:], hinged[:] = 0.0, -1, 0
     x, y = base.velocity(system, during, time, state)
     if base.clearance(system, state) > base.SLACK:
         kinds[0] = base.CLEAR
@@ -30,8 +41,17 @@ def modes(system, during, time, state, kinds, starts):
     kinds[0] = base.HELD
     if x == 0.0 and y == 0.0 and during.constant:
         return 1
-    kinds[1], kinds[2], kinds[3] = base.STICK, base.SLIP_RIGHT, base.SLIP_LEFT
-    return 4 if system.body.slips else 2
+    kinds[1], count = base.STICK, 2
+    if system.body.slips:
+        for kind in (base.SLIP_RIGHT, base.SLIP_LEFT):
+            count = candidates(with_kinds(system), system, state, kind, x, y, kinds, starts, count)
+    return count
+
+
+@compiled
+def with_kinds(system):
+    """Effects and loads, by whose kinds functions choose."""
+    return (*system.effects, *system.loads)
 
 
 @compiled
@@ -44,39 +64,124 @@ def after(system, cause, mode, time, state, policy):
 @compiled
 def motion(system, mode, time, state):
     fence_x, fence_y = base.velocity(system, mode.during, time, state)
-    if base.contact_mode(mode.kind) == base.SEPARATE:
-        return at_rest(fence_x, fence_y, 0.0, 0.0)
+    stays = base.contact_mode(mode.kind) == base.SEPARATE
+    if stays or (mode.kind == base.STICK and fence_x == 0.0 and fence_y == 0.0):
+        return at_rest(fence_x, fence_y, 0.0, 0.0, 0.0, 0.0)
     system.body.evaluations += 1
-    now, slip = base.pose(system, state), 0.0
+    now = base.pose(system, state)
+    effects = with_loads(system.loads, system.effects, system.body, state[base.ANGLE])
     if mode.kind == base.STICK:
-        (x, y, spin, f_x, f_y), size = sticking(now, fence_x, fence_y)
-        lift = 0.0
+        u_x, u_y = to_body(now.frame, fence_x, fence_y)
+        found = psi(effects, now.at, u_x, u_y, spin_guess(effects, now.at, u_x, u_y))
+        v_x, v_y = to_contact(now.frame, found.v_x, found.v_y)
+        f_x, f_y = to_contact(now.frame, found.f_x, found.f_y)
+        spin, slip, lift, pivot = found.spin, 0.0, 0.0, found.point
     else:
-        (x, y, spin, f_x, f_y), along, lift = _slipping(system, now, mode.kind)
-        size = fence_y / lift if lift != 0.0 else 0.0
-        slip = size * along - fence_x
+        moved, size, lift = slipping(with_kinds(system), system, effects, now, mode, fence_x, fence_y)
+        u_x, _ = to_contact(now.frame, moved.u_x, moved.u_y)
+        v_x, v_y = to_contact(now.frame, size * moved.v_x, size * moved.v_y)
+        f_x, f_y = to_contact(now.frame, moved.f_x, moved.f_y)
+        spin, slip, pivot = size * moved.spin, size * u_x - fence_x, moved.point
+    pull = base.load_power(system, now, state, v_x, v_y, spin)
     return Motion(
-        slip, 0.0, fence_x, fence_y, size * x, size * y, size * spin, abs(size) * sqrt(x * x + y * y),
-        f_x, f_y, f_x * fence_x + f_y * fence_y + f_x * slip, 0.0, 0.0, 0.0, lift,
+        slip, 0.0, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y), f_x, f_y,
+        f_x * (fence_x + slip) + f_y * fence_y + pull, 0.0, 0.0, 0.0, lift, pivot, 1.0,
     )  # fmt: skip
 
 
-@compiled
-def sticking(now, x, y):
-    """Twist and force of a contact that moves by one unit in the direction of a velocity, and its size."""
-    pace = sqrt(x * x + y * y)
-    if pace == 0.0:
-        return (0.0, 0.0, 0.0, 0.0, 0.0), 0.0
-    return stick(now.effects, now.own, seen_from(now.own, x / pace, y / pace))[:5], pace
+def _is_plain(kinds: tuple[Any, ...]) -> bool:
+    """Whether there is friction alone: the direction of a motion is then that of its force."""
+    return all(KINDS[kind].DEGREE == 1 for kind in kinds) and Wrench not in kinds
+
+
+@generic
+def candidates(kinds: Any) -> Callable[..., Any]:
+    """Write down slips that may be: kinds, system, state, contact mode, velocity of the fence, kinds, starts."""
+    return _one if _is_plain(kinds) else _several
 
 
 @compiled
-def _slipping(system, now, kind):
-    """Twist and force of a slip of unit size, and motion of its contact."""
-    x, y, _ = contact.edge_of(system.body, kind)
-    moved = edge_motion(now.effects, now.own, seen_from(now.own, x, y))
-    along, lift = contact_motion(now.own, moved[0], moved[1], moved[2])
-    return moved, along, lift
+def _one(given, system, state, kind, x, y, kinds, starts, count):
+    kinds[count] = kind
+    return count + 1
+
+
+@compiled
+def _several(given, system, state, kind, x, y, kinds, starts, count):
+    """As `candidates`, where the force depends on the speed: one for each slip under the edge."""
+    side, now, scratch = contact.side_of(kind), base.pose(system, state), system.room.scratch
+    effects = with_loads(system.loads, system.effects, system.body, state[base.ANGLE])
+    # In the sense of the slip, s is the contact's motion along the fence.
+    way, unit = _along(system, effects, now, kind, y, side), max(abs(y), abs(x))
+    first = side * x - BEFORE * unit
+    found, _ = slips_along(way, abs(y), first, first + FARTHEST * unit, scratch)
+    for i in range(found):
+        if count < len(kinds):
+            kinds[count], starts[count, 0] = kind, side * scratch[i, 0]
+            count += 1
+    return count
+
+
+@compiled
+def _along(system, effects, now, kind, y, side):
+    """The way of contact motions along the fence under an edge's force."""
+    edge = toward(now.frame, contact.edge_of(system.body, kind)[2])
+    n_x, n_y = to_body(now.frame, 0.0, y)
+    t_x, t_y = to_body(now.frame, side, 0.0)
+    return Way(effects, now.at, edge.along, -edge.aside, n_x, n_y, t_x, t_y)
+
+
+@generic
+def slipping(kinds: Any) -> Callable[..., Any]:
+    """A slip, the factor of its motion, and a number that is positive while the slip lasts.
+
+    Parameters are kinds, system, effects, pose, mode, and velocity of the fence.
+    """
+    return _scaled if _is_plain(kinds) else _nearest
+
+
+@compiled
+def _scaled(given, system, effects, now, mode, fence_x, fence_y):
+    """The slip of unit magnitude, and its part normal to the fence."""
+    edge = toward(now.frame, contact.edge_of(system.body, mode.kind)[2])
+    moved = pushed(effects, now.at, edge.along, -edge.aside, 1.0)
+    lift = to_contact(now.frame, moved.u_x, moved.u_y)[1]
+    return moved, fence_y / lift if lift != 0.0 else 0.0, lift
+
+
+@compiled
+def _nearest(given, system, effects, now, mode, fence_x, fence_y):
+    """The slip next to the one with which the mode, or its last step, began, and the force on it."""
+    way = _along(system, effects, now, mode.kind, fence_y, 1.0)
+    here = first_node(way, mode.x)
+    sense = copysign(1.0, here.slope)
+    root = crossing(way, at_infinity(-inf, -sense), at_infinity(inf, sense), here)
+    moved = moved_at(way, root.s, root.spin, False)
+    edge_x, edge_y = way.e_x, way.e_y
+    force = edge_x * moved.f_x + edge_y * moved.f_y
+    return moved, 1.0 if root.found else nan, force
+
+
+@compiled
+def remember(system, time, state, mode, start):
+    _remember(with_kinds(system), system, time, state, mode, start)
+
+
+@generic
+def _remember(kinds: Any) -> Callable[..., Any]:
+    return _nothing if _is_plain(kinds) else _note_slip
+
+
+@compiled
+def _nothing(given, system, time, state, mode, start):
+    pass
+
+
+@compiled
+def _note_slip(given, system, time, state, mode, start):
+    if contact.side_of(mode.kind) != 0.0:
+        now = motion(system, mode, time, state)
+        start[0] = now.fence_x + now.slip
 
 
 @compiled
@@ -85,11 +190,12 @@ def guard_contact(system, mode, state, now, found):
     if kind == base.STICK:
         rests = now.f_x == 0.0 and now.f_y == 0.0
         left = contact.margin(system.body, now.f_x, now.f_y, 0.0)
-        found[base.LEAVES_CONE] = -1.0 if rests else left
+        # The force of a pivot is any of an interval: what follows decides.
+        found[base.LEAVES_CONE] = -1.0 if rests else 0.0 if now.pivot >= 0 else left
     elif contact.side_of(kind) != 0.0:
         _guard_slip(system, mode, now, speed, found)
     if kind == base.STICK or contact.side_of(kind) != 0.0:
-        found[base.KINK] = _kink(system, kind, base.pose(system, state), now)
+        found[base.KINK] = kink(system.effects, now, kind != base.STICK)
     if steady(system.shape, mode.during):
         return
     if kind == base.HELD:
@@ -100,20 +206,26 @@ def guard_contact(system, mode, state, now, found):
 
 
 @compiled
-def _kink(system, kind, at, now):
-    """Watch of what is not smooth in the motion of a contact."""
-    f_x, f_y = nan, nan
-    if kind != base.STICK:
-        f_x, f_y, _ = contact.edge_of(system.body, kind)
-    return kink(at.effects, at.own, seen_from(at.own, f_x, f_y), now.spin, now.speed)
-
-
-@compiled
 def _guard_slip(system, mode, now, speed, found):
     found[base.SLIP_ENDS], found[base.FORCE_ENDS] = -1.0, -1.0
     if speed > 0.0:
         found[base.SLIP_ENDS] = contact.side_of(mode.kind) * now.slip / (speed + abs(now.slip))
         # A fence that keeps moving along itself moves nothing by slip.
         if now.fence_y != 0.0 or not mode.during.constant:
-            lift = now.lift / (1.0 + system.body.length)
-            found[base.FORCE_ENDS] = lift * now.fence_y / speed
+            found[base.FORCE_ENDS] = force_margin(with_kinds(system), system, now, speed)
+
+
+@generic
+def force_margin(kinds: Any) -> Callable[..., Any]:
+    """Margin of the force of a slip, which pushes: kinds, system, motion, speed of the fence."""
+    return _margin_of_lift if _is_plain(kinds) else _margin_of_force
+
+
+@compiled
+def _margin_of_lift(given, system, now, speed):
+    return now.lift / (1.0 + system.body.length) * now.fence_y / speed
+
+
+@compiled
+def _margin_of_force(given, system, now, speed):
+    return now.lift / (abs(now.lift) + system.body.force)

@@ -3,61 +3,121 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan2, copysign, inf, sqrt
+from math import atan2, sqrt
 from typing import Any
 
 from planar_pushing.mechanics.compiled import compiled, generic, inlined
-from planar_pushing.mechanics.effects.base import scaled
-from planar_pushing.mechanics.modes import contact_modes
-from planar_pushing.mechanics.plane import contact_motion, rod, toward
-from planar_pushing.mechanics.reduced.base import slips
+from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.modes import Push, contact_modes
+from planar_pushing.mechanics.plane import Direction, rod, toward
+from planar_pushing.mechanics.reduced.free import free
 from planar_pushing.simulation.systems import base, contact
-from planar_pushing.simulation.systems.motion import MASSES, kinetic_energy
+from planar_pushing.simulation.systems.drag import with_loads
+from planar_pushing.simulation.systems.frame import (
+    center_motion,
+    contact_motion,
+    kinetic_energy,
+    to_contact,
+)
+from planar_pushing.simulation.systems.shapes.base import frame_angle
 
-#: A fence slower than this part of it, and hardly accelerated, does not move.
+#: A fence slower than this fraction of the typical speed, and hardly accelerated, does not move.
 STILL = 1e-10
+#: A fence that slips along below a slider is as fast as this many of its normal accelerations.
+FAST = 1e6
 
 
 @generic
 def starting(kinds: Any) -> Callable[..., Any]:
-    """Write down every mode in which a slider at rest on the fence may start: effects, as `base.modes`."""
-    return _never if len(kinds) == 1 and kinds[0] in MASSES else _starting
+    """Write down every mode in which a slider at rest on the fence may start: friction, as `base.modes`."""
+    return _starting if kinds else _never
 
 
 @compiled
-def _never(effects, system, during, time, state, kinds, starts):
+def _never(friction, system, during, time, state, kinds, feet, hinged, starts):
     """Nothing holds a slider without friction."""
     return 0
 
 
 @compiled
-def _starting(effects, system, during, time, state, kinds, starts):
-    turn_x, turn_y, moves = _setting_off(system, during, time, state)
-    if not moves:
-        kinds[0] = base.HELD
-        return 1
-    size = sqrt(turn_x * turn_x + turn_y * turn_y)
-    # The pusher's motion is the unit of `contact_modes`, so the mass counts in units of its acceleration.
-    body, now = system.body, _exact_pose(system, state)
-    driven, own = (now.effects[0], scaled(now.effects[1], size)), now.own
-    found, motions = body.modes[:], body.motions[:]
-    if abs(state[base.OVER]) > base.AT_REST * body.speed:
-        slip, normal = state[base.OVER], turn_y / size
-        count = _slipping_starts(driven, body, own, normal, slip, found, motions)
-    else:
-        towards = toward(own, atan2(turn_y, turn_x))
-        count = contact_modes(driven, own, contact.law_of(body), towards, True, found, motions)
-    for i in range(count):
-        kinds[i] = base.HELD if found[i] == base.SEPARATE else found[i]
-        for j in range(3):
-            starts[i, j] = size * motions[i, j]
-    return count
+def _driven(system, state, size):
+    """Effects of a start from rest, accelerations in units of a magnitude."""
+    body = system.body
+    ratio = body.moment / body.mass
+    mass = Mass(size * body.mass, ratio, body.center[0], body.center[1])
+    effects = (*system.friction, mass)
+    return with_loads(system.loads, effects, body, state[base.ANGLE])
 
 
 @compiled
 def _exact_pose(system, state):
-    """The pose, exact where the rod's angle is a quarter turn."""
-    return base.pose_of(system, rod(system.body.length, state[base.ANGLE]), state)
+    """The pose, exact where body x is at a quarter turn."""
+    angle = frame_angle(system.shape, state[base.ANGLE])
+    return base.pose_in(system, rod(1.0, angle), state)
+
+
+@compiled
+def clear(system, state, kinds, feet, hinged, starts):
+    """The mode of a slider at rest above the fence: friction holds it, or loads set it in motion."""
+    size = system.body.force / system.body.mass
+    rest = free(_driven(system, state, size))
+    kinds[0] = base.CLEAR
+    if rest.x != 0.0 or rest.y != 0.0 or rest.spin != 0.0:
+        frame = base.pose(system, state).frame
+        x, y = to_contact(frame, size * rest.x, size * rest.y)
+        kinds[0], starts[0, 0], starts[0, 1], starts[0, 2] = base.SEPARATE, x, y, size * rest.spin
+    return 1
+
+
+@compiled
+def _starting(friction, system, during, time, state, kinds, feet, hinged, starts):
+    turn_x, turn_y, moves = _setting_off(system, during, time, state)
+    body, size = system.body, sqrt(turn_x * turn_x + turn_y * turn_y)
+    loaded = len(system.loads) > 0
+    if not moves and not loaded:
+        kinds[0] = base.HELD
+        return 1
+    now, slip = _exact_pose(system, state), state[base.OVER]
+    x, y = turn_x, turn_y
+    slides = abs(slip) > base.AT_REST * body.speed
+    if slides:
+        # The fence already slips along below the slider: only its normal motion counts.
+        x = -FAST * abs(turn_y) if slip > 0.0 else FAST * abs(turn_y)
+        size = sqrt(x * x + y * y)
+    if not moves:
+        x, y, size = 0.0, 0.0, 0.0
+    unit = max(size, body.force / body.mass) if loaded else size
+    pusher = toward(now.frame, atan2(y, x))
+    if size < unit:
+        part = size / unit
+        pusher = Direction(
+            pusher.angle, part * pusher.x, part * pusher.y, part * pusher.along, part * pusher.aside
+        )
+    if unit == 0.0:
+        kinds[0] = base.HELD
+        return 1
+    law, found, count = contact.law_of(body), system.room.solutions, 0
+    edges = toward(now.frame, law.right), toward(now.frame, law.left)
+    push = Push(_driven(system, state, unit), now.at, now.frame.x, -now.frame.y)
+    for i in range(contact_modes(push, law, edges, pusher, True, system.room.scratch, found)[0]):
+        if slides and not _goes_on(found[i].mode, slip):
+            continue
+        kinds[count], feet[count] = found[i].mode, found[i].pivot
+        hinged[count] = found[i].pivot >= 0 and found[i].mode != base.STICK
+        for j in range(3):
+            starts[count, j] = unit * found[i].twist[j]
+        if found[i].twist[0] == 0.0 and found[i].twist[1] == 0.0 and found[i].twist[2] == 0.0:
+            kinds[count] = base.HELD if found[i].mode == base.SEPARATE else base.PROPPED
+            starts[count, 0], starts[count, 1] = found[i].force[0], found[i].force[1]
+            starts[count, 2] = 0.0
+        count += 1
+    return count
+
+
+@compiled
+def _goes_on(mode, slip):
+    """Whether a start has the sense of a slip, or no force."""
+    return mode == base.SEPARATE or contact.side_of(mode) * slip > 0.0
 
 
 @inlined
@@ -75,36 +135,21 @@ def _setting_off(system, during, time, state):
 
 
 @inlined
-def _slipping_starts(driven, body, own, normal, slip, found, motions):
-    """Starts under a fence that already slips along below the slider and begins to push it."""
-    count = 0
-    if normal <= 0.0:
-        found[0], motions[0, :], count = base.SEPARATE, 0.0, 1
-    if body.slips:
-        kind = base.SLIP_RIGHT if slip > 0.0 else base.SLIP_LEFT
-        edge = toward(own, contact.edge_of(body, kind)[2])
-        for _ in range(slips(driven, own, edge, normal, copysign(inf, edge.x), motions[count:])):
-            found[count] = kind
-            count += 1
-    return count
-
-
-@inlined
 def set_off(system, mode, time, state, policy):
     """Let a slider at rest keep up with a fence that has just begun to push it; 0, or a `Stop`."""
     state[base.GAP] = 0.0
-    during = mode.during
-    kinds, starts = system.body.kinds[:], system.body.starts[:]
-    starts[:] = 0.0
-    count = starting(system.effects, system, during, time, state, kinds, starts)
+    during, room = mode.during, system.room
+    kinds, feet, hinged, starts = room.kinds, room.feet, room.hinged, room.starts
+    starts[:], feet[:], hinged[:] = 0.0, -1, 0
+    count = starting(system.friction, system, during, time, state, kinds, feet, hinged, starts)
     chosen = contact.preferred(policy, base.contact_mode(mode.kind), kinds, count)
-    if chosen < 0 or kinds[chosen] == base.HELD:
+    if chosen < 0 or kinds[chosen] >= base.CLEAR:
         return contact.impact(system, during, time, state, mode.kind, policy)
     turn_y = base.acceleration(system, during, time, state)[1]
     fence_x, fence_y = base.velocity(system, during, time, state)
     part = fence_y / turn_y if turn_y != 0.0 else 0.0
     v_x, v_y, spin = part * starts[chosen, 0], part * starts[chosen, 1], part * starts[chosen, 2]
-    slip = contact_motion(_exact_pose(system, state).own, v_x, v_y, spin)[0] - fence_x
+    slip = contact_motion(_exact_pose(system, state), v_x, v_y, spin)[0] - fence_x
     state[base.OVER] = 0.0 if kinds[chosen] == base.STICK else slip
     state[base.RISE], state[base.SPIN] = 0.0, spin
     return 0
@@ -116,19 +161,22 @@ def stopped(system, mode, time, state):
 
     The energy then falls with its square, and everything moves on at half its present rate.
     """
-    during, body, found = mode.during, system.body, system.body.rates[:]
+    during, body, found = mode.during, system.body, system.room.rates
     base.rates(system, mode, time, state, found)
-    lost = found[base.LOST] + found[base.RUBBED] - found[base.WORK]
+    now = base.pose(system, state)
+    fence_x, fence_y = base.velocity(system, during, time, state)
+    v_x, v_y = center_motion(now, fence_x + state[base.OVER], fence_y + state[base.RISE], state[base.SPIN])
+    lost = found[base.LOST] - found[base.WORK] - base.load_power(system, now, state, v_x, v_y, state[base.SPIN])
+    for i in range(len(state) - len(system.effects), len(state)):
+        lost += found[i]
     if lost <= 0.0:
         return time
-    v_x, v_y = base.center_velocity(system, during, time, state)
-    now = base.pose(system, state)
-    energy = kinetic_energy(body, now.x, now.y, v_x, v_y, state[base.SPIN])
+    energy = kinetic_energy(body, now, v_x, v_y, state[base.SPIN])
     half = min(2 * energy / lost, during.end - time) / 2
-    for entry in range(base.OVER):
-        state[entry] += found[entry] * half
+    for entry in range(len(state)):
+        if entry < base.OVER or entry >= base.MOVING:
+            state[entry] += found[entry] * half
     # The fence itself moves on at its own speed.
-    fence_x, fence_y = base.velocity(system, during, time, state)
     state[base.ALONG] -= fence_x * half
     state[base.GAP] -= fence_y * half
     if (

@@ -2,78 +2,139 @@
 
 from __future__ import annotations
 
-from math import hypot, sqrt
-from typing import Any
+from math import sqrt
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, kernel
-from planar_pushing.mechanics.effects.base import (
-    COLUMNS,
-    GYRATION,
-    MASS,
-    MASS_X,
-    MASS_Y,
-    WEIGHT,
-    made,
-)
-from planar_pushing.mechanics.plane import Array, rod, unit_vector
+from planar_pushing.mechanics.compiled import compiled, kernel, owning
+from planar_pushing.mechanics.core import Entry, entries
+from planar_pushing.mechanics.effects.load import Wrench
+from planar_pushing.mechanics.modes import MOST, SOLUTION
+from planar_pushing.mechanics.plane import Array, unit_vector
+from planar_pushing.mechanics.reduced.slips import ENTRIES, SLIPS
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.fence import typical_speed
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.systems import base, inertial, quasi_static
+from planar_pushing.simulation.systems.drag import columns_of, effects_of
 from planar_pushing.simulation.systems.shapes import base as shapes
 from planar_pushing.simulation.systems.shapes import fence as fences
 from planar_pushing.simulation.systems.shapes import finger
 from planar_pushing.terms.options import Shape
 
-#: Columns of a row behind those of the effects; twist, gap and ends of the side in radii.
-LENGTH, ANGLE, RIGHT, LEFT, SLIPS, CLOSED, ROUGH, V_X, V_Y, SPIN = range(COLUMNS, COLUMNS + 10)
-GAP, START, END = range(COLUMNS + 10, COLUMNS + 13)
+#: Numbers of a row behind those of the effects; twist, gap and ends of the side in radii.
+WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, LOAD_X, LOAD_Y, CROSS, DOT = range(9)
+LENGTH, ANGLE, RIGHT, LEFT, SLIPS_AT, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP, START, END = range(9, 22)
+NUMBERS = END + 1
 #: Systems by whether they have inertia.
 KINDS = {False: base.QuasiStatic, True: base.Inertial}
 base.SYSTEMS.update({base.QuasiStatic: quasi_static, base.Inertial: inertial})
 shapes.SHAPES.update({fences.Fence: fences, finger.Finger: finger})
-#: What pushes, without the numbers of a scene.
-PUSHERS = {Shape.FENCE: fences.Fence(), Shape.FINGER: finger.Finger(rod(1.0, 1.0), -1.0, 1.0)}
+#: The pusher, without the numbers of a scene.
+PUSHERS = {Shape.FENCE: fences.Fence(), Shape.FINGER: finger.Finger(1.0, 1.0, 1.0, 0.0, -1.0, 1.0)}
+
+
+class Kinds(NamedTuple):
+    """Kinds of the effects that resist a motion, of friction and of viscous friction alone, and of loads."""
+
+    effects: tuple[Any, ...]
+    friction: tuple[Any, ...]
+    films: tuple[Any, ...]
+    loads: tuple[Any, ...]
+
+
+def resisting(scene: Scene) -> list[Entry]:
+    """Friction, and behind it viscous friction, as the core has them."""
+    return entries(scene.friction, scene) + entries(scene.viscous, scene)
+
+
+def kinds_of(scene: Scene) -> Kinds:
+    """The kinds for which the equations of a scene are compiled."""
+    every = resisting(scene)
+    loads = (Wrench(0.0, 0.0, 0.0),) if scene.loads else ()
+    return Kinds(
+        tuple(entry.kind for entry in every),
+        tuple(entry.kind for entry in every if entry.degree == 1),
+        tuple(entry.kind for entry in every if entry.degree == 2),
+        loads,
+    )
+
+
+def order_of(scene: Scene) -> list[int]:
+    """Of each effect of a scene its index among those that resist a motion, -1 for the others."""
+    resist = [*_in_order(scene.friction, scene), *scene.viscous]
+    return [next((i for i, e in enumerate(resist) if e is each), -1) for each in scene.effects]
+
+
+def _in_order(friction: list[Any], scene: Scene) -> list[Any]:
+    """Effects in the order of their entries."""
+    kinds = [type(entries([each], scene)[0].kind).__name__ for each in friction]
+    return [friction[i] for i in sorted(range(len(kinds)), key=lambda i: kinds[i], reverse=True)]
 
 
 def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
-    """The numbers of a scene, or arrays of them, and its initial state, in the order of the columns.
+    """The numbers of a scene, or arrays of them, and its initial state.
 
-    The core has lengths in radii, so its mass is the scene's times the radius; without friction the weight
-    is zero, and without inertia the mass.
+    The core has lengths in radii, so its mass is the scene's times the radius, as are coefficients of
+    viscous friction; without friction the weight is zero, and without inertia the mass.
     """
     slider, (mass, gyration) = scene.slider, scene.inertia
     radius, (v_x, v_y, omega) = slider.radius, twist
+    found = []
+    for entry in resisting(scene):
+        found += [each * (radius if entry.degree == 2 else 1.0) for each in entry.forces]
+        found += entry.others
     return [
+        *found,
         scene.weight if scene.friction else 0.0,
         mass * radius if scene.stores_energy else 0.0,
-        gyration, *scene.placement, slider.length_ratio, slider.rod_angle, *scene.law,
-        v_x / radius, v_y / radius, omega, gap / radius, *(end / radius for end in slider.side),
+        gyration, *scene.mass_center, *_loads(scene), slider.length_ratio, slider.rod_angle,
+        *scene.law, v_x / radius, v_y / radius, omega, gap / radius,
+        *(end / radius for end in slider.side),
     ]  # fmt: skip
+
+
+def _loads(scene: Scene) -> list[Any]:
+    """Force of the loads in the first body frame, and cross and dot products with their points."""
+    c, s = np.cos(scene.slider.rod_angle), np.sin(scene.slider.rod_angle)
+    whole = [0.0, 0.0, 0.0, 0.0]
+    for load in scene.loads:
+        (x, y), (p_x, p_y) = load.force, scene.mass_center
+        if load.center is not None:
+            p_x, p_y = (each / scene.slider.radius for each in load.center)
+        g_x, g_y = x * c + y * s, y * c - x * s
+        terms = g_x, g_y, p_x * g_y - p_y * g_x, p_x * g_x + p_y * g_y
+        whole = [sum(pair) for pair in zip(whole, terms, strict=True)]
+    return whole
 
 
 @kernel
 @compiled
 def fill(row, fence, body):
-    """Write down what of a scene does not change while it moves."""
+    """Write down the constants of a scene, from the numbers behind those of the effects."""
     own = max(sqrt(row[V_X] * row[V_X] + row[V_Y] * row[V_Y]), abs(row[SPIN]))
+    load = sqrt(row[LOAD_X] * row[LOAD_X] + row[LOAD_Y] * row[LOAD_Y])
     speed = max(own, typical_speed(fence))
+    if speed == 0.0 and load > 0.0 and row[MASS] > 0.0:
+        # That which the load gives the slider within a length.
+        speed = sqrt(load / row[MASS])
     body.speed = speed if speed > 0.0 else 1.0
     body.length, body.weight, body.mass = row[LENGTH], row[WEIGHT], row[MASS]
     body.moment = body.mass * row[GYRATION]
     body.center[0], body.center[1] = row[MASS_X], row[MASS_Y]
-    along, body.reach = row[LENGTH] + row[MASS_X], hypot(row[LENGTH] + row[MASS_X], row[MASS_Y])
-    body.lean[0], body.lean[1] = 1.0, 0.0
-    if body.reach > 0.0:
-        body.lean[0], body.lean[1] = along / body.reach, row[MASS_Y] / body.reach
-    body.force = body.mass * body.speed * body.speed + body.weight
+    body.load[0], body.load[1] = row[LOAD_X], row[LOAD_Y]
+    body.load[2], body.load[3] = row[CROSS], row[DOT]
+    body.start_angle = row[ANGLE]
+    body.force = body.mass * body.speed * body.speed + body.weight + load
+    if body.force == 0.0:
+        body.force = 1.0
     body.right_angle, body.left_angle = row[RIGHT], row[LEFT]
     body.right[0], body.right[1] = unit_vector(row[RIGHT])
     body.left[0], body.left[1] = unit_vector(row[LEFT])
-    body.slips, body.closed, body.rough = row[SLIPS] != 0.0, row[CLOSED] != 0.0, row[ROUGH] != 0.0
+    body.slips, body.closed = row[SLIPS_AT] != 0.0, row[CLOSED] != 0.0
+    body.rough = row[ROUGH] != 0.0
     body.gap, body.evaluations, body.parted = row[GAP], 0, False
 
 
@@ -87,16 +148,40 @@ def put(system, row, state):
 @kernel
 @compiled
 def shape_of(shape, row):
-    """What pushes the scene of a row."""
-    return shapes.made(shape, rod(row[LENGTH], row[ANGLE]), row[START], row[END])
+    """The pusher of the scene of a row."""
+    return shapes.made(shape, row[LENGTH], row[ANGLE], row[START], row[END])
+
+
+def new_room(entries: int) -> base.Room:
+    """Arrays on which the functions of a system with a number of entries of the state work."""
+    return base.Room(
+        np.empty((SLIPS, ENTRIES)), np.empty(MOST, SOLUTION), np.zeros(MOST, np.int64),
+        np.zeros(MOST, np.int64), np.zeros(MOST, np.int64), np.zeros((MOST, 3)), np.zeros(entries),
+    )  # fmt: skip
+
+
+def size_of(scene: Scene) -> int:
+    """Entries of the state of a scene's system."""
+    return (base.MOVING if scene.stores_energy else base.STILL) + len(resisting(scene))
+
+
+@owning
+def parts_of(kinds, row):
+    """Effects that resist a motion, friction alone, and viscous friction alone."""
+    friction = effects_of(kinds.friction, row, 0)
+    films = effects_of(kinds.films, row, columns_of(kinds.friction))
+    return (*friction, *films), friction, films
 
 
 def system_of(problem: Problem, row: Array, fence: Any) -> Any:
     """The system of one scene, from its row and its fence."""
     body, scene = records(base.BODY, 1)[0], problem.scene
-    fill(row, fence, body)
-    shape = shape_of(PUSHERS[problem.shape], row)
-    return KINDS[scene.stores_energy](made(scene.kinds, row), body, fence, shape)
+    kinds, numbers = kinds_of(scene), row[-NUMBERS:]
+    fill(numbers, fence, body)
+    return KINDS[scene.stores_energy](
+        *parts_of(kinds, row), kinds.loads, body, fence,
+        shape_of(PUSHERS[problem.shape], numbers), new_room(size_of(scene)),
+    )  # fmt: skip
 
 
 def row_of(scene: Scene, twist: Any, gap: float) -> Array:

@@ -6,8 +6,8 @@ from math import cos, nan, sin
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.simulation.systems.motion import arm_of, mass_offset
-from planar_pushing.simulation.systems.shapes.base import Pose
+from planar_pushing.mechanics.reduced.psi import contact_at
+from planar_pushing.simulation.systems.frame import pose_at
 
 
 class Fence(NamedTuple):
@@ -15,14 +15,18 @@ class Fence(NamedTuple):
 
 
 @compiled
-def made(shape, own, start, end):
+def made(shape, length, angle, start, end):
     return shape
 
 
 @compiled
-def pose(shape, effects, body, own, along, gap):
-    x, y = mass_offset(body, own)
-    return Pose(effects, own, arm_of(body, own), x, y)
+def frame_angle(shape, angle):
+    return angle
+
+
+@compiled
+def pose(shape, body, frame, along, gap):
+    return pose_at(frame, contact_at(-body.length, 0.0), body.center)
 
 
 @compiled
@@ -39,14 +43,14 @@ def relative(shape, spin, slip, rise, a_x, a_y):
 
 
 @compiled
-def center(shape, own, angle, along, gap, x, y):
-    return x + along + own.length * own.x, y + gap + own.length * own.y
+def center(shape, angle, now, along, gap, x, y):
+    return x + along + now.x, y + gap + now.y
 
 
 @compiled
-def flown(shape, own, along, gap, x, y, way_x, way_y, turn):
-    turned, length = own.angle + turn, own.length
-    x, y = x - length * (cos(turned) - own.x), y - length * (sin(turned) - own.y)
+def flown(shape, now, along, gap, x, y, way_x, way_y, turn):
+    c, s = cos(turn) - 1.0, sin(turn)
+    x, y = x - (c * now.x - s * now.y), y - (s * now.x + c * now.y)
     return along + (x - way_x), gap + (y - way_y)
 
 

@@ -1,60 +1,56 @@
 """A finger: a point against a flat side of the slider.
 
-Its frame is fixed to the side and turns with the slider. In it the slider's axis keeps its direction, and
-the rod, here the line from the finger to the slider's centre, changes as the finger travels along the side.
+Its frame is fixed to the side and turns with the slider. In it body x keeps its direction, and the contact,
+which is the finger, travels along the side.
 """
 
 from __future__ import annotations
 
-from math import atan2, cos, hypot, inf, nan, sin
+from math import cos, inf, nan, sin
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.any_support import aligned
-from planar_pushing.mechanics.plane import Rod
-from planar_pushing.simulation.systems.motion import mass_offset
-from planar_pushing.simulation.systems.shapes.base import Pose
+from planar_pushing.mechanics.reduced.psi import contact_at
+from planar_pushing.simulation.systems.frame import pose_at
 
 
 class Finger(NamedTuple):
-    """The slider's own rod, as it is at time 0; ends of the side, from the contact at time 0 along it."""
+    """Length, angle and direction of the rod at time 0; ends of the side, from the contact at time 0."""
 
-    axis: Rod
+    length: float
+    angle: float
+    x: float
+    y: float
     start: float
     end: float
 
 
 @compiled
-def made(shape, own, start, end):
-    return Finger(own, start, end)
+def made(shape, length, angle, start, end):
+    return Finger(length, angle, cos(angle), sin(angle), start, end)
 
 
 @compiled
-def _line_to(x, y):
-    length = hypot(x, y)
-    if length == 0.0:
-        return Rod(0.0, 0.0, 1.0, 0.0)
-    return Rod(length, atan2(y, x), x / length, y / length)
+def frame_angle(shape, angle):
+    return shape.angle
 
 
 @compiled
-def pose(shape, effects, body, own, along, gap):
-    axis, (m_x, m_y) = shape.axis, mass_offset(body, shape.axis)
-    x, y = axis.length * axis.x + along, axis.length * axis.y + gap
-    line = _line_to(x, y)
-    c, s = line.x * axis.x + line.y * axis.y, line.x * axis.y - line.y * axis.x
-    return Pose(aligned(effects, c, s), line, _line_to(x + m_x, y + m_y), m_x, m_y)
+def pose(shape, body, frame, along, gap):
+    # The finger is at (-along, -gap) from the end of the rod.
+    x = -shape.length - (along * shape.x + gap * shape.y)
+    return pose_at(frame, contact_at(x, along * shape.y - gap * shape.x), body.center)
 
 
 @compiled
 def seen(shape, angle, x, y):
-    c, s = cos(angle - shape.axis.angle), sin(angle - shape.axis.angle)
+    c, s = cos(angle - shape.angle), sin(angle - shape.angle)
     return c * x + s * y, c * y - s * x
 
 
 @compiled
 def shown(shape, angle, x, y):
-    c, s = cos(angle - shape.axis.angle), sin(angle - shape.axis.angle)
+    c, s = cos(angle - shape.angle), sin(angle - shape.angle)
     return c * x - s * y, c * y + s * x
 
 
@@ -64,16 +60,16 @@ def relative(shape, spin, slip, rise, a_x, a_y):
 
 
 @compiled
-def center(shape, own, angle, along, gap, x, y):
-    way_x, way_y = shown(shape, angle, own.length * own.x, own.length * own.y)
-    return x + way_x, y + way_y
+def center(shape, angle, now, along, gap, x, y):
+    x_there, y_there = shown(shape, angle, now.x, now.y)
+    return x + x_there, y + y_there
 
 
 @compiled
-def flown(shape, own, along, gap, x, y, way_x, way_y, turn):
-    axis, c, s = shape.axis, cos(turn), sin(turn)
-    x, y = own.length * own.x + x - way_x, own.length * own.y + y - way_y
-    return c * x + s * y - axis.length * axis.x, c * y - s * x - axis.length * axis.y
+def flown(shape, now, along, gap, x, y, way_x, way_y, turn):
+    c, s = cos(turn), sin(turn)
+    x, y = now.x + x - way_x, now.y + y - way_y
+    return c * x + s * y - shape.length * shape.x, c * y - s * x - shape.length * shape.y
 
 
 @compiled

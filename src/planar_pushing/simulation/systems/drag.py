@@ -1,0 +1,216 @@
+"""What resists and pulls a slider that moves: friction, viscous friction, loads; and what each dissipates.
+
+Twists and wrenches are of the slider's center, in the body frame. A tuple of effects may be empty.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import cos, inf, log, nan, sin, sqrt
+from typing import Any
+
+from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, owning
+from planar_pushing.mechanics.effects.base import (
+    KINDS,
+    Resistance,
+    count_fields,
+    count_points,
+    made,
+    place,
+    resistance,
+)
+from planar_pushing.mechanics.effects.inertia import Mass
+from planar_pushing.mechanics.effects.load import Wrench
+from planar_pushing.mechanics.effects.ring import RingSupport
+from planar_pushing.mechanics.reduced.psi import ROUNDING
+
+
+@generic_owning
+def effects_of(kinds: Any) -> Callable[..., Any]:
+    """Effects of kinds with the numbers of a row from a column on: kinds, row, column."""
+    return _effects_of if kinds else _no_effects
+
+
+@owning
+def _effects_of(kinds, row, i):
+    return made(kinds, row, i)
+
+
+@owning
+def _no_effects(kinds, row, i):
+    return ()
+
+
+@generic
+def columns_of(kinds: Any) -> Callable[..., Any]:
+    """Number of columns of kinds in a row."""
+    return _columns_of if kinds else _no_columns
+
+
+@compiled
+def _columns_of(kinds):
+    return count_fields(kinds)
+
+
+@compiled
+def _no_columns(kinds):
+    return 0
+
+
+@generic
+def drag(kinds: Any) -> Callable[..., Any]:
+    """`Resistance` to a twist, zero at rest: effects, x, y, spin. Points at the center count for nothing."""
+    return _drag if kinds else _no_drag
+
+
+@compiled
+def _no_drag(effects, x, y, spin):
+    return Resistance(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1, 0.0)
+
+
+@compiled
+def _drag(effects, x, y, spin):
+    if x == 0.0 and y == 0.0 and spin == 0.0:
+        return _no_drag(effects, x, y, spin)
+    return resistance(effects, x, y, spin, ROUNDING * (abs(x) + abs(y)))
+
+
+@generic
+def powers(kinds: Any) -> Callable[..., Any]:
+    """Write down the power that each effect dissipates: effects, x, y, spin, their sum, found, first index."""
+    return (_no_powers, _last_power)[len(kinds)] if len(kinds) < 2 else _powers
+
+
+@compiled
+def _no_powers(effects, x, y, spin, total, found, i):
+    pass
+
+
+@compiled
+def _last_power(effects, x, y, spin, total, found, i):
+    found[i] = total
+
+
+@compiled
+def _powers(effects, x, y, spin, total, found, i):
+    now = drag(effects[:1], x, y, spin)
+    found[i] = now.f_x * x + now.f_y * y + now.torque * spin
+    powers(effects[1:], x, y, spin, total - found[i], found, i + 1)
+
+
+@compiled
+def load_at(body, angle):
+    """Wrench of the loads at a rod angle: they keep their direction in the world."""
+    (x, y, cross, dot), turn = body.load, angle - body.start_angle
+    c, s = cos(turn), sin(turn)
+    return Wrench(x * c + y * s, y * c - x * s, cross * c - dot * s)
+
+
+@compiled
+def load_work(body, angle, x, y):
+    """Work of the loads since time 0, at a displacement of the slider's center along the first body axes."""
+    (g_x, g_y, cross, dot), turn = body.load, angle - body.start_angle
+    return g_x * x + g_y * y + dot * (cos(turn) - 1.0) + cross * sin(turn)
+
+
+@generic
+def with_loads(kinds: Any) -> Callable[..., Any]:
+    """Effects, and the wrench of the loads at an angle where there are some: loads, effects, body, angle."""
+    return _with_loads if kinds else _without_loads
+
+
+@compiled
+def _without_loads(loads, effects, body, angle):
+    return effects
+
+
+@compiled
+def _with_loads(loads, effects, body, angle):
+    return (*effects, load_at(body, angle))
+
+
+@generic
+def scaled_films(kinds: Any) -> Callable[..., Any]:
+    """Viscous friction whose forces are multiplied by a factor: films, factor."""
+    return _scaled_films if kinds else _no_films
+
+
+@compiled
+def _no_films(films, factor):
+    return ()
+
+
+@compiled
+def _scaled_films(films, factor):
+    mass, gyration, x, y = films[0]
+    return (Mass(factor * mass, gyration, x, y), *scaled_films(films[1:], factor))
+
+
+@generic
+def slowest_foot(kinds: Any) -> Callable[..., Any]:
+    """Number of the slowest support point under a twist, -1 without points, and its speed."""
+    return _slowest_foot if kinds else _no_foot
+
+
+@compiled
+def _no_foot(effects, x, y, spin):
+    return -1, inf
+
+
+@compiled
+def _slowest_foot(effects, x, y, spin):
+    found, least = -1, inf
+    for i in range(count_points(effects)):
+        p_x, p_y = place(effects, i)
+        v_x, v_y = x - spin * p_y, y + spin * p_x
+        speed = sqrt(v_x * v_x + v_y * v_y)
+        if speed < least:
+            found, least = i, speed
+    return found, least
+
+
+@generic
+def foot_at(kinds: Any) -> Callable[..., Any]:
+    """Position of a support point, body frame: effects, its number."""
+    return _place if kinds else _no_place
+
+
+@compiled
+def _place(effects, i):
+    return place(effects, i)
+
+
+@compiled
+def _no_place(effects, i):
+    return 0.0, 0.0
+
+
+@generic
+def kink(kinds: Any) -> Callable[..., Any]:
+    """Watch of the kinks of a contact's motion: effects, motion, whether it slips.
+
+    On a ring the center of rotation crosses the ring; with support points a pivot begins or ends in a slip.
+    """
+    if RingSupport in kinds:
+        return _kink_on_ring
+    return _kink_at_points if any(KINDS[kind].DEGREE == 1 for kind in kinds) else _no_kink
+
+
+@compiled
+def _no_kink(effects, now, slips):
+    return nan
+
+
+@compiled
+def _kink_at_points(effects, now, slips):
+    if not slips or count_points(effects) == 0:
+        return nan
+    return 1.0 if now.pivot >= 0 else -1.0
+
+
+@compiled
+def _kink_on_ring(effects, now, slips):
+    total = abs(now.spin) + now.speed
+    part = (abs(now.spin) - now.speed) / total if total > 0.0 else 0.0
+    # As even in time as the moment arm, of which the spin ratio is a function like x / log(x) there.
+    return part * (2.0 - log(abs(part))) if part != 0.0 else 0.0

@@ -1,0 +1,67 @@
+"""A slider with inertia that pivots about a support point, which friction holds like a hinge."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.simulation.systems import base, contact
+from planar_pushing.simulation.systems.shapes.base import relative
+
+
+@compiled
+def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
+    """Accelerations about a hinge, in flight or in a slip, and the forces that they take.
+
+    Parameters
+    ----------
+    system : Inertial
+    now : Pose
+    kind : int
+        Contact mode.
+    q_x, q_y : float
+        From the center of mass to the hinge.
+    free : (a_x, a_y, turn)
+        Accelerations of the center of mass and of the rotation without hinge and contact.
+    velocity : (slip, rise, spin)
+    fence : (a_x, a_y)
+        Acceleration of the fence.
+
+    Returns
+    -------
+    f_x, f_y : float
+        Force of the fence.
+    a_x, a_y, turn : float
+        Accelerations of the contact over the fence, and of the rotation.
+    lift : float
+        Normal acceleration of the contact without the force.
+    carried : float
+        Force of the hinge.
+    """
+    body, (a_x, a_y, turn), (slip, rise, spin) = system.body, free, velocity
+    whole, square = body.moment + body.mass * (q_x * q_x + q_y * q_y), spin * spin
+    # From the hinge to the contact.
+    d_x, d_y = -(now.arm_x + q_x), -(now.arm_y + q_y)
+    torque = body.moment * turn - body.mass * (q_x * a_y - q_y * a_x)
+    open_turn = torque / whole
+    along, lift = _at(system, slip, rise, spin, open_turn, d_x, d_y, fence)
+    f_x, f_y, a_along, a_normal, turn = 0.0, 0.0, along, lift, open_turn
+    if kind != base.SEPARATE:
+        e_x, e_y, _ = contact.edge_of(body, kind)
+        turn = open_turn - lift / d_x if d_x != 0.0 else open_turn
+        lever = d_x * e_y - d_y * e_x
+        size = (whole * turn - torque) / lever if lever != 0.0 else 0.0
+        f_x, f_y = size * e_x, size * e_y
+        a_along, a_normal = _at(system, slip, rise, spin, turn, d_x, d_y, fence)[0], 0.0
+    # The center of mass turns about the hinge.
+    c_x, c_y = turn * q_y + square * q_x, -turn * q_x + square * q_y
+    p_x, p_y = body.mass * (c_x - a_x) - f_x, body.mass * (c_y - a_y) - f_y
+    return f_x, f_y, a_along, a_normal, turn, lift, sqrt(p_x * p_x + p_y * p_y)
+
+
+@compiled
+def _at(system, slip, rise, spin, turn, d_x, d_y, fence):
+    """Acceleration over the fence of a contact at (d_x, d_y) from the hinge."""
+    square = spin * spin
+    a_x, a_y = -turn * d_y - square * d_x, turn * d_x - square * d_y
+    return relative(system.shape, spin, slip, rise, a_x - fence[0], a_y - fence[1])
