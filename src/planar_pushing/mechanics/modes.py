@@ -148,10 +148,11 @@ def _may_slip(edge, side, part, moved_force, size):
     """Whether there can be slips under an edge, beside the sticking motion.
 
     A slip goes against the edge's force along the fence, so it has less of a part along the force than the
-    pusher's motion, and that part is positive. The potential is convex, so the force along the fence rises
-    with the motion along it: a slip to the right takes more than sticking does.
+    pusher's motion, and that part is positive; a force across the fence gives both the same part. The
+    potential is convex, so the force along the fence rises with the motion along it: a slip to the right
+    takes more than sticking does.
     """
-    return part >= -COINCIDENCE and side * moved_force <= OUTSIDE * size
+    return part > 0.0 and side * moved_force <= OUTSIDE * size
 
 
 @compiled
@@ -202,10 +203,9 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, 
 def _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count):
     """Write down a slip if its force pushes, as the stick if it does not slip; as `_slipping`."""
     slip = push.t_x * slid.u_x + push.t_y * slid.u_y - pusher.x
-    edge_force = abs(slid.f_x) + abs(slid.f_y)
     if not slid.found or count < 0:
         return UNSOLVED, False, False
-    if edge_force <= slid.noise_x + slid.noise_y:
+    if _along(edge, slid) <= slid.noise_x + slid.noise_y:
         return count, False, False
     if abs(slip) <= COINCIDENCE:
         _write(push, STICK, slid, solutions[place])
@@ -223,9 +223,15 @@ def _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count):
 
 
 @compiled
+def _along(edge, slid):
+    """The force along an edge, negative against it."""
+    return edge.along * slid.f_x - edge.aside * slid.f_y
+
+
+@compiled
 def _take_to(edge, slid, found):
     """Write down a force along an edge, free of the rounding of the body frame."""
-    size = edge.along * slid.f_x - edge.aside * slid.f_y
+    size = _along(edge, slid)
     found.force[0], found.force[1] = size * edge.x, size * edge.y
     found.force_end[0], found.force_end[1] = found.force[0], found.force[1]
 

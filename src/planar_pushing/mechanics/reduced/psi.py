@@ -10,15 +10,17 @@ that point's friction can take: a root within the jump is a pivot, and leaves an
 
 from __future__ import annotations
 
-from math import copysign, inf, sqrt
+from math import copysign, inf, nan, sqrt
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import (
     Resistance,
     count_points,
+    energy,
     moment,
     place,
+    pull,
     resistance,
 )
 from planar_pushing.mechanics.numerics.root import EPSILON, is_last
@@ -111,6 +113,8 @@ def about(effects, at, x, y, spin, blur):
 @compiled
 def spin_guess(effects, at, x, y):
     """A first guess of the rotation of a contact that moves by (x, y), exact for a mass."""
+    if x == 0.0 and y == 0.0:
+        return 0.0
     rough = moment(effects, sqrt(x * x + y * y), at.x, at.y)
     return (rough.y * x - rough.x * y) / rough.whole
 
@@ -135,12 +139,42 @@ def _cut(effects, at, x, y, low, high, start):
 
 
 @compiled
+def turning(effects, at):
+    """The rotation about a contact at rest, and `Resistance` there; without any that at rest.
+
+    About a place that rests friction's torque is constant and that of inertia in proportion to the rotation.
+    Friction holds what loads it can.
+    """
+    for sense in (1.0, -1.0):
+        now = about(effects, at, sense * at.y, -sense * at.x, sense, 0.0)
+        whole = 2.0 * energy(effects, at.y, -at.x, 1.0)
+        lack = whole - sense * now.torque
+        if lack > 0.0:
+            spin = sense * lack / whole if whole > 0.0 else nan
+            return spin, about(effects, at, spin * at.y, -spin * at.x, spin, 0.0)
+    x, y, _ = pull(effects)
+    return 0.0, Resistance(-x, -y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NOWHERE, 0.0)
+
+
+@compiled
+def _at_rest(effects, at):
+    """Psi of a contact at rest, where its gradient is a set: the force that takes friction least.
+
+    At rest that is the opposite of the loads, in a rotation the force without that of a point at the contact.
+    """
+    spin, now = turning(effects, at)
+    return _settled(now, at, spin * at.y, -spin * at.x, spin, 0.0, 0.0, 0.0, spin == spin)
+
+
+@compiled
 def psi(effects, at, x, y, guess):
-    """Psi at a motion (x, y) of the contact that is not rest, from a guess of the rotation.
+    """Psi at a motion (x, y) of the contact, from a guess of the rotation.
 
     Of a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; of a
     short one the rotation.
     """
+    if x == 0.0 and y == 0.0:
+        return _at_rest(effects, at)
     along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
     rough = moment(effects, speed, at.x, at.y)
     far = 2.0 * rough.mass * at.reach * at.reach > rough.whole

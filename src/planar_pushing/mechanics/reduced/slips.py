@@ -32,6 +32,8 @@ SLOWEST = exp(-32.0)
 TURN = 1e-9
 #: Where a way is: at its start, outside of a continuum, inside of one.
 REST, OUTSIDE, INSIDE = 0, 1, 2
+#: Slips closer than this, relative to their motion along the fence, are one.
+COINCIDENCE = 9e-13
 #: How often a dip is halved at most.
 HALVINGS = 60
 #: Slips under one edge that are written down.
@@ -103,7 +105,12 @@ def _is_zero(at, value):
 
 @compiled
 def _write(at, continuum, found, count):
-    """Write down a slip; the number of slips then, -1 where it is none or one too many."""
+    """Write down a slip; the number of slips then, -1 where it is none or one too many.
+
+    Two cells that meet at a kink may both find it.
+    """
+    if count > 0 and abs(at.s - found[count - 1, 0]) <= COINCIDENCE * abs(at.s):
+        return count
     if count < 0 or count == len(found) or not at.found:
         return -1
     found[count, 0], found[count, 1], found[count, 2] = at.s, at.spin, 1.0 if continuum else 0.0

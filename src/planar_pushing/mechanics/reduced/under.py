@@ -138,7 +138,12 @@ def across_force(effects, at, e_x, e_y, along):
 
 @compiled
 def _start(way, along):
-    """A first guess of the root: that of the mass that the effects roughly equal."""
+    """A first guess of the root: that of the mass that the effects roughly equal.
+
+    Of motions against the force, or without a part along it, loads are the cause.
+    """
+    if not along > 0.0:
+        return 0.0
     m, x, y, whole = moment(way.effects, along, way.at.x, way.at.y)
     # The force of a motion (u, spin) without torque is M u, and u its inverse times e but for a factor.
     u_x = (m - x * x / whole) * way.e_x - x * y / whole * way.e_y

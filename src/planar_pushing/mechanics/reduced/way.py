@@ -167,7 +167,8 @@ def crossing(way, low, high, here):
         Its `found` says whether the iteration has settled.
     """
     sense, last = 1.0 if high.before > low.after else -1.0, inf
-    part = abs(way.d_x) + abs(way.d_y)
+    part, least = abs(way.d_x) + abs(way.d_y), abs(way.p_x) + abs(way.p_y)
+    least = least / part if least > 0.0 else 1.0
     for _ in range(STEPS):
         before, after = sense * here.before, sense * here.after
         if before <= 0.0 <= after:
@@ -176,7 +177,6 @@ def crossing(way, low, high, here):
             low, value = here, after
         else:
             high, value = here, before
-        least = (abs(way.p_x) + abs(way.p_y)) / part
         scale = abs(here.s) + least
         slope = sense * here.slope
         step = -value / slope if slope > 0.0 else copysign(inf, -value)
