@@ -1,13 +1,16 @@
 """The motion of a slider that nothing pushes: rest, or where loads take it.
 
-It is the minimum of the potential over all twists, which is strictly convex with inertia. It is rest, a pivot
-about a support point whose friction holds what the others leave, or a smooth minimum: one closed form for
-each point, then Newton's method, whose steps end where the potential is least along them.
+It is the minimum of the potential over all twists, which is strictly convex with inertia. The potential of
+friction has kinks: rest, and the rotations about each support point, along which the minimum is a closed form.
+Newton's method, with steps along which the potential falls, starts from the lowest of these and so meets none.
+
+Where no start is below rest, friction may hold the loads. Half of the square of friction's potential D, less
+the loads' power, has no kink at rest; it is least at the twist whose friction is in proportion to the loads.
 """
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, sqrt
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
@@ -19,18 +22,17 @@ from planar_pushing.mechanics.effects.base import (
     pull,
     resistance,
 )
-from planar_pushing.mechanics.numerics.root import is_last
-from planar_pushing.mechanics.reduced.psi import contact_at, turning
+from planar_pushing.mechanics.numerics.root import EPSILON, is_last
 
-#: Momentum over load of a slider that rests.
-SLOWEST = 1e-13
 #: Newton steps at most, and trials along one.
-STEPS, TRIALS = 100, 100
+STEPS, TRIALS = 60, 120
 #: A step ends where the slope of the potential is this part of that at its start, or where the place of the
 #: minimum is known to this part of the step.
-SLOPE, NARROW = 0.3, 1e-9
-#: Part of a twist that leaves a support point at which the potential has no gradient.
-ASIDE = 1e-3
+SLOPE, NARROW = 0.3, 1e-6
+#: Factor of a twist whose inertia counts for nothing beside friction.
+SLOW = 1e-100
+#: Stiffness of a direction in which the square of D is flat, beside that of the others.
+FLAT = 1e-13
 
 
 class Free(NamedTuple):
@@ -41,86 +43,156 @@ class Free(NamedTuple):
     spin: float
 
 
-REST = Free(0.0, 0.0, 0.0)
+class Local(NamedTuple):
+    """Value, gradient and Hessian of what is least, and the most that a support point at rest takes of a force."""
 
-
-@compiled
-def _solved(xx, xy, yy, xs, ys, ss, f_x, f_y, torque):
-    """The twist of a wrench by a positive matrix."""
-    part, swing = xy / xx, xs / xx
-    own, aside = yy - part * xy, ys - part * xs
-    turn = aside / own
-    right_y = f_y - part * f_x
-    spin = (torque - swing * f_x - turn * right_y) / (ss - swing * xs - turn * aside)
-    y = right_y / own - turn * spin
-    return Free(f_x / xx - part * y - swing * spin, y, spin)
+    value: float
+    f_x: float
+    f_y: float
+    torque: float
+    xx: float
+    xy: float
+    yy: float
+    xs: float
+    ys: float
+    ss: float
+    most: float
 
 
 @compiled
 def free(effects):
     """The twist at which effects exert no wrench; zero where friction holds the loads."""
     x, y, torque = pull(effects)
-    mass = moment(effects, inf, 0.0, 0.0)
+    load, mass = Free(x, y, torque), moment(effects, inf, 0.0, 0.0)
     if mass.mass == 0.0 or (x == 0.0 and y == 0.0 and torque == 0.0):
-        return REST
-    for i in range(count_points(effects)):
-        p_x, p_y = place(effects, i)
-        spin, now = turning(effects, contact_at(p_x, p_y))
-        if spin != 0.0 and now.f_x * now.f_x + now.f_y * now.f_y <= now.most * now.most:
-            return Free(spin * p_y, -spin * p_x, spin)
-    return _smooth(
-        effects,
-        _solved(mass.mass, 0.0, mass.mass, -mass.y, mass.x, mass.whole, x, y, torque),
-        abs(x) + abs(y) + abs(torque),
-    )
+        return Free(0.0, 0.0, 0.0)
+    fall = _solved(mass.mass, 0.0, mass.mass, -mass.y, mass.x, mass.whole, load)
+    start, value = _lowest(effects, load, fall, False)
+    if not value < 0.0:
+        start, _ = _lowest(effects, load, fall, True)
+        start, value = _on_ray(effects, load, _least(effects, load, start, True), False)
+    return _least(effects, load, start, False) if value < 0.0 else Free(0.0, 0.0, 0.0)
 
 
 @compiled
-def _smooth(effects, at, load):
-    """The minimum of the potential where it has a gradient, or rest, from a first twist."""
+def _solved(xx, xy, yy, xs, ys, ss, wrench):
+    """The twist of a wrench by a positive matrix."""
+    part, swing = xy / xx, xs / xx
+    own, aside = yy - part * xy, ys - part * xs
+    right, turn = wrench.y - part * wrench.x, aside / own
+    spin = (wrench.spin - swing * wrench.x - turn * right) / (ss - swing * xs - turn * aside)
+    y = right / own - turn * spin
+    return Free(wrench.x / xx - part * y - swing * spin, y, spin)
+
+
+@compiled
+def _power(one, other):
+    return one.x * other.x + one.y * other.y + one.spin * other.spin
+
+
+@compiled
+def _size(at):
+    return abs(at.x) + abs(at.y) + abs(at.spin)
+
+
+@compiled
+def _moved(at, step, part):
+    return Free(at.x + part * step.x, at.y + part * step.y, at.spin + part * step.spin)
+
+
+@compiled
+def _local(effects, load, at, square):
+    """`Local` of the potential at a twist, or of half of the square of D less the loads' power."""
+    slow = SLOW if square else 1.0
+    x, y, spin = slow * at.x, slow * at.y, slow * at.spin
+    now = resistance(effects, x, y, spin, EPSILON * slow * _size(at))
+    f_x, f_y, torque, b = now.f_x, now.f_y, now.torque, slow
+    power = _power(at, Free(f_x, f_y, torque))
+    if not square:
+        return Local(
+            power - energy(effects, x, y, spin), f_x, f_y, torque,
+            now.xx, now.xy, now.yy, now.xs, now.ys, now.ss, now.most,
+        )  # fmt: skip
+    f_x, f_y, torque = f_x + load.x, f_y + load.y, torque + load.spin
+    whole = _power(at, Free(f_x, f_y, torque))
+    b *= whole
+    xx, yy, ss = f_x * f_x + b * now.xx, f_y * f_y + b * now.yy, torque * torque + b * now.ss
+    least = FLAT * (xx + yy + ss)
+    return Local(
+        power + whole * (whole / 2.0 - 1.0),
+        whole * f_x - load.x, whole * f_y - load.y, whole * torque - load.spin,
+        xx + least, f_x * f_y + b * now.xy, yy + least, f_x * torque + b * now.xs,
+        f_y * torque + b * now.ys, ss + least, whole * now.most,
+    )  # fmt: skip
+
+
+@compiled
+def _on_ray(effects, load, ray, square):
+    """The twist in the direction of a ray, or against it, that has the least value, and this value."""
+    power, size = _power(ray, load), _size(ray)
+    x, y, spin = SLOW * ray.x, SLOW * ray.y, SLOW * ray.spin
+    now = resistance(effects, x, y, spin, EPSILON * SLOW * size)
+    held = _power(ray, Free(now.f_x + load.x, now.f_y + load.y, now.torque + load.spin))
+    if square:
+        return _moved(Free(0.0, 0.0, 0.0), ray, power / held**2), -((power / held) ** 2) / 2.0
+    whole, lack = 2.0 * energy(effects, ray.x, ray.y, ray.spin), max(abs(power) - held, 0.0)
+    part = lack / whole if power > 0.0 else -lack / whole
+    return _moved(Free(0.0, 0.0, 0.0), ray, part), -lack * part / 2.0 if power > 0.0 else lack * part / 2.0
+
+
+@compiled
+def _lowest(effects, load, ray, square):
+    """The lowest twist in the direction of a ray or about a support point, and its value."""
+    found, least = _on_ray(effects, load, ray, square)
+    for i in range(count_points(effects)):
+        x, y = place(effects, i)
+        at, value = _on_ray(effects, load, Free(y, -x, 1.0), square)
+        if value < least:
+            found, least = at, value
+    return found, least
+
+
+@compiled
+def _least(effects, load, at, square):
+    """The twist of the least value, from one that is not above any of those about a support point."""
     last = inf
     for _ in range(STEPS):
-        size = abs(at.x) + abs(at.y) + abs(at.spin)
-        if 2.0 * energy(effects, at.x, at.y, at.spin) <= SLOWEST * load * size:
-            return REST
-        now = resistance(effects, at.x, at.y, at.spin, 0.0)
+        now, size = _local(effects, load, at, square), _size(at)
         if now.most > 0.0:
-            at = Free(at.x + ASIDE * size, at.y, at.spin)
-            continue
-        step = _solved(
-            now.xx, now.xy, now.yy, now.xs, now.ys, now.ss, -now.f_x, -now.f_y, -now.torque
-        )
-        part = _least_along(effects, at, step, _slope(now, step))
-        at = Free(at.x + part * step.x, at.y + part * step.y, at.spin + part * step.spin)
-        change = (abs(step.x) + abs(step.y) + abs(step.spin)) / size
+            force = sqrt(now.f_x * now.f_x + now.f_y * now.f_y)
+            if force <= now.most:
+                return at
+            step, slope = Free(-now.f_x / force, -now.f_y / force, 0.0), now.most - force
+        else:
+            wrench = Free(-now.f_x, -now.f_y, -now.torque)
+            step = _solved(now.xx, now.xy, now.yy, now.xs, now.ys, now.ss, wrench)
+            slope = -_power(wrench, step)
+        rounding = EPSILON * _size(load) * size
+        part = _descent(effects, load, at, step, now.value + rounding, slope, square)
+        at, change = _moved(at, step, part), _size(step) / size
         if is_last(change, last):
-            return at
+            break
         last = change if part == 1.0 else inf
     return at
 
 
 @compiled
-def _slope(now, step):
-    """Derivative of the potential along a step."""
-    return now.f_x * step.x + now.f_y * step.y + now.torque * step.spin
-
-
-@compiled
-def _least_along(effects, at, step, start):
-    """Part of a step after which the potential is nearly least: the whole step where that will do."""
+def _descent(effects, load, at, step, value, slope, square):
+    """Part of a step at whose end the value is nearly least: the whole step where that will do."""
     low, high, part = 0.0, inf, 1.0
-    if not start < 0.0:  # by rounding
+    if not slope < 0.0:  # by rounding
         return part
     for _ in range(TRIALS):
-        x, y, spin = at.x + part * step.x, at.y + part * step.y, at.spin + part * step.spin
-        slope = 0.0
-        if x != 0.0 or y != 0.0 or spin != 0.0:
-            slope = _slope(resistance(effects, x, y, spin, 0.0), step)
-        if abs(slope) <= -SLOPE * start or high - low <= NARROW * part:
-            break
-        if slope < 0.0:
+        there = _moved(at, step, part)
+        now = _local(effects, load, there, square)
+        rise = _power(Free(now.f_x, now.f_y, now.torque), step)
+        if abs(rise) <= -SLOPE * slope and now.value <= value:
+            return part
+        if rise < 0.0:
             low = part
         else:
             high = part
+        if high - low <= NARROW * low:
+            return low
         part = 4.0 * part if high == inf else (low + high) / 2.0
-    return part
+    return low
