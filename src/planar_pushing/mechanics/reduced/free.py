@@ -10,7 +10,7 @@ the loads' power, has no kink at rest; it is least at the twist whose friction i
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import copysign, inf, sqrt
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
@@ -22,13 +22,17 @@ from planar_pushing.mechanics.effects.base import (
     pull,
     resistance,
 )
-from planar_pushing.mechanics.numerics.root import EPSILON, is_last
+from planar_pushing.mechanics.numerics.root import EPSILON
 
 #: Newton steps at most, and trials along one.
 STEPS, TRIALS = 60, 120
 #: A step ends where the slope of the potential is this part of that at its start, or where the place of the
 #: minimum is known to this part of the step.
 SLOPE, NARROW = 0.3, 1e-6
+#: Rounding error of a value, relative to the power of the loads.
+ROUNDING = 8.0 * EPSILON
+#: Momentum over load of a slider that friction holds.
+SLOWEST = 1e-13
 #: Factor of a twist whose inertia counts for nothing beside friction.
 SLOW = 1e-100
 #: Stiffness of a direction in which the square of D is flat, beside that of the others.
@@ -41,6 +45,9 @@ class Free(NamedTuple):
     x: float
     y: float
     spin: float
+
+
+REST = Free(0.0, 0.0, 0.0)
 
 
 class Local(NamedTuple):
@@ -65,13 +72,13 @@ def free(effects):
     x, y, torque = pull(effects)
     load, mass = Free(x, y, torque), moment(effects, inf, 0.0, 0.0)
     if mass.mass == 0.0 or (x == 0.0 and y == 0.0 and torque == 0.0):
-        return Free(0.0, 0.0, 0.0)
+        return REST
     fall = _solved(mass.mass, 0.0, mass.mass, -mass.y, mass.x, mass.whole, load)
     start, value = _lowest(effects, load, fall, False)
     if not value < 0.0:
         start, _ = _lowest(effects, load, fall, True)
         start, value = _on_ray(effects, load, _least(effects, load, start, True), False)
-    return _least(effects, load, start, False) if value < 0.0 else Free(0.0, 0.0, 0.0)
+    return _least(effects, load, start, False) if value < 0.0 else REST
 
 
 @compiled
@@ -134,10 +141,11 @@ def _on_ray(effects, load, ray, square):
     now = resistance(effects, x, y, spin, EPSILON * SLOW * size)
     held = _power(ray, Free(now.f_x + load.x, now.f_y + load.y, now.torque + load.spin))
     if square:
-        return _moved(Free(0.0, 0.0, 0.0), ray, power / held**2), -((power / held) ** 2) / 2.0
-    whole, lack = 2.0 * energy(effects, ray.x, ray.y, ray.spin), max(abs(power) - held, 0.0)
-    part = lack / whole if power > 0.0 else -lack / whole
-    return _moved(Free(0.0, 0.0, 0.0), ray, part), -lack * part / 2.0 if power > 0.0 else lack * part / 2.0
+        return _moved(REST, ray, power / held**2), -((power / held) ** 2) / 2.0
+    lack = abs(power) - held
+    part = max(lack, 0.0) / (2.0 * energy(effects, ray.x, ray.y, ray.spin))
+    falls = lack > SLOWEST * abs(power)
+    return _moved(REST, ray, copysign(part, power)), -lack * part / 2.0 if falls else 0.0
 
 
 @compiled
@@ -155,9 +163,8 @@ def _lowest(effects, load, ray, square):
 @compiled
 def _least(effects, load, at, square):
     """The twist of the least value, from one that is not above any of those about a support point."""
-    last = inf
     for _ in range(STEPS):
-        now, size = _local(effects, load, at, square), _size(at)
+        now = _local(effects, load, at, square)
         if now.most > 0.0:
             force = sqrt(now.f_x * now.f_x + now.f_y * now.f_y)
             if force <= now.most:
@@ -167,12 +174,11 @@ def _least(effects, load, at, square):
             wrench = Free(-now.f_x, -now.f_y, -now.torque)
             step = _solved(now.xx, now.xy, now.yy, now.xs, now.ys, now.ss, wrench)
             slope = -_power(wrench, step)
-        rounding = EPSILON * _size(load) * size
+        rounding = ROUNDING * _size(load) * _size(at)
         part = _descent(effects, load, at, step, now.value + rounding, slope, square)
-        at, change = _moved(at, step, part), _size(step) / size
-        if is_last(change, last):
+        at = _moved(at, step, part)
+        if -slope <= rounding or part == 0.0:
             break
-        last = change if part == 1.0 else inf
     return at
 
 
