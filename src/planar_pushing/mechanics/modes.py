@@ -218,7 +218,8 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, 
     number, flat = slips_along(way, unit, first, last, scratch)
     at_edge = False
     for i in range(number):
-        slid = moved_at(way, scratch[i, 0], scratch[i, 1], scratch[i, 2] != 0.0)
+        s, spin, continuum, point = scratch[i, 0], scratch[i, 1], scratch[i, 2], scratch[i, 3]
+        slid = moved_at(way, s, spin, continuum != 0.0, int(point))
         count, edge_too, _ = _write_slip(
             push, edge, slid, side, mode, pusher, rest, solutions, place, count
         )

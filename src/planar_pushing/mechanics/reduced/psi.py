@@ -29,6 +29,10 @@ from planar_pushing.mechanics.numerics.root import EPSILON, is_last
 ROUNDING = 4.0 * EPSILON
 #: Rounding error of a pivot's friction, relative to the share of the point: sums over some dozens of points.
 SHARE = 1e-13
+#: A support point slower than this, relative to the slider, barely moves, and its steps to its friction.
+NEAR, TURNS = 1e-5, 8
+#: Rounding error of a torque where no point barely moves, relative to the force and the lengths.
+BALANCED = 1e-9
 #: Steps to a rotation at most: bisection takes a bracket through 1e16 sizes to its last digit.
 STEPS = 120
 NOWHERE = -1
@@ -167,15 +171,19 @@ def _at_rest(effects, at):
 
 
 @compiled
-def psi(effects, at, x, y, guess):
+def psi(effects, at, x, y, guess, point=NOWHERE):
     """Psi at a motion (x, y) of the contact, from a guess of the rotation.
 
     Of a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; of a
-    short one the rotation.
+    short one the rotation. A support point with a number is taken to be across the motion from the contact.
     """
     if x == 0.0 and y == 0.0:
         return _at_rest(effects, at)
     along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
+    if point >= 0:
+        there = _about_point(effects, at, x, y, point, True)
+        if there.found:
+            return there
     rough = moment(effects, speed, at.x, at.y)
     far = 2.0 * rough.mass * at.reach * at.reach > rough.whole
     start, rest = (-along / at.reach, 0.0) if far else (0.0, along)
@@ -190,13 +198,18 @@ def psi(effects, at, x, y, guess):
         if now.most > 0.0:
             hold = now.most * speed / abs(spin)
             if abs(value) <= hold * (1.0 + SHARE):
-                return _pivot(effects, at, x, y, now.point)
+                there = _about_point(effects, at, x, y, now.point, False)
+                return there if there.found else _about_point(effects, at, x, y, now.point, True)
             value -= copysign(hold, value)
         step = -value / now.ss if now.ss > 0.0 else copysign(inf, -value)
         scale = (abs(v_x) + abs(v_y) + abs(spin)) / (1.0 + at.reach)
         size = abs(step) / scale if value != 0.0 else 0.0
         if is_last(size, last):
-            return _settled(now, at, v_x, v_y, spin, step if value != 0.0 else 0.0, x, y, True)
+            found = _settled(now, at, v_x, v_y, spin, step if value != 0.0 else 0.0, x, y, True)
+            found = _refined(effects, at, x, y, found, abs(value))
+            if found.found:
+                return found
+            step, size, last = copysign(8.0 * NEAR * scale, -value), 0.0, inf
         if value > 0.0:
             high = q
         else:
@@ -204,7 +217,8 @@ def psi(effects, at, x, y, guess):
         new = q + step
         if not (low < new < high) or size > last / 2.0:
             if high - low <= ROUNDING * scale:
-                return _settled(now, at, v_x, v_y, spin, 0.0, x, y, True)
+                found = _settled(now, at, v_x, v_y, spin, 0.0, x, y, True)
+                return _refined(effects, at, x, y, found, 0.0)
             last, new = inf, _next(effects, at, x, y, low, high, start, q, scale)
         elif not abs(step) < 8.0 * (abs(q) + scale):
             last, new = inf, q + copysign(8.0 * (abs(q) + scale), step)
@@ -242,26 +256,85 @@ def _settled(now, at, v_x, v_y, spin, step, x, y, found):
 
 
 @compiled
-def _pivot(effects, at, x, y, i):
-    """Psi of a motion about a support point, which carries the torque that the rest leaves.
+def _nearest(effects, at, v_x, v_y, spin):
+    """The slowest support point that is not at the contact, and a quarter of the speed of the next one."""
+    found, least, next_least = NOWHERE, inf, inf
+    for i in range(count_points(effects)):
+        x, y = place(effects, i)
+        w_x, w_y = v_x - spin * y, v_y + spin * x
+        square = w_x * w_x + w_y * w_y
+        if square < least and (x != at.x or y != at.y):
+            found, least, next_least = i, square, least
+        else:
+            next_least = min(next_least, square)
+    return found, sqrt(least), sqrt(next_least) / 4.0
 
-    With the point at r from the contact, its friction e is any with ``r x e`` given and |e| at most its
-    share: a part across r is known, the part along r is free up to an interval.
+
+@compiled
+def _refined(effects, at, x, y, now, torque):
+    """Psi with the friction of a support point that barely moves from the balance of torques.
+
+    It is not found where that point does not balance the torque, whose slope it makes so steep that any step
+    is small.
+    """
+    if count_points(effects) > 0:
+        speed = sqrt(x * x + y * y) + at.reach * abs(now.spin)
+        i, least, apart = _nearest(effects, at, now.v_x, now.v_y, now.spin)
+        if least <= NEAR * speed and least < apart:
+            there = _about_point(effects, at, x, y, i, False)
+            lever = (1.0 + at.reach) * (abs(now.f_x) + abs(now.f_y))
+            if there.found or torque > BALANCED * lever:
+                return there
+    return now
+
+
+@compiled
+def _about_point(effects, at, x, y, i, across):
+    """Psi of a motion about a support point, or nearly: the point carries the torque that the rest leaves.
+
+    Which way a point that barely moves does so is lost in the rounding of the twist. With the point at r from
+    the contact, the part of its friction across r follows from the torques, and the part along r from its
+    share, in the sense of its motion along r, ``u . r``. Where that is zero, or the point is said to be
+    `across` the motion, the slider pivots about it and the part along r is an interval.
     """
     p_x, p_y = place(effects, i)
     r_x, r_y = p_x - at.x, p_y - at.y
-    square = r_x * r_x + r_y * r_y
-    reach = sqrt(square)
-    spin = (x * r_y - y * r_x) / square
-    v_x, v_y = spin * p_y, -spin * p_x
-    blur = ROUNDING * abs(spin) * (reach + at.reach)
-    now = about(effects, at, v_x, v_y, spin, blur)
-    part = -now.torque / reach
-    free = sqrt(max(now.most * now.most - part * part, 0.0)) / reach
-    turn_x, turn_y = r_y / square, -r_x / square
-    f_x, f_y = now.f_x - part * r_y / reach, now.f_y + part * r_x / reach
-    noise = abs(now.f_x) + abs(now.f_y) + now.most + abs(part)
+    reach = sqrt(r_x * r_x + r_y * r_y)
+    r_x, r_y = r_x / reach, r_y / reach
+    ahead, pivot = x * r_x + y * r_y, (x * r_y - y * r_x) / reach
+    if across or abs(ahead) <= ROUNDING * (abs(x * r_x) + abs(y * r_y)):
+        ahead = 0.0
+    aside, part, last, sense = 0.0, 0.0, inf, copysign(1.0, ahead)
+    for _ in range(TURNS):
+        spin = pivot + aside / reach
+        w_x, w_y = ahead * r_x - aside * r_y, ahead * r_y + aside * r_x
+        v_x, v_y = w_x + spin * p_y, w_y - spin * p_x
+        blur = 2.0 * (abs(ahead) + abs(aside)) + ROUNDING * abs(spin) * (reach + at.reach)
+        now = about(effects, at, v_x, v_y, spin, blur)
+        last, part = part, -now.torque / reach
+        holds = now.point == i and abs(part) <= now.most * (1.0 + SHARE)
+        holds = holds and abs(aside) <= NEAR * abs(spin) * (reach + at.reach)
+        free = sqrt(max(now.most * now.most - part * part, 0.0))
+        if ahead == 0.0 or free == 0.0 or not holds or abs(part - last) <= ROUNDING * now.most:
+            break
+        aside = abs(ahead) * part / free
+    # Its friction turns with the motion: across itself, the less it moves the more.
+    slack, n_x, n_y, turns = 0.0, -r_y, r_x, reach
+    f_x, f_y, free_x, free_y = now.f_x - part * r_y, now.f_y + part * r_x, free * r_x, free * r_y
+    if ahead != 0.0:
+        holds = holds and free > 0.0 and abs(part - last) <= ROUNDING * now.most
+    if ahead != 0.0 and holds:
+        slack, turns = abs(ahead) / free, reach * free / now.most
+        n_x = (-free * r_y - sense * part * r_x) / now.most
+        n_y = (free * r_x - sense * part * r_y) / now.most
+        f_x, f_y, free_x, free_y = f_x + sense * free_x, f_y + sense * free_y, 0.0, 0.0
+    whole = slack * now.ss + turns * turns
+    turn_x, turn_y = -(slack * now.xs + turns * n_x) / whole, -(slack * now.ys + turns * n_y) / whole
+    noise = 4.0 * ROUNDING * (abs(now.f_x) + abs(now.f_y) + now.most + abs(part))
     return Psi(
-        v_x, v_y, spin, f_x, f_y, now.xx, now.xy, now.yy, turn_x, turn_y,
-        free * r_x, free * r_y, i, 4.0 * ROUNDING * noise, 4.0 * ROUNDING * noise, True,
+        v_x, v_y, spin, f_x, f_y,
+        now.xx + (n_x * n_x * now.ss - turns * n_x * now.xs) / whole + turn_x * now.xs,
+        now.xy + (n_x * n_y * now.ss - turns * n_y * now.xs) / whole + turn_x * now.ys,
+        now.yy + (n_y * n_y * now.ss - turns * n_y * now.ys) / whole + turn_y * now.ys,
+        turn_x, turn_y, free_x, free_y, i if ahead == 0.0 else NOWHERE, noise, noise, holds,
     )  # fmt: skip
