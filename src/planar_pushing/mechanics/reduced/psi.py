@@ -29,9 +29,11 @@ from planar_pushing.mechanics.numerics.root import EPSILON, is_last
 ROUNDING = 4.0 * EPSILON
 #: Rounding error of a pivot's friction, relative to the share of the point: sums over some dozens of points.
 SHARE = 1e-13
-#: A support point slower than this, relative to the slider, barely moves, and its steps to its friction.
-NEAR, TURNS = 1e-5, 8
-#: Rounding error of a torque where no point barely moves, relative to the force and the lengths.
+#: A support point slower than this, relative to the slider, barely moves.
+NEAR = 1e-5
+#: Least part of a share that is told from none beside the rest of it: the root of a rounding error.
+SHORT = 1e-8
+#: A point that barely moves carries at most its share, but for this part of it.
 BALANCED = 1e-9
 #: Steps to a rotation at most: bisection takes a bracket through 1e16 sizes to its last digit.
 STEPS = 120
@@ -181,7 +183,8 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
         return _at_rest(effects, at)
     along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
     if point >= 0:
-        there = _about_point(effects, at, x, y, point, True)
+        spin = pivot_spin(effects, at, x, y, point)
+        there = _about_point(effects, at, x, y, point, spin, True)
         if there.found:
             return there
     rough = moment(effects, speed, at.x, at.y)
@@ -198,15 +201,15 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
         if now.most > 0.0:
             hold = now.most * speed / abs(spin)
             if abs(value) <= hold * (1.0 + SHARE):
-                there = _about_point(effects, at, x, y, now.point, False)
-                return there if there.found else _about_point(effects, at, x, y, now.point, True)
+                spin = pivot_spin(effects, at, x, y, now.point)
+                return _about_point(effects, at, x, y, now.point, spin, False)
             value -= copysign(hold, value)
         step = -value / now.ss if now.ss > 0.0 else copysign(inf, -value)
         scale = (abs(v_x) + abs(v_y) + abs(spin)) / (1.0 + at.reach)
         size = abs(step) / scale if value != 0.0 else 0.0
         if is_last(size, last):
             found = _settled(now, at, v_x, v_y, spin, step if value != 0.0 else 0.0, x, y, True)
-            found = _refined(effects, at, x, y, found, abs(value))
+            found = _refined(effects, at, x, y, found)
             if found.found:
                 return found
             step, size, last = copysign(8.0 * NEAR * scale, -value), 0.0, inf
@@ -218,7 +221,7 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
         if not (low < new < high) or size > last / 2.0:
             if high - low <= ROUNDING * scale:
                 found = _settled(now, at, v_x, v_y, spin, 0.0, x, y, True)
-                return _refined(effects, at, x, y, found, 0.0)
+                return _refined(effects, at, x, y, found)
             last, new = inf, _next(effects, at, x, y, low, high, start, q, scale)
         elif not abs(step) < 8.0 * (abs(q) + scale):
             last, new = inf, q + copysign(8.0 * (abs(q) + scale), step)
@@ -271,26 +274,30 @@ def _nearest(effects, at, v_x, v_y, spin):
 
 
 @compiled
-def _refined(effects, at, x, y, now, torque):
+def _refined(effects, at, x, y, now):
     """Psi with the friction of a support point that barely moves from the balance of torques.
 
     It is not found where that point does not balance the torque, whose slope it makes so steep that any step
     is small.
     """
     if count_points(effects) > 0:
-        speed = sqrt(x * x + y * y) + at.reach * abs(now.spin)
         i, least, apart = _nearest(effects, at, now.v_x, now.v_y, now.spin)
-        if least <= NEAR * speed and least < apart:
-            there = _about_point(effects, at, x, y, i, False)
-            lever = (1.0 + at.reach) * (abs(now.f_x) + abs(now.f_y))
-            if there.found or torque > BALANCED * lever:
-                return there
+        if least <= NEAR * (sqrt(x * x + y * y) + at.reach * abs(now.spin)) and least < apart:
+            return _about_point(effects, at, x, y, i, now.spin, False)
     return now
 
 
 @compiled
-def _about_point(effects, at, x, y, i, across):
-    """Psi of a motion about a support point, or nearly: the point carries the torque that the rest leaves.
+def pivot_spin(effects, at, x, y, i):
+    """The rotation about a support point that moves along its line to the contact at most."""
+    p_x, p_y = place(effects, i)
+    r_x, r_y = p_x - at.x, p_y - at.y
+    return (x * r_y - y * r_x) / (r_x * r_x + r_y * r_y)
+
+
+@compiled
+def _about_point(effects, at, x, y, i, spin, across):
+    """Psi of a rotation about a support point, or nearly: the point carries the torque that the rest leaves.
 
     Which way a point that barely moves does so is lost in the rounding of the twist. With the point at r from
     the contact, the part of its friction across r follows from the torques, and the part along r from its
@@ -301,40 +308,38 @@ def _about_point(effects, at, x, y, i, across):
     r_x, r_y = p_x - at.x, p_y - at.y
     reach = sqrt(r_x * r_x + r_y * r_y)
     r_x, r_y = r_x / reach, r_y / reach
-    ahead, pivot = x * r_x + y * r_y, (x * r_y - y * r_x) / reach
+    ahead, aside = x * r_x + y * r_y, reach * spin - (x * r_y - y * r_x)
     if across or abs(ahead) <= ROUNDING * (abs(x * r_x) + abs(y * r_y)):
         ahead = 0.0
-    aside, part, last, sense = 0.0, 0.0, inf, copysign(1.0, ahead)
-    for _ in range(TURNS):
-        spin = pivot + aside / reach
-        w_x, w_y = ahead * r_x - aside * r_y, ahead * r_y + aside * r_x
-        v_x, v_y = w_x + spin * p_y, w_y - spin * p_x
-        blur = 2.0 * (abs(ahead) + abs(aside)) + ROUNDING * abs(spin) * (reach + at.reach)
-        now = about(effects, at, v_x, v_y, spin, blur)
-        last, part = part, -now.torque / reach
-        holds = now.point == i and abs(part) <= now.most * (1.0 + SHARE)
-        holds = holds and abs(aside) <= NEAR * abs(spin) * (reach + at.reach)
-        free = sqrt(max(now.most * now.most - part * part, 0.0))
-        if ahead == 0.0 or free == 0.0 or not holds or abs(part - last) <= ROUNDING * now.most:
-            break
-        aside = abs(ahead) * part / free
-    # Its friction turns with the motion: across itself, the less it moves the more.
+    w_x, w_y = ahead * r_x - aside * r_y, ahead * r_y + aside * r_x
+    v_x, v_y = w_x + spin * p_y, w_y - spin * p_x
+    rounding = ROUNDING * abs(spin) * (reach + at.reach)
+    now = about(effects, at, v_x, v_y, spin, 2.0 * (abs(ahead) + abs(aside)) + rounding)
+    found = now.point == i and abs(now.torque) <= now.most * reach * (1.0 + BALANCED)
+    part = min(max(-now.torque / reach, -now.most), now.most)
+    free, moves = sqrt(now.most * now.most - part * part), abs(ahead)
+    f_x, f_y = now.f_x - part * r_y, now.f_y + part * r_x
+    # Its friction turns with its motion: across itself, along n, the less it moves the more.
     slack, n_x, n_y, turns = 0.0, -r_y, r_x, reach
-    f_x, f_y, free_x, free_y = now.f_x - part * r_y, now.f_y + part * r_x, free * r_x, free * r_y
-    if ahead != 0.0:
-        holds = holds and free > 0.0 and abs(part - last) <= ROUNDING * now.most
-    if ahead != 0.0 and holds:
-        slack, turns = abs(ahead) / free, reach * free / now.most
+    slides = abs(aside) > rounding and free <= SHORT * now.most
+    if ahead != 0.0 or slides:
+        sense = copysign(1.0, ahead) if ahead != 0.0 else 0.0
+        f_x, f_y = f_x + sense * free * r_x, f_y + sense * free * r_y
         n_x = (-free * r_y - sense * part * r_x) / now.most
         n_y = (free * r_x - sense * part * r_y) / now.most
-        f_x, f_y, free_x, free_y = f_x + sense * free_x, f_y + sense * free_y, 0.0, 0.0
+        slack = abs(ahead) / free if free > SHORT * now.most else abs(aside) / now.most
+        turns = reach * free / now.most
     whole = slack * now.ss + turns * turns
     turn_x, turn_y = -(slack * now.xs + turns * n_x) / whole, -(slack * now.ys + turns * n_y) / whole
+    # What rounding moves the part across r by, it moves the part along r by more where that is short.
     noise = 4.0 * ROUNDING * (abs(now.f_x) + abs(now.f_y) + now.most + abs(part))
+    along = noise * abs(part) / max(free, SHORT * now.most)
+    pivots = 0.0 if ahead != 0.0 or slides else 1.0
     return Psi(
         v_x, v_y, spin, f_x, f_y,
         now.xx + (n_x * n_x * now.ss - turns * n_x * now.xs) / whole + turn_x * now.xs,
         now.xy + (n_x * n_y * now.ss - turns * n_y * now.xs) / whole + turn_x * now.ys,
         now.yy + (n_y * n_y * now.ss - turns * n_y * now.ys) / whole + turn_y * now.ys,
-        turn_x, turn_y, free_x, free_y, i if ahead == 0.0 else NOWHERE, noise, noise, holds,
+        turn_x, turn_y, pivots * free * r_x, pivots * free * r_y, i if pivots > 0.0 else NOWHERE,
+        noise + along * abs(r_x), noise + along * abs(r_y), found,
     )  # fmt: skip
