@@ -18,9 +18,11 @@ from planar_pushing.mechanics.reduced.slips import SLIPS, SLOWEST, slips_along
 from planar_pushing.mechanics.reduced.under import Moved, moved_at, pushed, sticking, with_force
 from planar_pushing.mechanics.reduced.way import Way
 
-#: Motions closer than this, relative to the pusher's, are one motion: a slip that vanishes is a stick.
+#: Motions closer than this, relative to the pusher's and the free one, are one motion: a slip that vanishes
+#: is a stick.
 COINCIDENCE = 9e-13
-#: How far beyond the pusher's motion slips are sought, relative to it, so that one that is the stick is found.
+#: How far beyond the pusher's motion slips are sought, relative to the same, so that one that is the stick is
+#: found; beside a pusher at rest they end before it.
 BEYOND = 1e-11
 #: A normal motion is not smaller than this, so that squares of it are doubles.
 LEAST = 1e-140
@@ -109,6 +111,23 @@ def _settled(law, moved, right_edge, left_edge):
 
 
 @compiled
+def _resting(push, law, edges, moved, scale):
+    """A slider at rest whose force friction takes to an edge of the cone, if it is outside and friction can.
+
+    Friction holds the slider under all forces of a convex set. The last of them along an edge is that of the
+    slowest motion under it.
+    """
+    for edge, side in ((edges[0], -1.0), (edges[1], 1.0)):
+        if law.rough or _inside(edge, side, moved.f_x, moved.f_y) >= 0.0:
+            continue
+        slow = pushed(push.effects, push.at, edge.along, -edge.aside, SLOWEST * scale)
+        moves = abs(slow.u_x) + abs(slow.u_y)
+        if slow.found and moves <= COINCIDENCE * scale and _along(edge, slow) > 0.0:
+            return with_force(moved, slow.f_x, slow.f_y, 0.0, 0.0)
+    return moved
+
+
+@compiled
 def _write(push, mode, moved, found):
     """Write down a solution in the frame of the contact."""
     t_x, t_y = push.t_x, push.t_y
@@ -144,14 +163,22 @@ def _separate(push, found):
 
 
 @compiled
+def _scale(pusher, rest):
+    """What motions are compared with: the pusher's, which has unit size or is at rest, and the free one."""
+    pushed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
+    return max(pushed, abs(rest[0]), abs(rest[1]))
+
+
+@compiled
 def _may_slip(edge, side, part, moved_force, size):
     """Whether there can be slips under an edge, beside the sticking motion.
 
     A slip goes against the edge's force along the fence, so it has less of a part along the force than the
-    pusher's motion, and that part is positive. The potential is convex, so the force along the fence rises
-    with the motion along it: a slip to the right takes more than sticking does.
+    pusher's motion, and that part is positive; a force across the fence gives both the same part. The
+    potential is convex, so the force along the fence rises with the motion along it: a slip to the right
+    takes more than sticking does.
     """
-    return part >= -COINCIDENCE and side * moved_force <= OUTSIDE * size
+    return part > 0.0 and side * moved_force <= OUTSIDE * size
 
 
 @compiled
@@ -177,11 +204,12 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, 
     n_x, n_y = -push.t_y * normal, push.t_x * normal
     if edge.x == 0.0:
         slid = pushed(push.effects, push.at, e_x, e_y, edge.y * normal)
-        return _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count)
+        return _write_slip(push, edge, slid, side, mode, pusher, rest, solutions, place, count)
     sense = copysign(1.0, edge.x)
     way = Way(push.effects, push.at, e_x, e_y, n_x, n_y, sense * push.t_x, sense * push.t_y)
     first = sense * rest_x - edge.y * (normal - rest_y) / abs(edge.x)
-    last = sense * (pusher.x - side * BEYOND)
+    scale, resting = _scale(pusher, rest), pusher.x == 0.0 and pusher.y == 0.0
+    last = sense * (pusher.x - side * (-BEYOND if resting else BEYOND) * scale)
     unit = max(abs(normal), abs(rest_x), abs(rest_y))
     if first == 0.0:
         first = SLOWEST * (unit if unit > 0.0 else 1.0)
@@ -190,27 +218,28 @@ def _slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, 
     number, flat = slips_along(way, unit, first, last, scratch)
     at_edge = False
     for i in range(number):
-        slid = moved_at(way, scratch[i, 0], scratch[i, 1], scratch[i, 2] != 0.0)
+        s, spin, continuum, point = scratch[i, 0], scratch[i, 1], scratch[i, 2], scratch[i, 3]
+        slid = moved_at(way, s, spin, continuum != 0.0, int(point))
         count, edge_too, _ = _write_slip(
-            push, edge, slid, side, mode, pusher, solutions, place, count
+            push, edge, slid, side, mode, pusher, rest, solutions, place, count
         )
         at_edge |= edge_too
     return count if number >= 0 else UNSOLVED, at_edge, flat
 
 
 @compiled
-def _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count):
+def _write_slip(push, edge, slid, side, mode, pusher, rest, solutions, place, count):
     """Write down a slip if its force pushes, as the stick if it does not slip; as `_slipping`."""
+    least = COINCIDENCE * _scale(pusher, rest)
     slip = push.t_x * slid.u_x + push.t_y * slid.u_y - pusher.x
-    edge_force = abs(slid.f_x) + abs(slid.f_y)
     if not slid.found or count < 0:
         return UNSOLVED, False, False
-    if edge_force <= slid.noise_x + slid.noise_y:
+    if _along(edge, slid) <= slid.noise_x + slid.noise_y:
         return count, False, False
-    if abs(slip) <= COINCIDENCE:
+    if abs(slip) <= least:
         _write(push, STICK, slid, solutions[place])
         _take_to(edge, slid, solutions[place])
-    elif side * slip > COINCIDENCE:
+    elif side * slip > least:
         if count == len(solutions):
             return UNSOLVED, False, False
         _write(push, mode, slid, solutions[count])
@@ -219,13 +248,19 @@ def _write_slip(push, edge, slid, side, mode, pusher, solutions, place, count):
             part = abs(pusher.y) / LEAST
             _shrink(solutions[count], part, _growth(push.effects, part))
         count += 1
-    return count, abs(slip) <= COINCIDENCE, False
+    return count, abs(slip) <= least, False
+
+
+@compiled
+def _along(edge, slid):
+    """The force along an edge, negative against it."""
+    return edge.along * slid.f_x - edge.aside * slid.f_y
 
 
 @compiled
 def _take_to(edge, slid, found):
     """Write down a force along an edge, free of the rounding of the body frame."""
-    size = edge.along * slid.f_x - edge.aside * slid.f_y
+    size = _along(edge, slid)
     found.force[0], found.force[1] = size * edge.x, size * edge.y
     found.force_end[0], found.force_end[1] = found.force[0], found.force[1]
 
@@ -298,6 +333,8 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
     if not moved.found:
         return UNSOLVED, False
     moved = _settled(law, moved, right_edge, left_edge)
+    if x == 0.0 and y == 0.0 and moved.spin == 0.0:
+        moved = _resting(push, law, edges, moved, _scale(pusher, rest))
     right = _inside(right_edge, -1.0, moved.f_x, moved.f_y)
     left = _inside(left_edge, 1.0, moved.f_x, moved.f_y)
     rise = push.t_x * moved.f_y - push.t_y * moved.f_x

@@ -1,21 +1,42 @@
 """The motion of a slider that nothing pushes: rest, or where loads take it.
 
-It is the least of the potential over all twists: the root of the torque over the rotation, at each rotation
-the root of the force along x over the motion along x, and at each of these the root along y. Each increases,
-as the potential is convex. Friction makes the torque jump at rest.
+It is the minimum of the potential over all twists, which is strictly convex with inertia. The potential of
+friction has kinks: rest, and the rotations about each support point, along which the minimum is a closed form.
+Newton's method, with steps along which the potential falls, starts from the lowest of these and so meets none.
+
+Where no start is below rest, friction may hold the loads. Half of the square of friction's potential D, less
+the loads' power, has no kink at rest; it is least at the twist whose friction is in proportion to the loads.
 """
 
 from __future__ import annotations
 
-from math import copysign
+from math import copysign, inf, sqrt
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import pull, resistance
-from planar_pushing.mechanics.numerics.root import increasing_root
+from planar_pushing.mechanics.effects.base import (
+    count_points,
+    energy,
+    moment,
+    place,
+    pull,
+    resistance,
+)
+from planar_pushing.mechanics.numerics.root import EPSILON
 
-#: A twist whose inertia counts for nothing beside friction, in units in which both are of one magnitude.
-SLOWEST = 1e-14
+#: Newton steps at most, and trials along one.
+STEPS, TRIALS = 60, 120
+#: A step ends where the slope of the potential is this part of that at its start, or where the place of the
+#: minimum is known to this part of the step.
+SLOPE, NARROW = 0.3, 1e-6
+#: Rounding error of a value, relative to the power of the loads.
+ROUNDING = 8.0 * EPSILON
+#: Momentum over load of a slider that friction holds.
+SLOWEST = 1e-13
+#: Factor of a twist whose inertia counts for nothing beside friction.
+SLOW = 1e-100
+#: Stiffness of a direction in which the square of D is flat, beside that of the others.
+FLAT = 1e-13
 
 
 class Free(NamedTuple):
@@ -26,46 +47,158 @@ class Free(NamedTuple):
     spin: float
 
 
-@compiled
-def _along_y(of, y):
-    effects, spin, x = of
-    return resistance(effects, x, y, spin, 0.0).f_y
+REST = Free(0.0, 0.0, 0.0)
 
 
-@compiled
-def _y_at(effects, spin, x):
-    return increasing_root(_along_y, (effects, spin, x), 0.0, abs(spin) + abs(x))
+class Local(NamedTuple):
+    """Value, gradient and Hessian of what is least, and the most that a support point at rest takes of a force."""
 
-
-@compiled
-def _along_x(of, x):
-    effects, spin = of
-    return resistance(effects, x, _y_at(effects, spin, x), spin, 0.0).f_x
-
-
-@compiled
-def _free_at(effects, spin):
-    """The free motion with a given rotation."""
-    x = increasing_root(_along_x, (effects, spin), 0.0, abs(spin))
-    return Free(x, _y_at(effects, spin, x), spin)
-
-
-@compiled
-def _torque(of, spin):
-    x, y, _ = _free_at(of[0], spin)
-    return resistance(of[0], x, y, spin, 0.0).torque
+    value: float
+    f_x: float
+    f_y: float
+    torque: float
+    xx: float
+    xy: float
+    yy: float
+    xs: float
+    ys: float
+    ss: float
+    most: float
 
 
 @compiled
 def free(effects):
     """The twist at which effects exert no wrench; zero where friction holds the loads."""
     x, y, torque = pull(effects)
-    if x == 0.0 and y == 0.0 and torque == 0.0:
-        return Free(0.0, 0.0, 0.0)
-    before, after = _torque((effects,), -SLOWEST), _torque((effects,), SLOWEST)
-    if before <= 0.0 <= after:
-        slow = _free_at(effects, SLOWEST)
-        if abs(slow.x) + abs(slow.y) < 1e9 * SLOWEST:
-            return Free(0.0, 0.0, 0.0)
-    spin = copysign(SLOWEST, -after if after < 0.0 else -before)
-    return _free_at(effects, increasing_root(_torque, (effects,), spin, 1.0))
+    load, mass = Free(x, y, torque), moment(effects, inf, 0.0, 0.0)
+    if mass.mass == 0.0 or (x == 0.0 and y == 0.0 and torque == 0.0):
+        return REST
+    fall = _solved(mass.mass, 0.0, mass.mass, -mass.y, mass.x, mass.whole, load)
+    start, value = _lowest(effects, load, fall, False)
+    if not value < 0.0:
+        start, _ = _lowest(effects, load, fall, True)
+        start, value = _on_ray(effects, load, _least(effects, load, start, True), False)
+    return _least(effects, load, start, False) if value < 0.0 else REST
+
+
+@compiled
+def _solved(xx, xy, yy, xs, ys, ss, wrench):
+    """The twist of a wrench by a positive matrix."""
+    part, swing = xy / xx, xs / xx
+    own, aside = yy - part * xy, ys - part * xs
+    right, turn = wrench.y - part * wrench.x, aside / own
+    spin = (wrench.spin - swing * wrench.x - turn * right) / (ss - swing * xs - turn * aside)
+    y = right / own - turn * spin
+    return Free(wrench.x / xx - part * y - swing * spin, y, spin)
+
+
+@compiled
+def _power(one, other):
+    return one.x * other.x + one.y * other.y + one.spin * other.spin
+
+
+@compiled
+def _size(at):
+    return abs(at.x) + abs(at.y) + abs(at.spin)
+
+
+@compiled
+def _moved(at, step, part):
+    return Free(at.x + part * step.x, at.y + part * step.y, at.spin + part * step.spin)
+
+
+@compiled
+def _local(effects, load, at, square):
+    """`Local` of the potential at a twist, or of half of the square of D less the loads' power."""
+    slow = SLOW if square else 1.0
+    x, y, spin = slow * at.x, slow * at.y, slow * at.spin
+    now = resistance(effects, x, y, spin, EPSILON * slow * _size(at))
+    f_x, f_y, torque, b = now.f_x, now.f_y, now.torque, slow
+    power = _power(at, Free(f_x, f_y, torque))
+    if not square:
+        return Local(
+            power - energy(effects, x, y, spin), f_x, f_y, torque,
+            now.xx, now.xy, now.yy, now.xs, now.ys, now.ss, now.most,
+        )  # fmt: skip
+    f_x, f_y, torque = f_x + load.x, f_y + load.y, torque + load.spin
+    whole = _power(at, Free(f_x, f_y, torque))
+    b *= whole
+    xx, yy, ss = f_x * f_x + b * now.xx, f_y * f_y + b * now.yy, torque * torque + b * now.ss
+    least = FLAT * (xx + yy + ss)
+    return Local(
+        power + whole * (whole / 2.0 - 1.0),
+        whole * f_x - load.x, whole * f_y - load.y, whole * torque - load.spin,
+        xx + least, f_x * f_y + b * now.xy, yy + least, f_x * torque + b * now.xs,
+        f_y * torque + b * now.ys, ss + least, whole * now.most,
+    )  # fmt: skip
+
+
+@compiled
+def _on_ray(effects, load, ray, square):
+    """The twist in the direction of a ray, or against it, that has the least value, and this value."""
+    power, size = _power(ray, load), _size(ray)
+    x, y, spin = SLOW * ray.x, SLOW * ray.y, SLOW * ray.spin
+    now = resistance(effects, x, y, spin, EPSILON * SLOW * size)
+    held = _power(ray, Free(now.f_x + load.x, now.f_y + load.y, now.torque + load.spin))
+    if square:
+        return _moved(REST, ray, power / held**2), -((power / held) ** 2) / 2.0
+    lack = abs(power) - held
+    part = max(lack, 0.0) / (2.0 * energy(effects, ray.x, ray.y, ray.spin))
+    falls = lack > SLOWEST * abs(power)
+    return _moved(REST, ray, copysign(part, power)), -lack * part / 2.0 if falls else 0.0
+
+
+@compiled
+def _lowest(effects, load, ray, square):
+    """The lowest twist in the direction of a ray or about a support point, and its value."""
+    found, least = _on_ray(effects, load, ray, square)
+    for i in range(count_points(effects)):
+        x, y = place(effects, i)
+        at, value = _on_ray(effects, load, Free(y, -x, 1.0), square)
+        if value < least:
+            found, least = at, value
+    return found, least
+
+
+@compiled
+def _least(effects, load, at, square):
+    """The twist of the least value, from one that is not above any of those about a support point."""
+    for _ in range(STEPS):
+        now = _local(effects, load, at, square)
+        if now.most > 0.0:
+            force = sqrt(now.f_x * now.f_x + now.f_y * now.f_y)
+            if force <= now.most:
+                return at
+            step, slope = Free(-now.f_x / force, -now.f_y / force, 0.0), now.most - force
+        else:
+            wrench = Free(-now.f_x, -now.f_y, -now.torque)
+            step = _solved(now.xx, now.xy, now.yy, now.xs, now.ys, now.ss, wrench)
+            slope = -_power(wrench, step)
+        rounding = ROUNDING * _size(load) * _size(at)
+        part = _descent(effects, load, at, step, now.value + rounding, slope, square)
+        at = _moved(at, step, part)
+        if -slope <= rounding or part == 0.0:
+            break
+    return at
+
+
+@compiled
+def _descent(effects, load, at, step, value, slope, square):
+    """Part of a step at whose end the value is nearly least: the whole step where that will do."""
+    low, high, part = 0.0, inf, 1.0
+    if not slope < 0.0:  # by rounding
+        return part
+    for _ in range(TRIALS):
+        there = _moved(at, step, part)
+        now = _local(effects, load, there, square)
+        rise = _power(Free(now.f_x, now.f_y, now.torque), step)
+        if abs(rise) <= -SLOPE * slope and now.value <= value:
+            return part
+        if rise < 0.0:
+            low = part
+        else:
+            high = part
+        if high - low <= NARROW * low:
+            return low
+        part = 4.0 * part if high == inf else (low + high) / 2.0
+    return low

@@ -32,12 +32,14 @@ SLOWEST = exp(-32.0)
 TURN = 1e-9
 #: Where a way is: at its start, outside of a continuum, inside of one.
 REST, OUTSIDE, INSIDE = 0, 1, 2
+#: Slips closer than this, relative to their motion, are one.
+COINCIDENCE = 9e-13
 #: How often a dip is halved at most.
 HALVINGS = 60
 #: Slips under one edge that are written down.
 SLIPS = 8
-#: Entries of `found`: place, rotation, and whether the slip is an end of a continuum.
-ENTRIES = 3
+#: Entries of `found`: place, rotation, whether the slip is an end of a continuum, and about which point it is.
+ENTRIES = 4
 
 
 @generic
@@ -82,12 +84,12 @@ def slips_along(way, unit, first, last, found):
         s = last if i == cells else unit * sinh(start + (end - start) * i / cells)
         kink = kink_near(way, here.s, s, here.s)
         while kink.s == kink.s:
-            there = node(way, kink.s, kink.spin)
+            there = node(way, kink.s, kink.spin, kink.point)
             count, run = _between(way, unit, straight, here, there, found, count, run)
             if there.before * there.after < 0.0 and not (
                 _is_zero(there, there.before) or _is_zero(there, there.after)
             ):
-                count = _write(there, False, found, count)
+                count = _write(unit, there, False, found, count)
             here = there
             kink = kink_near(way, here.s, s, here.s)
         there = beside(way, here, s)
@@ -102,11 +104,17 @@ def _is_zero(at, value):
 
 
 @compiled
-def _write(at, continuum, found, count):
-    """Write down a slip; the number of slips then, -1 where it is none or one too many."""
+def _write(unit, at, continuum, found, count):
+    """Write down a slip; the number of slips then, -1 where it is none or one too many.
+
+    Two cells that meet at a kink may both find it.
+    """
+    if count > 0 and abs(at.s - found[count - 1, 0]) <= COINCIDENCE * (abs(at.s) + unit):
+        return count
     if count < 0 or count == len(found) or not at.found:
         return -1
-    found[count, 0], found[count, 1], found[count, 2] = at.s, at.spin, 1.0 if continuum else 0.0
+    found[count, 0], found[count, 1] = at.s, at.spin
+    found[count, 2], found[count, 3] = 1.0 if continuum else 0.0, at.point
     return count + 1
 
 
@@ -118,7 +126,7 @@ def _between(way, unit, straight, low, high, found, count, run):
     if _may_be_flat(way.effects, straight) and (
         _is_zero(low, low.after) or _is_zero(high, high.before)
     ):
-        return _touching(way, straight, low, high, found, count, run)
+        return _touching(way, unit, straight, low, high, found, count, run)
     if (low.after > 0.0) != (high.before > 0.0):
         return _write_root(way, unit, low, high, found, count), OUTSIDE
     bottom = _dip(way, low, high)
@@ -162,22 +170,22 @@ def _flat_end(way, straight, at, other):
 
 
 @compiled
-def _touching(way, straight, low, high, found, count, run):
+def _touching(way, unit, straight, low, high, found, count, run):
     """As `_between`, where the force is along the edge at an end: a root there, or a continuum."""
     first, last = _flat_end(way, straight, low, high), _flat_end(way, straight, high, low)
     starts, ends = first.s > low.s, last.s < high.s
     if _is_zero(low, low.after) and run != INSIDE and not (starts and run == REST):
-        count = _write(low, starts, found, count)
+        count = _write(unit, low, starts, found, count)
     if starts and ends:
         return count, INSIDE
     if starts:
-        count = _write(first, True, found, count)
+        count = _write(unit, first, True, found, count)
     elif run == INSIDE:
-        count = _write(low, True, found, count)
+        count = _write(unit, low, True, found, count)
     if ends:
-        return _write(last, True, found, count), INSIDE
+        return _write(unit, last, True, found, count), INSIDE
     if _is_zero(high, high.before) and not _is_zero(high, high.after):
-        count = _write(high, False, found, count)
+        count = _write(unit, high, False, found, count)
     return count, OUTSIDE
 
 
@@ -213,11 +221,11 @@ def _write_root(way, unit, low, high, found, count):
     start = low.s + min(max(_part(low, high), 0.05), 0.95) * (high.s - low.s)
     root = crossing(way, low, high, beside(way, low, start))
     if not (_may_be_flat(way.effects, False) and is_flat(way, root, abs(root.s) + unit)):
-        return _write(root, False, found, count)
+        return _write(unit, root, False, found, count)
     first, last = _flat_end(way, False, root, low), _flat_end(way, False, root, high)
     if first.s == root.s and last.s == root.s:
-        return _write(root, False, found, count)
-    return _write(last, True, found, _write(first, True, found, count))
+        return _write(unit, root, False, found, count)
+    return _write(unit, last, True, found, _write(unit, first, True, found, count))
 
 
 @compiled

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import moment
 from planar_pushing.mechanics.numerics.root import SETTLED
-from planar_pushing.mechanics.reduced.psi import psi
+from planar_pushing.mechanics.reduced.psi import NOWHERE, psi
 from planar_pushing.mechanics.reduced.way import (
     Way,
     at_infinity,
@@ -97,13 +97,13 @@ def sticking(effects, at, x, y, guess):
 
 
 @compiled
-def _polished(way, s, spin):
+def _polished(way, s, spin, point):
     """The motion of a root of a way, and the rotation, corrected by less than the rounding of the motion.
 
     The force on a long rod depends on the small parts of a motion, which the sum ``p + s d`` rounds away.
     """
     x, y = motion(way, s)
-    for _ in range(POLISHES):
+    for _ in range(POLISHES if point < 0 else 0):
         here = node(Way(way.effects, way.at, way.e_x, way.e_y, x, y, way.d_x, way.d_y), 0.0, spin)
         step = -here.before / here.slope if here.slope != 0.0 else 0.0
         small = abs(step) * (abs(way.d_x) + abs(way.d_y)) <= SETTLED * (abs(x) + abs(y))
@@ -114,10 +114,10 @@ def _polished(way, s, spin):
 
 
 @compiled
-def moved_at(way, s, spin, continuum):
-    """The motion of a root of a way, with its force taken to be along the edge."""
-    x, y, spin = _polished(way, s, spin)
-    now = psi(way.effects, way.at, x, y, spin)
+def moved_at(way, s, spin, continuum, point=NOWHERE):
+    """The motion of a root of a way, at a kink of its point, with its force taken to be along the edge."""
+    x, y, spin = _polished(way, s, spin, point)
+    now = psi(way.effects, way.at, x, y, spin, point)
     part = 0.0
     half = way.e_x * now.free_y - way.e_y * now.free_x
     if half != 0.0:
@@ -138,7 +138,12 @@ def across_force(effects, at, e_x, e_y, along):
 
 @compiled
 def _start(way, along):
-    """A first guess of the root: that of the mass that the effects roughly equal."""
+    """A first guess of the root: that of the mass that the effects roughly equal.
+
+    Of motions against the force, or without a part along it, loads are the cause.
+    """
+    if not along > 0.0:
+        return 0.0
     m, x, y, whole = moment(way.effects, along, way.at.x, way.at.y)
     # The force of a motion (u, spin) without torque is M u, and u its inverse times e but for a factor.
     u_x = (m - x * x / whole) * way.e_x - x * y / whole * way.e_y
@@ -158,7 +163,7 @@ def pushed(effects, at, e_x, e_y, along):
     """The motion under a line of force that has a given part along it; of a continuum one inside."""
     way = across_force(effects, at, e_x, e_y, along)
     root = _root(way, along)
-    return moved_at(way, root.s, root.spin, False)
+    return moved_at(way, root.s, root.spin, False, root.point)
 
 
 @compiled
@@ -172,8 +177,8 @@ def pushed_ends(effects, at, e_x, e_y, along):
     if root.found and (touches or is_flat(way, root, abs(root.s) + along)):
         low, high = _end(way, root, -1.0), _end(way, root, 1.0)
     continuum = low.s < high.s
-    first = moved_at(way, low.s, low.spin, continuum)
-    return first, moved_at(way, high.s, high.spin, continuum) if continuum else first
+    first = moved_at(way, low.s, low.spin, continuum, low.point)
+    return first, moved_at(way, high.s, high.spin, continuum, high.point) if continuum else first
 
 
 @compiled

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import count_points, place
 from planar_pushing.mechanics.numerics.root import EPSILON, is_last
-from planar_pushing.mechanics.reduced.psi import Contact, psi, spin_guess
+from planar_pushing.mechanics.reduced.psi import NOWHERE, Contact, psi, spin_guess
 
 #: A vector is across another within this part of their sizes.
 DIRECTION = 16.0 * EPSILON
@@ -57,6 +57,8 @@ class Node(NamedTuple):
         Its rounding error.
     spin, swing : float
         Rotation, and its derivative by s.
+    point : int
+        Number of the support point about which the slider pivots, -1 without one.
     found : bool
     """
 
@@ -67,14 +69,16 @@ class Node(NamedTuple):
     noise: float
     spin: float
     swing: float
+    point: int
     found: bool
 
 
 class Kink(NamedTuple):
-    """Where the contact moves across the line to a support point, and the rotation about that point."""
+    """Where the contact moves across the line to a support point, the rotation about it, and its number."""
 
     s: float
     spin: float
+    point: int
 
 
 @compiled
@@ -84,10 +88,10 @@ def motion(way, s):
 
 
 @compiled
-def node(way, s, spin):
-    """The motion at s, from a guess of its rotation."""
+def node(way, s, spin, point=NOWHERE):
+    """The motion at s, from a guess of its rotation; at a kink, of its point."""
     x, y = motion(way, s)
-    return _node(way, s, psi(way.effects, way.at, x, y, spin))
+    return _node(way, s, psi(way.effects, way.at, x, y, spin, point))
 
 
 @compiled
@@ -111,7 +115,7 @@ def _node(way, s, now):
             before = copysign(max(abs(across) - abs(half), 0.0), across)
             after, slope = before, 0.0
     noise = abs(e_x) * now.noise_y + abs(e_y) * now.noise_x
-    return Node(s, before, after, slope, noise, now.spin, swing, now.found)
+    return Node(s, before, after, slope, noise, now.spin, swing, now.point, now.found)
 
 
 @compiled
@@ -130,7 +134,7 @@ def first_node(way, s):
 @compiled
 def kink_near(way, low, high, s):
     """Of the kinks between two places the nearest to s; NaN where there is none."""
-    found, least, at = Kink(nan, nan), inf, way.at
+    found, least, at = Kink(nan, nan, NOWHERE), inf, way.at
     for i in range(count_points(way.effects)):
         x, y = place(way.effects, i)
         r_x, r_y = x - at.x, y - at.y
@@ -140,7 +144,8 @@ def kink_near(way, low, high, s):
         place_s = -(way.p_x * r_x + way.p_y * r_y) / ahead
         if low < place_s < high and abs(place_s - s) < least:
             u_x, u_y = motion(way, place_s)
-            found, least = Kink(place_s, (u_x * r_y - u_y * r_x) / square), abs(place_s - s)
+            spin = (u_x * r_y - u_y * r_x) / square
+            found, least = Kink(place_s, spin, i), abs(place_s - s)
     return found
 
 
@@ -167,7 +172,8 @@ def crossing(way, low, high, here):
         Its `found` says whether the iteration has settled.
     """
     sense, last = 1.0 if high.before > low.after else -1.0, inf
-    part = abs(way.d_x) + abs(way.d_y)
+    part, least = abs(way.d_x) + abs(way.d_y), abs(way.p_x) + abs(way.p_y)
+    least = least / part if least > 0.0 else 1.0
     for _ in range(STEPS):
         before, after = sense * here.before, sense * here.after
         if before <= 0.0 <= after:
@@ -176,7 +182,6 @@ def crossing(way, low, high, here):
             low, value = here, after
         else:
             high, value = here, before
-        least = (abs(way.p_x) + abs(way.p_y)) / part
         scale = abs(here.s) + least
         slope = sense * here.slope
         step = -value / slope if slope > 0.0 else copysign(inf, -value)
@@ -194,7 +199,7 @@ def crossing(way, low, high, here):
         kink = kink_near(way, low.s, high.s, new)
         ahead = here.s < kink.s < new or new < kink.s < here.s
         if ahead or abs(kink.s - new) <= DIRECTION * scale:
-            last, here = inf, node(way, kink.s, kink.spin)
+            last, here = inf, node(way, kink.s, kink.spin, kink.point)
         else:
             here = beside(way, here, new)
     return unsettled(here)
@@ -203,13 +208,13 @@ def crossing(way, low, high, here):
 @compiled
 def unsettled(at):
     """A motion that is no root."""
-    return Node(at.s, at.before, at.after, at.slope, at.noise, at.spin, at.swing, False)
+    return Node(at.s, at.before, at.after, at.slope, at.noise, at.spin, at.swing, at.point, False)
 
 
 @compiled
 def at_infinity(s, value):
     """An end of an unbounded way."""
-    return Node(s, value, value, 0.0, 0.0, 0.0, 0.0, True)
+    return Node(s, value, value, 0.0, 0.0, 0.0, 0.0, NOWHERE, True)
 
 
 @compiled
