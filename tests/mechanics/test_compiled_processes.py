@@ -160,7 +160,7 @@ def sample():
         found[name] = {
             "cone": np.array([cone.right, cone.left]),
             "curve": np.array([curve.magnitude, curve.spin_ratio, curve.motion_angle]),
-            "spin ratio": pp.spin_ratio(scene, angle, **given),
+            "spin ratio": pp.spin_ratio(scene, angle, share),
             "mode": solved.mode,
             "twist": solved.twist,
             "force": solved.force,
