@@ -32,7 +32,7 @@ def _nearest(effects, at, v_x, v_y, spin):
 
 
 @compiled
-def refined(effects, at, x, y, now):
+def refined(effects, at, x, y, now, blur):
     """Psi with the friction of a support point that barely moves from the balance of torques.
 
     It is not found where that point does not balance the torque, whose slope it makes so steep that any
@@ -41,7 +41,7 @@ def refined(effects, at, x, y, now):
     if count_points(effects) > 0:
         i, least, apart = _nearest(effects, at, now.v_x, now.v_y, now.spin)
         if least <= NEAR * (sqrt(x * x + y * y) + at.reach * abs(now.spin)) and least < apart:
-            return about_point(effects, at, x, y, i, now.spin, False)
+            return about_point(effects, at, x, y, i, now.spin, blur)
     return now
 
 
@@ -54,20 +54,20 @@ def pivot_spin(effects, at, x, y, i):
 
 
 @compiled
-def about_point(effects, at, x, y, i, spin, across):
+def about_point(effects, at, x, y, i, spin, blur):
     """Psi of a rotation about a support point, or nearly: it carries the torque that the rest leaves.
 
     Which way a point that barely moves does so is lost in the rounding of the twist. With the point at r
     from the contact, the part of its friction across r follows from the torques, and the part along r from
-    its share, in the sense of its motion along r, ``u . r``. Where that is zero, or the point is said to be
-    `across` the motion, the slider pivots about it and the part along r is an interval.
+    its share, in the sense of its motion along r, ``u . r``. Where that is zero to rounding, or within this
+    `blur` of the motion's size, the slider pivots about it and the part along r is an interval.
     """
     p_x, p_y = place(effects, i)
     r_x, r_y = p_x - at.x, p_y - at.y
     reach = sqrt(r_x * r_x + r_y * r_y)
     r_x, r_y = r_x / reach, r_y / reach
     ahead, aside = x * r_x + y * r_y, reach * spin - (x * r_y - y * r_x)
-    if across or abs(ahead) <= ROUNDING * (abs(x * r_x) + abs(y * r_y)):
+    if abs(ahead) <= max(ROUNDING * (abs(x * r_x) + abs(y * r_y)), blur * (abs(x) + abs(y))):
         ahead = 0.0
     w_x, w_y = ahead * r_x - aside * r_y, ahead * r_y + aside * r_x
     v_x, v_y = w_x + spin * p_y, w_y - spin * p_x

@@ -21,7 +21,7 @@ from planar_pushing.mechanics.effects.base import (
     place,
     pull,
 )
-from planar_pushing.mechanics.numerics.root import is_last
+from planar_pushing.mechanics.numerics.root import EPSILON, is_last
 from planar_pushing.mechanics.reduced.motion import (
     NOWHERE,
     ROUNDING,
@@ -38,6 +38,8 @@ __all__ = ["NOWHERE", "Contact", "Psi", "contact_at", "psi", "spin_guess"]
 #: Rounding error of a pivot's friction, relative to the share of the point: sums over some dozens of
 #: points.
 SHARE = 1e-13
+#: A point is across a motion within this part of its size, where another one is.
+DIRECTION = 16.0 * EPSILON
 #: Steps to a rotation at most: bisection takes a bracket through 1e16 sizes to its last digit.
 STEPS = 120
 
@@ -104,14 +106,16 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
     """Psi at a motion (x, y) of the contact, from a guess of the rotation.
 
     Of a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; of a
-    short one the rotation. A support point with a number is taken to be across the motion from the contact.
+    short one the rotation. A support point with a number is taken to be across the motion from the contact,
+    and others to rounding.
     """
     if x == 0.0 and y == 0.0:
         return _at_rest(effects, at)
     along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
+    blurred = DIRECTION if point >= 0 else 0.0
     if point >= 0:
         spin = pivot_spin(effects, at, x, y, point)
-        there = about_point(effects, at, x, y, point, spin, True)
+        there = about_point(effects, at, x, y, point, spin, inf)
         if there.found:
             return there
     rough = moment(effects, speed, at.x, at.y)
@@ -129,14 +133,14 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
             hold = now.most * speed / abs(spin)
             if abs(value) <= hold * (1.0 + SHARE):
                 spin = pivot_spin(effects, at, x, y, now.point)
-                return about_point(effects, at, x, y, now.point, spin, False)
+                return about_point(effects, at, x, y, now.point, spin, blurred)
             value -= copysign(hold, value)
         step = -value / now.ss if now.ss > 0.0 else copysign(inf, -value)
         scale = (abs(v_x) + abs(v_y) + abs(spin)) / (1.0 + at.reach)
         size = abs(step) / scale if value != 0.0 else 0.0
         if is_last(size, last):
             found = settled(now, at, v_x, v_y, spin, step if value != 0.0 else 0.0, x, y, True)
-            found = refined(effects, at, x, y, found)
+            found = refined(effects, at, x, y, found, blurred)
             if found.found:
                 return found
             step, size, last = copysign(8.0 * NEAR * scale, -value), 0.0, inf
@@ -148,7 +152,7 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
         if not (low < new < high) or size > last / 2.0:
             if high - low <= ROUNDING * scale:
                 found = settled(now, at, v_x, v_y, spin, 0.0, x, y, True)
-                return refined(effects, at, x, y, found)
+                return refined(effects, at, x, y, found, blurred)
             last, new = inf, _next(effects, at, x, y, low, high, start, q, scale)
         elif not abs(step) < 8.0 * (abs(q) + scale):
             last, new = inf, q + copysign(8.0 * (abs(q) + scale), step)
