@@ -85,9 +85,12 @@ def about_point(effects, at, x, y, i, spin, blur):
         f_x, f_y = f_x + sense * free * r_x, f_y + sense * free * r_y
         n_x = (-free * r_y - sense * part * r_x) / now.most
         n_y = (free * r_x - sense * part * r_y) / now.most
-        slack = abs(ahead) / free if free > SHORT * now.most else abs(aside) / now.most
+        slack = (
+            abs(ahead) / free if free > SHORT * now.most else (abs(ahead) + abs(aside)) / now.most
+        )
         turns = reach * free / now.most
     whole = slack * now.ss + turns * turns
+    whole = whole if whole > 0.0 else inf  # nothing resists the rotation
     turn_x, turn_y = (
         -(slack * now.xs + turns * n_x) / whole,
         -(slack * now.ys + turns * n_y) / whole,
