@@ -98,12 +98,12 @@ others = {"square": (square,), "square and inertia": (square, pp.Inertia())}
 for name, effects in (EFFECT_SETS | others).items():
     calls.clear()
     scene = make_scene(2.0, 1.4, effects)
-    share = 0.5 if len(effects) == 2 else None
+    given = {"both": {"inertia_share": 0.5}, "square and inertia": {"force_ratio": 2.0}}.get(name, {})
     for angle in (-0.2, 0.3, 1.0, 2.9):
         pp.solve(scene, angle)
-        pp.spin_ratio(scene, angle, share)
+        pp.spin_ratio(scene, angle, **given)
         pp.limit_curve(scene, angle)
-        pp.motion_centers(scene, angle, share)
+        pp.motion_centers(scene, angle, **given)
     pp.motion_cone(scene)
     found[name] = calls.copy()
 print(json.dumps(found))

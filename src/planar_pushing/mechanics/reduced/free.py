@@ -1,11 +1,13 @@
 """The motion of a slider that nothing pushes: rest, or where loads take it.
 
 It is the minimum of the potential over all twists, which is strictly convex with inertia. The potential of
-friction has kinks: rest, and the rotations about each support point, along which the minimum is a closed form.
-Newton's method, with steps along which the potential falls, starts from the lowest of these and so meets none.
+friction has kinks: rest, and the rotations about each support point, along which the minimum is a closed
+form. Newton's method, with steps along which the potential falls, starts from the lowest of these and so
+meets none.
 
-Where no start is below rest, friction may hold the loads. Half of the square of friction's potential D, less
-the loads' power, has no kink at rest; it is least at the twist whose friction is in proportion to the loads.
+Where no start is below rest, friction may hold the loads. Half of the square of friction's potential D,
+less the loads' power, has no kink at rest; it is least at the twist whose friction is in proportion to the
+loads.
 """
 
 from __future__ import annotations
@@ -51,7 +53,7 @@ REST = Free(0.0, 0.0, 0.0)
 
 
 class Local(NamedTuple):
-    """Value, gradient and Hessian of what is least, and the most that a support point at rest takes of a force."""
+    """Value, gradient and Hessian, and the most that a support point at rest takes of a force."""
 
     value: float
     f_x: float

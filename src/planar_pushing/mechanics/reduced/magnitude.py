@@ -70,7 +70,7 @@ def _energy(of, z):
 
 @generic
 def at_speed(kinds: Any) -> Callable[..., Any]:
-    """The motion under a line of force with unit speed of the origin, or any: effects, contact, e_x, e_y."""
+    """The motion under a line of force, of unit speed of the origin or any: effects, contact, e_x, e_y."""
     return _any if is_steady(kinds) else _at_unit_speed
 
 
@@ -96,7 +96,7 @@ def at_force(effects, at, e_x, e_y, size):
 
 @compiled
 def on_curve(effects, at, e_x, e_y):
-    """The motion of a force on the limit curve: with the energy of a unit translation, or any without one."""
+    """The motion of a force on the limit curve: with the energy of a unit translation, or any."""
     goal = energy(effects, 1.0, 0.0, 0.0)
     if goal == 0.0:
         return pushed(effects, at, e_x, e_y, 1.0)

@@ -1,7 +1,7 @@
 """The slips under an edge of the friction cone: the roots of the force across it along the fence.
 
-The motions of the contact have the pusher's normal part; s is their part along the fence, in the sense of the
-edge's force, from the slowest that this force can drive to the pusher's own.
+The motions of the contact have the pusher's normal part; s is their part along the fence, in the sense of
+the edge's force, from the slowest that this force can drive to the pusher's own.
 """
 
 from __future__ import annotations
@@ -38,7 +38,8 @@ COINCIDENCE = 9e-13
 HALVINGS = 60
 #: Slips under one edge that are written down.
 SLIPS = 8
-#: Entries of `found`: place, rotation, whether the slip is an end of a continuum, and about which point it is.
+#: Entries of `found`: place, rotation, whether the slip is an end of a continuum, and about which point it
+#: is.
 ENTRIES = 4
 
 
@@ -120,7 +121,7 @@ def _write(unit, at, continuum, found, count):
 
 @compiled
 def _between(way, unit, straight, low, high, found, count, run):
-    """Write down the slips between two motions; the number of slips then, and whether it ends in a continuum."""
+    """Write down the slips between two motions; their number then, and whether they end in a continuum."""
     if count < 0 or not (low.found and high.found):
         return -1, run
     if _may_be_flat(way.effects, straight) and (

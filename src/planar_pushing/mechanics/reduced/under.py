@@ -1,7 +1,7 @@
 """The motion under a force: the one root of the force across its line, and what fixes its size.
 
-Along a way across the line of force Psi is convex, so the force across it increases, and there is one motion
-with a given part along the line. Of effects of one degree it is the direction of all others.
+Along a way across the line of force Psi is convex, so the force across it increases, and there is one
+motion with a given part along the line. Of effects of one degree it is the direction of all others.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""The force across an edge along a straight way of contact motions, and its roots: the one search of the core.
+"""The force across an edge along a straight way of contact motions, and its roots.
 
-A way is ``u = p + s d``. With p along the pusher's normal motion and d along the fence its roots are the slips
-under an edge of the friction cone; with p along a line of force and d across it the one root is the motion
-under that force. Psi is convex: where p and d have no part across one another, or the effects have one degree,
-the force across the edge goes one way. Elsewhere it may dip.
+A way is ``u = p + s d``. With p along the pusher's normal motion and d along the fence its roots are the
+slips under an edge of the friction cone; with p along a line of force and d across it the one root is the
+motion under that force. Psi is convex: where p and d have no part across one another, or the effects have
+one degree, the force across the edge goes one way. Elsewhere it may dip.
 
 Where the slider pivots about a support point, the force is an interval and the force across the edge jumps:
-a root within the jump is the pivot. By symmetry, or with a support on one line, the force across the edge may
-be zero over a whole part of a way, which rounding tells from a root: such a part is a continuum.
+a root within the jump is the pivot. By symmetry, or with a support on one line, the force across the edge
+may be zero over a whole part of a way, which rounding tells from a root: such a part is a continuum.
 """
 
 from __future__ import annotations

@@ -1,0 +1,109 @@
+"""Motions about a support point, or nearly, whose friction there the balance of torques determines."""
+
+from __future__ import annotations
+
+from math import copysign, inf, sqrt
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.mechanics.effects.base import count_points, place
+from planar_pushing.mechanics.reduced.motion import NOWHERE, ROUNDING, Psi, about
+
+#: A support point slower than this, relative to the slider, barely moves.
+NEAR = 1e-5
+#: Least part of a share that is told from none beside the rest of it: the root of a rounding error.
+SHORT = 1e-8
+#: A point that barely moves carries at most its share, but for this part of it.
+BALANCED = 1e-9
+
+
+@compiled
+def _nearest(effects, at, v_x, v_y, spin):
+    """The slowest support point that is not at the contact, and a quarter of the speed of the next one."""
+    found, least, next_least = NOWHERE, inf, inf
+    for i in range(count_points(effects)):
+        x, y = place(effects, i)
+        w_x, w_y = v_x - spin * y, v_y + spin * x
+        square = w_x * w_x + w_y * w_y
+        if square < least and (x != at.x or y != at.y):
+            found, least, next_least = i, square, least
+        else:
+            next_least = min(next_least, square)
+    return found, sqrt(least), sqrt(next_least) / 4.0
+
+
+@compiled
+def refined(effects, at, x, y, now, blur):
+    """Psi with the friction of a support point that barely moves from the balance of torques.
+
+    It is not found where that point does not balance the torque, whose slope it makes so steep that any
+    step is small.
+    """
+    if count_points(effects) > 0:
+        i, least, apart = _nearest(effects, at, now.v_x, now.v_y, now.spin)
+        if least <= NEAR * (sqrt(x * x + y * y) + at.reach * abs(now.spin)) and least < apart:
+            return about_point(effects, at, x, y, i, now.spin, blur)
+    return now
+
+
+@compiled
+def pivot_spin(effects, at, x, y, i):
+    """The rotation about a support point that moves along its line to the contact at most."""
+    p_x, p_y = place(effects, i)
+    r_x, r_y = p_x - at.x, p_y - at.y
+    return (x * r_y - y * r_x) / (r_x * r_x + r_y * r_y)
+
+
+@compiled
+def about_point(effects, at, x, y, i, spin, blur):
+    """Psi of a rotation about a support point, or nearly: it carries the torque that the rest leaves.
+
+    Which way a point that barely moves does so is lost in the rounding of the twist. With the point at r
+    from the contact, the part of its friction across r follows from the torques, and the part along r from
+    its share, in the sense of its motion along r, ``u . r``. Where that is zero to rounding, or within this
+    `blur` of the motion's size, the slider pivots about it and the part along r is an interval.
+    """
+    p_x, p_y = place(effects, i)
+    r_x, r_y = p_x - at.x, p_y - at.y
+    reach = sqrt(r_x * r_x + r_y * r_y)
+    r_x, r_y = r_x / reach, r_y / reach
+    ahead, aside = x * r_x + y * r_y, reach * spin - (x * r_y - y * r_x)
+    if abs(ahead) <= max(ROUNDING * (abs(x * r_x) + abs(y * r_y)), blur * (abs(x) + abs(y))):
+        ahead = 0.0
+    w_x, w_y = ahead * r_x - aside * r_y, ahead * r_y + aside * r_x
+    v_x, v_y = w_x + spin * p_y, w_y - spin * p_x
+    rounding = ROUNDING * abs(spin) * (reach + at.reach)
+    now = about(effects, at, v_x, v_y, spin, 2.0 * (abs(ahead) + abs(aside)) + rounding)
+    found = now.point == i and abs(now.torque) <= now.most * reach * (1.0 + BALANCED)
+    part = min(max(-now.torque / reach, -now.most), now.most)
+    free = sqrt(now.most * now.most - part * part)
+    f_x, f_y = now.f_x - part * r_y, now.f_y + part * r_x
+    # Its friction turns with its motion: across itself, along n, the less it moves the more.
+    slack, n_x, n_y, turns = 0.0, -r_y, r_x, reach
+    slides = abs(aside) > rounding and free <= SHORT * now.most
+    if ahead != 0.0 or slides:
+        sense = copysign(1.0, ahead) if ahead != 0.0 else 0.0
+        f_x, f_y = f_x + sense * free * r_x, f_y + sense * free * r_y
+        n_x = (-free * r_y - sense * part * r_x) / now.most
+        n_y = (free * r_x - sense * part * r_y) / now.most
+        slack = (
+            abs(ahead) / free if free > SHORT * now.most else (abs(ahead) + abs(aside)) / now.most
+        )
+        turns = reach * free / now.most
+    whole = slack * now.ss + turns * turns
+    whole = whole if whole > 0.0 else inf  # nothing resists the rotation
+    turn_x, turn_y = (
+        -(slack * now.xs + turns * n_x) / whole,
+        -(slack * now.ys + turns * n_y) / whole,
+    )
+    # What rounding moves the part across r by, it moves the part along r by more where that is short.
+    noise = 4.0 * ROUNDING * (abs(now.f_x) + abs(now.f_y) + now.most + abs(part))
+    along = noise * abs(part) / max(free, SHORT * now.most)
+    pivots = 0.0 if ahead != 0.0 or slides else 1.0
+    return Psi(
+        v_x, v_y, spin, f_x, f_y,
+        now.xx + (n_x * n_x * now.ss - turns * n_x * now.xs) / whole + turn_x * now.xs,
+        now.xy + (n_x * n_y * now.ss - turns * n_y * now.xs) / whole + turn_x * now.ys,
+        now.yy + (n_y * n_y * now.ss - turns * n_y * now.ys) / whole + turn_y * now.ys,
+        turn_x, turn_y, pivots * free * r_x, pivots * free * r_y, i if pivots > 0.0 else NOWHERE,
+        noise + along * abs(r_x), noise + along * abs(r_y), found,
+    )  # fmt: skip

@@ -1,0 +1,155 @@
+"""The slips of a push under one edge of the friction cone, beside the motion that sticks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import copysign, sqrt
+from typing import Any
+
+from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.effects.base import KINDS
+from planar_pushing.mechanics.record import SLIP_RIGHT, STICK, UNSOLVED, write
+from planar_pushing.mechanics.reduced.slips import SLOWEST, slips_along
+from planar_pushing.mechanics.reduced.under import moved_at, pushed
+from planar_pushing.mechanics.reduced.way import Way
+
+#: Motions closer than this, relative to the pusher's and the free one, are one motion: a slip that vanishes
+#: is a stick.
+COINCIDENCE = 9e-13
+#: How far beyond the pusher's motion slips are sought, relative to the same, so that one that is the stick
+#: is found; beside a pusher at rest they end before it.
+BEYOND = 1e-11
+#: A normal motion is not smaller than this, so that squares of it are doubles.
+LEAST = 1e-140
+#: A force this far outside the cone, relative to its magnitude, is taken to the edge.
+OUTSIDE = 5e-13
+
+
+@compiled
+def scale_of(pusher, rest):
+    """What motions are compared with: the pusher's, which has unit size or is at rest, and the free one."""
+    pushed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
+    return max(pushed, abs(rest[0]), abs(rest[1]))
+
+
+@compiled
+def _may_slip(edge, side, part, moved_force, size):
+    """Whether there can be slips under an edge, beside the sticking motion.
+
+    A slip goes against the edge's force along the fence, so it has less of a part along the force than the
+    pusher's motion, and that part is positive; a force across the fence gives both the same part. The
+    potential is convex, so the force along the fence rises with the motion along it: a slip to the right
+    takes more than sticking does.
+    """
+    return part > 0.0 and side * moved_force <= OUTSIDE * size
+
+
+@compiled
+def slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, count):
+    """Write down the slips of a mode.
+
+    Returns
+    -------
+    count : int
+        How many solutions there are then, -1 where they are not solved.
+    at_edge, flat : bool
+        Whether one of the slips is the stick, and whether the stick is an end of a continuum.
+    """
+    side = 1.0 if mode == SLIP_RIGHT else -1.0
+    rest_x, rest_y = rest
+    part = edge.x * (pusher.x - rest_x) + edge.y * (pusher.y - rest_y)
+    force = push.t_x * moved.f_x + push.t_y * moved.f_y
+    size = sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y)
+    if count < 0 or not _may_slip(edge, side, part, force, size):
+        return count, False, False
+    e_x, e_y = edge.along, -edge.aside
+    normal = copysign(max(abs(pusher.y), LEAST), pusher.y) if pusher.y != 0.0 else 0.0
+    n_x, n_y = -push.t_y * normal, push.t_x * normal
+    if edge.x == 0.0:
+        slid = pushed(push.effects, push.at, e_x, e_y, edge.y * normal)
+        return _write_slip(push, edge, slid, side, mode, pusher, rest, solutions, place, count)
+    sense = copysign(1.0, edge.x)
+    way = Way(push.effects, push.at, e_x, e_y, n_x, n_y, sense * push.t_x, sense * push.t_y)
+    first = sense * rest_x - edge.y * (normal - rest_y) / abs(edge.x)
+    scale, resting = scale_of(pusher, rest), pusher.x == 0.0 and pusher.y == 0.0
+    last = sense * (pusher.x - side * (-BEYOND if resting else BEYOND) * scale)
+    unit = max(abs(normal), abs(rest_x), abs(rest_y))
+    if first == 0.0:
+        first = SLOWEST * (unit if unit > 0.0 else 1.0)
+    if not last > first:
+        return count, False, False
+    number, flat = slips_along(way, unit, first, last, scratch)
+    at_edge = False
+    for i in range(number):
+        s, spin, continuum, point = scratch[i, 0], scratch[i, 1], scratch[i, 2], scratch[i, 3]
+        slid = moved_at(way, s, spin, continuum != 0.0, int(point))
+        count, edge_too, _ = _write_slip(
+            push, edge, slid, side, mode, pusher, rest, solutions, place, count
+        )
+        at_edge |= edge_too
+    return count if number >= 0 else UNSOLVED, at_edge, flat
+
+
+@compiled
+def _write_slip(push, edge, slid, side, mode, pusher, rest, solutions, place, count):
+    """Write down a slip if its force pushes, as the stick if it does not slip; as `slipping`."""
+    least = COINCIDENCE * scale_of(pusher, rest)
+    slip = push.t_x * slid.u_x + push.t_y * slid.u_y - pusher.x
+    if not slid.found or count < 0:
+        return UNSOLVED, False, False
+    if force_along(edge, slid) <= slid.noise_x + slid.noise_y:
+        return count, False, False
+    if abs(slip) <= least:
+        write(push, STICK, slid, solutions[place])
+        _take_to(edge, slid, solutions[place])
+    elif side * slip > least:
+        if count == len(solutions):
+            return UNSOLVED, False, False
+        write(push, mode, slid, solutions[count])
+        _take_to(edge, slid, solutions[count])
+        if 0.0 < abs(pusher.y) < LEAST:
+            part = abs(pusher.y) / LEAST
+            _shrink(solutions[count], part, _growth(push.effects, part))
+        count += 1
+    return count, abs(slip) <= least, False
+
+
+@compiled
+def force_along(edge, slid):
+    """The force along an edge, negative against it."""
+    return edge.along * slid.f_x - edge.aside * slid.f_y
+
+
+@compiled
+def _take_to(edge, slid, found):
+    """Write down a force along an edge, free of the rounding of the body frame."""
+    size = force_along(edge, slid)
+    found.force[0], found.force[1] = size * edge.x, size * edge.y
+    found.force_end[0], found.force_end[1] = found.force[0], found.force[1]
+
+
+@compiled
+def _shrink(found, part, force):
+    """Take a motion and its force to parts of their magnitudes."""
+    for k in range(3):
+        found.twist[k] *= part
+    for k in range(2):
+        found.motion[k] *= part
+        found.force[k] *= force
+        found.force_end[k] *= force
+
+
+@generic
+def _growth(kinds: Any) -> Callable[..., Any]:
+    """Part of the force that a slow motion takes of a part of it: effects, part."""
+    return _in_proportion if all(KINDS[kind].DEGREE == 2 for kind in kinds) else _constant
+
+
+@compiled
+def _in_proportion(effects, part):
+    return part
+
+
+@compiled
+def _constant(effects, part):
+    return 1.0
