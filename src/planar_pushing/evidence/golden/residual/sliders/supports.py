@@ -18,8 +18,8 @@ from planar_pushing.evidence.golden.residual.sliders.gallery import gallery, gap
 
 #: Roundings of a moment, of a number of a support as a whole, and of a mean over motions.
 MOMENT, WHOLE = 32, 8
-#: Difference of an ellipsoid's errors, radians, from those by other formulas in doubles.
-SAME = 2e-13
+#: Difference of an ellipsoid's errors, radians, from those by other formulas in doubles: means, maxima.
+SAME, LARGEST = 2e-13, 2e-11
 MOMENTS = ("mean_distance", "force_x", "force_y", "torque")
 
 
@@ -30,7 +30,8 @@ def residuals(dataset: xr.Dataset, study: Any) -> Iterable[Finding]:
     yield from _numbers(dataset, supports)
     found = np.array([errors(support) for support in supports])
     for i, name in enumerate(ERRORS):
-        yield Finding(name, np.abs(dataset[name].values - found[:, i] * DEGREE), SAME * DEGREE)
+        allowed = LARGEST if name.startswith("worst") else SAME
+        yield Finding(name, np.abs(dataset[name].values - found[:, i] * DEGREE), allowed * DEGREE)
 
 
 @precise
