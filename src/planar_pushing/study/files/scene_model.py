@@ -35,7 +35,7 @@ from planar_pushing.study.files.fields import (
     refuse,
 )
 from planar_pushing.study.files.simulate_model import SimulateEntry
-from planar_pushing.study.files.support_model import Point, SupportEntry
+from planar_pushing.study.files.support_model import Point, WholeSupport
 from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 
 
@@ -103,7 +103,7 @@ class SupportFrictionEntry(FileModel):
 
     type: Literal["support_friction"]
     weight: Positive = 1.0
-    support: SupportEntry
+    support: WholeSupport
 
     def build(self) -> Effect:
         return SupportFriction(support=self.support.build(), weight=self.weight)
@@ -126,7 +126,7 @@ class ViscousEntry(FileModel):
 
     type: Literal["viscous"]
     coefficient: Positive = 1.0
-    support: SupportEntry
+    support: WholeSupport
 
     def build(self) -> Effect:
         return Viscous(support=self.support.build(), coefficient=self.coefficient)
