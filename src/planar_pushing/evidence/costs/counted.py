@@ -21,7 +21,7 @@ from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.options import EffectKind
 
 Function = Callable[..., Any]
-#: Where an effect is evaluated: friction where the ring's closed form is, for its wrench as for the inverse.
+#: Where an effect is evaluated: friction in the ring's closed form, for its wrench and for its inverse.
 PLACES: tuple[tuple[EffectKind, Any, str], ...] = (
     (EffectKind.SUPPORT_FRICTION, ring, "curves"),
     (EffectKind.INERTIA, inertia, "resistance"),

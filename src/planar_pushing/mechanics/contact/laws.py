@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
-from planar_pushing.mechanics import angles  # as a module: it imports `Status` from beside this one
+from planar_pushing.mechanics.angles import AngleInterval
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
 
@@ -18,7 +18,7 @@ class ContactLaw(Protocol):
     """What a contact transmits: an interval of force angles, and what happens at its edges."""
 
     @property
-    def force_angles(self) -> angles.AngleInterval:
+    def force_angles(self) -> AngleInterval:
         """Angles of the forces that the fence can exert, radians."""
         ...
 
@@ -44,10 +44,10 @@ class Coulomb:
         require_fields(self, "friction_coefficient")
 
     @property
-    def force_angles(self) -> angles.AngleInterval:
+    def force_angles(self) -> AngleInterval:
         right = np.arctan2(1.0, self.friction_coefficient)
         right = float(right) if isinstance(right, float) else right
-        return angles.AngleInterval(right, math.pi - right)
+        return AngleInterval(right, math.pi - right)
 
     @property
     def slips(self) -> bool:
@@ -77,8 +77,8 @@ class InfiniteFriction:
             )
 
     @property
-    def force_angles(self) -> angles.AngleInterval:
-        return angles.AngleInterval(0.0, math.pi, closed=self.slips)
+    def force_angles(self) -> AngleInterval:
+        return AngleInterval(0.0, math.pi, closed=self.slips)
 
     @property
     def slips(self) -> bool:
@@ -90,8 +90,8 @@ class PerfectlyRough:
     """Kinematic no-slip (Sec. 5): any force, adhesive where it pulls on the slider."""
 
     @property
-    def force_angles(self) -> angles.AngleInterval:
-        return angles.AngleInterval(-math.pi / 2, 3 * math.pi / 2)
+    def force_angles(self) -> AngleInterval:
+        return AngleInterval(-math.pi / 2, 3 * math.pi / 2)
 
     @property
     def slips(self) -> bool:
