@@ -17,8 +17,9 @@ STILL = 1e-12
 
 
 def support_of(scene: Scene) -> Any:
-    """The support of a scene with its own sizes; without friction the ring of the slider's radius."""
-    support = scene.friction[0].support if scene.friction else Ring()
+    """The support of a scene with its own sizes; without one the ring of the slider's radius."""
+    resting = [each.support for each in (*scene.friction, *scene.effects) if hasattr(each, "support")]
+    support = resting[0] if resting else Ring()
     return Ring(scene.slider.radius) if support == Ring() else support
 
 
