@@ -219,7 +219,7 @@ SLIDERS: Quantities = {
     "wrench_component": ("1", "component of a wrench"),
 }
 
-#: What the functions of the mechanics give for labelled arrays: angles are radians.
+#: What the functions of the mechanics give for labeled arrays: angles are radians.
 MECHANICS: Quantities = {
     **DATASET,
     **{

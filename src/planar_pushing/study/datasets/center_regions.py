@@ -1,4 +1,4 @@
-"""Regions of possible acceleration centres: the paper's bound and the exact set (Sec. 4, Fig. 12)."""
+"""Regions of possible acceleration centers: the paper's bound and the exact set (Sec. 4, Fig. 12)."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _bound(length: float, angle: float, force_angle: float) -> Array:
     outer, inner = _spin_ratios(arm)
     own, along = _rod(length, angle), direction(force_angle)
     ends = np.array([_center(own, *along, ratio) for ratio in (inner, outer)])
-    # A translation has its centre at either end of a line; a region goes on to the one it approaches.
+    # A translation has its center at either end of a line; a region goes on to the one it approaches.
     return np.where(np.isinf(ends) & (arm < 0), -ends, ends)
 
 

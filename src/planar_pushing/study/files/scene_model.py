@@ -42,7 +42,7 @@ from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 class SliderEntry(FileModel):
     """The slider and its rod; lengths in any one unit, the angle in degrees.
 
-    Without a radius it is the support's largest distance from its centre of pressure, 1 for a ring. `side`
+    Without a radius it is the support's largest distance from its center of pressure, 1 for a ring. `side`
     holds the ends of the flat side that a finger pushes, along it from the contact; it has none by default.
     """
 
@@ -110,7 +110,7 @@ class SupportFrictionEntry(FileModel):
 
 
 class InertiaEntry(FileModel):
-    """Inertia of the slider; the radius of gyration is about the centre of mass."""
+    """Inertia of the slider; the radius of gyration is about the center of mass."""
 
     type: Literal["inertia"]
     mass: Positive = 1.0

@@ -52,7 +52,7 @@ class Entry(FileModel):
 
 
 class RingSupport(Entry):
-    """An even ring about the slider's centre, of the slider's radius unless it says another."""
+    """An even ring about the slider's center, of the slider's radius unless it says another."""
 
     shape: Literal["ring"]
     radius: Positive | None = None

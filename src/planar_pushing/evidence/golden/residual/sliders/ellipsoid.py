@@ -24,7 +24,7 @@ ERRORS = ("worst_force_error", "mean_force_error", "worst_motion_error", "mean_m
 MOTIONS = 20_000
 #: The golden angle: a turn over the square of the golden ratio.
 TURN = 2 * np.pi / ((1 + np.sqrt(5)) / 2) ** 2
-#: Distance of a centre of rotation in extents from which on the support is a sum over nodes.
+#: Distance of a center of rotation in extents from which on the support is a sum over nodes.
 FAR = 8.0
 #: Clouds of motions: how many, of how many motions, the radius of the first, by what factor it shrinks, and
 #: how often.
@@ -122,7 +122,7 @@ def _at_foot(support: Pieces, constant: float, foot: int) -> tuple[float, float]
 
 
 def _near(support: Pieces, middle: Floats, away: Floats) -> Floats:
-    """Wrench about the centre of pressure of rotations about places off it."""
+    """Wrench about the center of pressure of rotations about places off it."""
     distance, g_x, g_y = means(support, middle + away)
     return np.array([-g_y, g_x, distance + away[0] * g_x + away[1] * g_y])
 

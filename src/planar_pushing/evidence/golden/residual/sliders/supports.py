@@ -1,4 +1,4 @@
-"""Moments of the supports over centres of rotation, enclosed anew, and the ellipsoids in their place."""
+"""Moments of the supports over centers of rotation, enclosed anew, and the ellipsoids in their place."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def residuals(dataset: xr.Dataset, study: Any) -> Iterable[Finding]:
 
 @precise
 def _over_centers(dataset: xr.Dataset, supports: list[Pieces]) -> list[Finding]:
-    """Mean distance and the wrench that sustains a rotation, at every centre."""
+    """Mean distance and the wrench that sustains a rotation, at every center."""
     x, y = dataset["center_x"].values, dataset["center_y"].values
     shape = (len(supports), len(x), len(y))
     places = [(rational(a), rational(b)) for a in x for b in y]
@@ -65,7 +65,7 @@ def wrench(support: Pieces, place: tuple[Any, Any]) -> tuple[arb, arb, arb, arb]
 
 @precise
 def _numbers(dataset: xr.Dataset, supports: list[Pieces]) -> list[Finding]:
-    """Centre, extent, integration constant and ellipsoid of each support."""
+    """Center, extent, integration constant and ellipsoid of each support."""
     rows = [numbers(support) for support in supports]
     found = []
     for name in rows[0]:
