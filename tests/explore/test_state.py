@@ -153,6 +153,15 @@ def test_a_line_of_force_is_that_of_the_push_that_sticks(name, degrees):
     assert np.arctan2(*stick.force[::-1]) == pytest.approx(angle, abs=2e-3)
 
 
+def test_a_line_of_force_where_a_share_of_inertia_does_not_determine_the_motion():
+    inertia = {"type": "inertia", "center": [0.1, 0.2]}
+    state = with_effect(preset("figure_19"), EffectKind.INERTIA, inertia)
+    state = with_law(state, {"law": "coulomb", "friction_coefficient": 2})
+    moved = dragged(state, Handle.LINE, np.array([0.3, 1.0]))
+    stick = next(each for each in solved(moved) if each.mode == pp.ContactMode.STICK)
+    assert np.arctan2(*stick.force[::-1]) == pytest.approx(np.arctan2(1.0, 0.3), abs=2e-3)
+
+
 def test_a_line_of_force_stays_in_the_cone():
     state = with_law(preset("figure_02"), {"law": "coulomb", "friction_coefficient": 0.5})
     moved = dragged(state, Handle.LINE, np.array([1.0, -0.2]))

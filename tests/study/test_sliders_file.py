@@ -38,6 +38,10 @@ def test_paths_are_relative_to_the_file():
         ("{shape: ring, radius: 1}", "{shape: points, positions: [[1, 0]], weights: [1]}",
          "supports.ring: one point given; allowed: a support that is larger than a point, which "
          "resists no rotation; leave it out"),
+        ("{shape: ring, radius: 1}",
+         "{shape: points, positions: [[0.1, 0.2], [0.1, 0.2], [0.1, 0.2]], weights: [0.3, 0.3, 0.1]}",
+         "supports.ring: one point given; allowed: a support that is larger than a point, which "
+         "resists no rotation; leave it out"),
         ("{shape: ring, radius: 1}", "{shape: ring, radius: 0.000001}",
          "grid.rod_length: 2.0 given; allowed: at most 1e+06 times the extent of supports.ring, 1e-06; "
          "shorten the rod"),

@@ -136,7 +136,7 @@ def test_effects(given):
     slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
     check(
         lambda: pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=given), "effects", given,
-        "a tuple of at least one of SupportFriction, RingFriction and Inertia",
+        "a tuple of SupportFriction, RingFriction, Inertia, Viscous and Load",
         "list what resists the motion, for instance (RingFriction(),)",
     )  # fmt: skip
 
@@ -173,7 +173,22 @@ class TestInertiaShare:
         check(
             lambda: function(make_scene(1.0, effects=BOTH), 0.3), "inertia_share", None,
             "numbers in [0, 1] for a scene with friction and inertia",
-            "give s / (1 + s) with s = m a / W; motion_cone and solve need none",
+            "give s / (1 + s) with s = m a / W, or force_ratio = |f| / W; motion_cone and solve need none",
+        )  # fmt: skip
+
+    def test_with_a_force_ratio(self, function):
+        check(
+            lambda: function(make_scene(1.0, effects=BOTH), 0.3, 0.5, force_ratio=1.0),
+            "inertia_share", 0.5, "numbers in [0, 1] for a scene with friction and inertia",
+            "give s / (1 + s) with s = m a / W, or force_ratio = |f| / W; motion_cone and solve need none",
+        )  # fmt: skip
+
+    def test_where_it_does_not_determine_the_motion(self, function):
+        effects = (pp.RingFriction(), pp.Inertia(center=(0.1, 0.0)))
+        check(
+            lambda: function(make_scene(1.0, effects=effects), 0.3, 0.5), "inertia_share", 0.5,
+            "None where the effects are not isotropic about the slider's center",
+            "give force_ratio = |f| / W: several motions may share one m a / W",
         )  # fmt: skip
 
     @pytest.mark.parametrize("given", [-1e-9, 1.1, float("nan"), "half"], ids=repr)
@@ -182,6 +197,23 @@ class TestInertiaShare:
             lambda: function(make_scene(1.0, effects=BOTH), 0.3, given), "inertia_share", given,
             "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
         )  # fmt: skip
+
+
+@pytest.mark.parametrize("function", [pp.spin_ratio, pp.motion_angle, pp.motion_centers])
+@pytest.mark.parametrize("given", [0.0, -1.0, float("inf"), "one"], ids=repr)
+def test_force_ratio(function, given):
+    check(
+        lambda: function(make_scene(1.0, effects=BOTH), 0.3, force_ratio=given), "force_ratio", given,
+        "a finite number > 0", "give |f| / W",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("given", [0.0, -1.0, float("nan"), None], ids=repr)
+def test_coefficient(given):
+    check(
+        lambda: pp.Viscous(support=pp.Ring(1.0), coefficient=given), "coefficient", given,
+        "a finite number > 0", "leave the effect out of the scene if nothing is viscous",
+    )  # fmt: skip
 
 
 def test_whole_numbers_are_numbers():

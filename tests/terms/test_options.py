@@ -10,8 +10,9 @@ import planar_pushing as pp
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.simulate_model import SimulateEntry
 from planar_pushing.terms.options import (
-    EFFECT_DEGREES,
+    EFFECT_CLASSES,
     EFFECT_TYPES,
+    STUDIED,
     TOLERANCE,
     AtZeroNormal,
     EffectKind,
@@ -58,11 +59,11 @@ def test_a_section_takes_an_option_or_its_value():
 
 
 def test_effects_have_one_name_each():
-    assert list(EffectSet) == [*EffectKind, "+".join(EffectKind)]
-    assert set(EFFECT_TYPES.values()) == set(EFFECT_DEGREES.values()) == set(EffectKind)
+    assert list(EffectSet) == [*STUDIED, "+".join(STUDIED)]
+    assert set(EFFECT_TYPES.values()) == set(EFFECT_CLASSES.values()) == set(EffectKind)
     for path in Path("workflow/scenes").glob("*.yaml"):
         for entry in load_scene_file(path).effects:
-            assert EFFECT_TYPES[entry.type] is EFFECT_DEGREES[entry.build().degree]
+            assert EFFECT_TYPES[entry.type] is EFFECT_CLASSES[type(entry.build()).__name__]
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,7 @@ def commands() -> dict[str, argparse.ArgumentParser]:
 
 
 def arguments(command: argparse.ArgumentParser) -> Iterator[tuple[str, str]]:
-    """What is typed for each argument of the command's own, and its help; first those without a dash."""
+    """Each argument of a command as it is typed, and its help; positional arguments come first."""
     formatter = argparse.HelpFormatter(command.prog)
     own = (action for action in command._actions if action.dest not in SHARED)
     for action in sorted(own, key=lambda action: bool(action.option_strings)):

@@ -70,7 +70,7 @@ def _call(kind: str, call: Callable[[Any], None]) -> None:
         "ring": pp.RingFriction(),
         "inertia": pp.Inertia(),
         "box": pp.SupportFriction(support=square),
-        "load": pp.Inertia(center=(0.1, 0.0)),
+        "mass": pp.Inertia(center=(0.1, 0.0)),
     }
     slider = pp.Slider(rod_length=2.0, rod_angle=1.0)
     listed = tuple(effects[name] for name in kind.split("+"))
@@ -83,12 +83,12 @@ def evaluate(scene: Any) -> None:
     from planar_pushing.mechanics.plane import direction
     from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
-    share = None if len(scene.effects) == 1 else 0.5
+    ratio = None if len(scene.effects) == 1 else 0.5
     pp.solve(scene, 1.0)
     pp.limit_curve(scene, 1.0)
     pp.motion_cone(scene)
     for function in (pp.spin_ratio, pp.motion_angle, pp.motion_centers):
-        function(scene, 1.0, share)
+        function(scene, 1.0, force_ratio=ratio)
     for effect in scene.effects:
         alone = replace(scene, effects=(effect,))
         pp.motion_cone(alone)
@@ -118,10 +118,7 @@ def _simulate(scene: Any, shape: Shape) -> None:
     import planar_pushing as pp
 
     pp.simulate(scene, pusher=pp.Pusher(velocity=(0.0, 1.0), shape=shape), duration=1e-3)
-    pp.simulate_batch(
-        rod_length=2.0, rod_angle=1.0, friction_coefficient=1.0, velocity=(0.0, 1.0), duration=1e-3,
-        effects=scene.effects, shape=shape,
-    )  # fmt: skip
+    pp.simulate_batch(scene, pusher=pp.Pusher(velocity=(0.0, 1.0), shape=shape), duration=1e-3)
 
 
 def by_steps(scene: Any) -> None:
@@ -137,6 +134,6 @@ RINGS, BOXES = (evaluate, under_fence, by_steps), (evaluate, under_fence, under_
 #: A part for each of two processes, which take equally long. Functions of a kind share most of what they
 #: call, which is compiled once in a process.
 HALVES = (
-    (("box+load", BOXES), ("ring", RINGS)),
+    (("box+mass", BOXES), ("ring", RINGS)),
     (("ring+inertia", RINGS), ("box", BOXES), ("inertia", RINGS)),
 )

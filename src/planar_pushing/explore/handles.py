@@ -14,7 +14,7 @@ import numpy as np
 from planar_pushing.explore.state import MAGNITUDES, State, pushed, with_rod, with_size
 from planar_pushing.figures.parts.bodies import Body, body_of_scene
 from planar_pushing.figures.parts.supports import Pose
-from planar_pushing.mechanics.cones import friction_cone, motion_angle
+from planar_pushing.mechanics.cones import friction_cone, is_magnitude_open, motion_angle
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
@@ -24,10 +24,8 @@ from planar_pushing.mechanics.solve import solve
 LENGTHS = 0.3, 1.25
 #: Radius of the dot, in units of the reach, at which a force is taken from the limit curve.
 LINE = 1.15
-#: Shares of inertia between which the motion of a force angle lies, with friction and inertia.
-SHARES = 1e-9, 1.0 - 1e-9
-#: Pushes among which the one of a force angle is sought.
-TRIALS = 17
+#: Forces over the weight among whose motions the push of a force angle is sought.
+RATIOS = np.geomspace(1e-2, 1e4, 49)
 
 
 class Handle(StrEnum):
@@ -60,12 +58,14 @@ def frame_of(scene: Scene) -> Frame:
 
 def magnitude_matters(scene: Scene) -> bool:
     """Whether the solutions depend on the size of the push."""
-    return len(scene.kinds) > 1
+    return is_magnitude_open(scene)
 
 
 def unit_of_magnitude(scene: Scene) -> float:
-    """W / m, the unit in which the size of a push matters; 1 with one effect."""
-    return float(scene.weight / scene.inertia[0]) if magnitude_matters(scene) else 1.0
+    """W / m, the unit in which the size of a push matters, or W / c with viscous friction; else 1."""
+    if not magnitude_matters(scene):
+        return 1.0
+    return float(scene.weight / sum(each.forces[0] for each in scene.from_rest if each.degree == 2))
 
 
 def arrow_length(state: State) -> float:
@@ -144,15 +144,16 @@ def _drag_line(state: State, place: Array) -> State:
 def _push_of_force(scene: Scene, force: float, magnitude: float) -> float:
     """Direction of the push that sticks under a force angle.
 
-    With friction and inertia it lies between those of the two alone, at a share that the magnitude settles.
+    With friction and inertia it is one of the motions under this force angle, as the magnitude settles.
     """
     if not magnitude_matters(scene):
         return float(motion_angle(scene, force))
-    ends = np.unwrap([float(motion_angle(scene, force, share)) for share in SHARES])
-    tries = np.linspace(ends[0], ends[1], TRIALS)
+    tries = np.asarray(motion_angle(scene, force, force_ratio=RATIOS))
+    slow = replace(scene, effects=tuple(each for each in scene.effects if each.degree == 1))
+    tries = np.unwrap([motion_angle(slow, force), *tries[np.isfinite(tries)]])
     rough = replace(scene, contact=PerfectlyRough())
     found = solve(rough, tries, magnitude)
-    sticks = found.force[np.arange(TRIALS), np.argmax(found.mode == 1, axis=-1)]
+    sticks = found.force[np.arange(len(tries)), np.argmax(found.mode == 1, axis=-1)]
     off = np.remainder(np.arctan2(sticks[:, 1], sticks[:, 0]) - force + np.pi, 2 * np.pi) - np.pi
     order = np.argsort(off)
     return float(np.interp(0.0, off[order], tries[order]))

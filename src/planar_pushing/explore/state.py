@@ -58,7 +58,7 @@ class State:
 
     @property
     def size(self) -> float:
-        """Largest distance of the support from its centre of pressure; of a ring its radius."""
+        """Largest distance of the support from its center of pressure; of a ring its radius."""
         scene = self.scene
         if scene.isotropic or not scene.friction:
             return float(scene.slider.radius)

@@ -73,7 +73,7 @@ def _joined(others: list[str]) -> str:
 
 
 def row(solution: Solution, pusher: Any) -> dict[str, str]:
-    """The numbers of a solution as short texts: force, motion, centre and slip."""
+    """The numbers of a solution as short texts: force, motion, center and slip."""
     slip = float(solution.contact_motion[0] - pusher[0])
     rests = solution.mode == ContactMode.SEPARATE
     sticks = solution.mode == ContactMode.STICK

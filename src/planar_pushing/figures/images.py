@@ -20,7 +20,7 @@ from planar_pushing.terms.errors import InvalidFile
 
 #: Stored images are this wide, pixels: wide enough to see a moved label.
 WIDTH = 720
-#: Largest root mean square difference of the colour levels, 0 to 255.
+#: Largest root mean square difference of the color levels, 0 to 255.
 TOLERANCE = 2.0
 
 

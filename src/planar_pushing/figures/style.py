@@ -1,4 +1,4 @@
-"""Sizes, colours and the style sheet that all figures share."""
+"""Sizes, colors and the style sheet that all figures share."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import matplotlib.style
 
-# From Okabe and Ito's palette, whose colours differ for every kind of colour vision.
+# From Okabe and Ito's palette, whose colors differ for every kind of color vision.
 GREEN = "#009E73"
 BLUE = "#0072B2"
 VERMILION = "#D55E00"
@@ -16,13 +16,13 @@ DARK = "#333333"
 GREY = "#777777"
 LIGHT = "#BBBBBB"
 
-#: What a colour stands for, in every figure.
+#: What a color stands for, in every figure.
 FORCE = VERMILION
 MOTION = BLUE
 PUSHER = GREEN
-SLIP = "#B57A00"  # the palette's orange, darker: it also colours text
+SLIP = "#B57A00"  # the palette's orange, darker: it also colors text
 IMPACT = "#B40F0F"  # red, dark enough for text
-CENTER = "#A0417B"  # a darker purple of the palette's hue: it also colours text
+CENTER = "#A0417B"  # a darker purple of the palette's hue: it also colors text
 SLIDER = DARK
 FENCE = DARK
 GUIDE = GREY

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.contact.modes import Status
 from planar_pushing.mechanics.numerics.arrays import dataset, is_labelled, named, same
 from planar_pushing.mechanics.numerics.root import EPSILON
+from planar_pushing.mechanics.status import Status
 from planar_pushing.terms.domain import Number, is_lazy, required
 from planar_pushing.terms.errors import InvalidValue
 

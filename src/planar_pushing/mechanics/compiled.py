@@ -38,8 +38,8 @@ LOG = logging.getLogger("planar_pushing")
 #: Kernels that take long to compile: what a user calls, and seconds of one core of a virtual machine, on
 #: average over the kinds of sliders; the longest take twice as long.
 SLOW = {
-    "planar_pushing.mechanics.solve._modes": ("solve", 10),
-    "planar_pushing.mechanics.cones._motion_cones": ("motion_cone", 5),
+    "planar_pushing.mechanics.solve._modes": ("solve", 25),
+    "planar_pushing.mechanics.cones._motion_cones": ("motion_cone", 10),
     "planar_pushing.simulation.events.driver.advance": ("simulate", 25),
     "planar_pushing.simulation.steps.driver.advance": ("simulate by time-stepping", 10),
 }

@@ -33,6 +33,8 @@ from planar_pushing.mechanics.compiled import compiled, kernel
 Array = npt.NDArray[np.float64]
 
 QUARTER_TURN = pi / 2
+#: Rounding error of the direction of a translation, radians.
+ALONG = 1e-15
 
 
 class Rod(NamedTuple):
@@ -156,8 +158,9 @@ def center_from(v_x, v_y, spin):
     """Motion center relative to the slider's center."""
     if spin != 0.0:
         return -v_y / spin, v_x / spin
-    x = -copysign(inf, v_y) if v_y != 0.0 else 0.0
-    return x, copysign(inf, v_x) if v_x != 0.0 or x == 0.0 else 0.0
+    # A translation along an axis, to rounding, has its center on the other axis.
+    x = -copysign(inf, v_y) if abs(v_y) > ALONG * abs(v_x) else 0.0
+    return x, copysign(inf, v_x) if abs(v_x) > ALONG * abs(v_y) or x == 0.0 else 0.0
 
 
 @kernel

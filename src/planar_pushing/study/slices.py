@@ -9,9 +9,9 @@ from pydantic import TypeAdapter
 from planar_pushing.study.catalog import AXES, PUSHES, SLIDERS_AXES
 from planar_pushing.study.files.models import Grid, PushEntry
 from planar_pushing.study.files.sliders_model import KEY, SlidersFile, SlidersGrid, Study, kind_of
-from planar_pushing.terms.options import EffectKind
+from planar_pushing.terms.options import STUDIED
 
-COMMON = ("slider", *map(str, EffectKind))
+COMMON = ("slider", *map(str, STUDIED))
 
 
 def study_slice(study: Study, name: str) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from planar_pushing.study.catalog import SLIDERS_AXES
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_model
 from planar_pushing.study.files.sliders_model import SlidersFile, Study, kind_of
+from planar_pushing.study.files.support_model import is_point
 from planar_pushing.study.files.yaml_text import read_yaml, shown
 from planar_pushing.study.study_file import POINTS, load_study, simulation_problems
 from planar_pushing.terms.domain import LONGEST
@@ -53,7 +54,7 @@ def _support_problems(study: SlidersFile) -> Iterator[str]:
     """Supports that resist no rotation, or that are too small for the rods."""
     longest = max(*study.grid.rod_length, study.slider.rod_length)
     for name, support in study.gallery().items():
-        if not support.extent > 0:
+        if is_point(support):
             yield (
                 f"supports.{name}: one point given; allowed: a support that is larger than a point, which "
                 "resists no rotation; leave it out"

@@ -46,7 +46,7 @@ class AtZeroNormal(StrEnum):
 
 
 class EffectKind(StrEnum):
-    """What resists the motion, by its name in studies and datasets."""
+    """What resists or drives the motion, by its name in files and datasets."""
 
     SUPPORT_FRICTION = "support_friction"
     INERTIA = "inertia"
@@ -70,8 +70,16 @@ EFFECT_TYPES = {
     "viscous": EffectKind.VISCOUS,
     "load": EffectKind.LOAD,
 }
-#: Effects by the degree of homogeneity of their potential.
-EFFECT_DEGREES = {1: EffectKind.SUPPORT_FRICTION, 2: EffectKind.INERTIA}
+#: Effects by the names of their classes.
+EFFECT_CLASSES = {
+    "RingFriction": EffectKind.SUPPORT_FRICTION,
+    "SupportFriction": EffectKind.SUPPORT_FRICTION,
+    "Inertia": EffectKind.INERTIA,
+    "Viscous": EffectKind.VISCOUS,
+    "Load": EffectKind.LOAD,
+}
+#: The effects of studies.
+STUDIED = (EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA)
 
 
 class Range(NamedTuple):

@@ -87,8 +87,7 @@ DATASET: Quantities = {
     "outcome": ("1", "number of consistent solutions: none, one, several"),
     "pivot": (
         "1",
-        "number of the support point about which the slider pivots, -1 without one, -2 at an end of a "
-        "continuum",
+        "number of the support point about which the slider pivots, -1 without one",
     ),
     "place_force": ("force", "friction of the support on what the place stands for"),
     "place_motion": ("motion", "motion of the slider at the place"),
@@ -223,7 +222,7 @@ SLIDERS: Quantities = {
     "wrench_component": ("1", "component of a wrench"),
 }
 
-#: What the functions of the mechanics give for labelled arrays: angles are radians.
+#: What the functions of the mechanics give for labeled arrays: angles are radians.
 MECHANICS: Quantities = {
     **DATASET,
     **{

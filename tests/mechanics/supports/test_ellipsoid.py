@@ -8,10 +8,11 @@ from mpmath import mp
 
 from mechanics.supports.cases import SQUARE, SUPPORTS, TRIPOD, rectangle
 from planar_pushing.mechanics.supports.disc import Disc
-from planar_pushing.mechanics.supports.ellipsoid import fit_ellipsoid
+from planar_pushing.mechanics.supports.ellipsoid import _errors, _spread, fit_ellipsoid
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
+from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.supports.ring import ring_wrench
 from planar_pushing.mechanics.supports.segment import Segment
 from planar_pushing.terms.errors import InvalidValue
@@ -73,7 +74,31 @@ def test_errors_are_those_of_any_frame_and_unit(name):
         for each in ("mean_force_error", "mean_motion_error"):
             assert getattr(other, each) == pytest.approx(getattr(found, each), rel=1e-4)
         for each in ("worst_force_error", "worst_motion_error"):
-            assert getattr(other, each) == pytest.approx(getattr(found, each), rel=1e-2)
+            assert getattr(other, each) == pytest.approx(getattr(found, each), rel=1e-9)
+
+
+def test_the_worst_error_of_a_tripod_is_that_of_full_friction_at_a_foot():
+    """About a foot the other two feet and the full friction of this one sustain the motion.
+
+    The force is 1, as in a translation, and its angle from the ellipsoid is 30 degrees by symmetry.
+    """
+    found = fit_ellipsoid(TRIPOD)
+    assert np.rad2deg(found.worst_force_error) == pytest.approx(30.0, abs=1e-9)
+    assert np.rad2deg(found.worst_motion_error) == pytest.approx(30.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", SUPPORTS)
+def test_no_motion_errs_by_more_than_the_worst(name):
+    support, _ = SUPPORTS[name]
+    extent, found = support.extent, fit_ellipsoid(support)
+    pressure = assembled(support.pieces(), extent)
+    count = 20_000 if name == "peak" else 400_000
+    motions, errors = _spread(count), np.empty((2, count))
+    _errors(pressure, found.integration_constant, motions, *errors)
+    worst = found.worst_force_error, found.worst_motion_error
+    for sampled, error in zip(errors.max(axis=1), worst, strict=True):
+        assert sampled <= error + 1e-12
+        assert error <= sampled + (0.1 if name == "peak" else 0.01)
 
 
 def test_a_point_has_no_ellipsoid():

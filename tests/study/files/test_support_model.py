@@ -106,6 +106,10 @@ REFUSED = {
         ".pressure",
         "((1.0, 2.0, 3.0),) given; allowed: 1 rows of 2 numbers, to fit y and x",
     ),
+    "{shape: points, positions: [[0.1, 0.2], [0.1, 0.2], [0.1, 0.2]], weights: [0.3, 0.3, 0.1]}": (
+        "",
+        "allowed: a support that is larger than a point, which resists no rotation",
+    ),
     MAP.replace("PRESSURE", "[[0, 0]]"): (
         ".pressure",
         "0.0 given; allowed: at least one number > 0",

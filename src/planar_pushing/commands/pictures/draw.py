@@ -64,9 +64,9 @@ def _require_force(scene: Scene, angle: float) -> None:
     """Refuse a force that no push of the fence has for its solution."""
     from math import radians
 
-    from planar_pushing.mechanics.cones import friction_cone
+    from planar_pushing.mechanics.cones import friction_cone, is_magnitude_open
 
-    if len(scene.kinds) > 1:
+    if is_magnitude_open(scene):
         raise InvalidValue(
             "force_angle", angle, "a scene with one effect: with friction and inertia the force depends "
             "on the fence's magnitude too", "give --pusher-angle and --pusher-magnitude",

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import isfinite
 from typing import Any
+
+#: Parts of a vector below this, relative to the largest, are rounding.
+ROUNDING = 1e-15
 
 
 def numbers(values: Iterable[Any]) -> list[float]:
@@ -21,7 +25,14 @@ def text(value: Any, indent: int = 0) -> str:
     if isinstance(value, dict):
         return "\n".join(_line(str(key), each, indent) for key, each in value.items())
     entries = value if isinstance(value, list) else [value]
-    return " ".join(f"{v:.12g}" if isinstance(v, float) else str(v) for v in entries)
+    finite = [abs(v) for v in entries if isinstance(v, float) and isfinite(v)]
+    least = ROUNDING * max(finite, default=0.0)
+    return " ".join(_number(v, least) if isinstance(v, float) else str(v) for v in entries)
+
+
+def _number(value: float, least: float) -> str:
+    """Twelve digits; a part of a vector that is rounding beside the others is 0."""
+    return f"{value if abs(value) >= least else 0.0:.12g}"
 
 
 def _nested(value: Any) -> bool:

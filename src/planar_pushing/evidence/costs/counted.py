@@ -1,4 +1,4 @@
-"""Counts of how often each effect is evaluated, at a motion or a line of force each.
+"""Counts of how often each effect is evaluated at a motion.
 
 Compiled code cannot be watched: counting needs a process with ``NUMBA_DISABLE_JIT=1``, in which every
 function of the mechanics is the Python function that it is in the source.
@@ -16,22 +16,15 @@ from unittest.mock import patch
 import numba
 
 from planar_pushing.mechanics.effects import inertia
-from planar_pushing.mechanics.numerics.root import EQUATIONS
-from planar_pushing.mechanics.reduced import isotropic, turning
 from planar_pushing.mechanics.supports import ring
 from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.options import EffectKind
 
 Function = Callable[..., Any]
-#: Where an effect is evaluated: friction in the one function behind the ring's wrench and its inverse,
-#: inertia at a motion, under a line of force, and where its terms stand in an equation with friction.
-PLACES: tuple[tuple[EffectKind, dict[Any, Any], Any], ...] = (
-    (EffectKind.SUPPORT_FRICTION, vars(ring), "curves"),
-    (EffectKind.INERTIA, vars(inertia), "response"),
-    (EffectKind.INERTIA, vars(inertia), "spin_ratio"),
-    (EffectKind.INERTIA, vars(inertia), "leverages"),
-    (EffectKind.INERTIA, vars(turning), "_node"),
-    (EffectKind.INERTIA, EQUATIONS, isotropic.CurveImbalance),
+#: Where an effect is evaluated: friction in the ring's closed form, for its wrench and for its inverse.
+PLACES: tuple[tuple[EffectKind, Any, str], ...] = (
+    (EffectKind.SUPPORT_FRICTION, ring, "curves"),
+    (EffectKind.INERTIA, inertia, "resistance"),
 )
 
 
@@ -50,9 +43,9 @@ def counting() -> Iterator[Counter[str]]:
         )
     tally, lock = Counter[str](), Lock()
     with ExitStack() as stack:
-        for effect, place, key in PLACES:
-            watched = _watched(place[key], effect, tally, lock)
-            stack.enter_context(patch.dict(place, {key: watched}))
+        for effect, module, name in PLACES:
+            watched = _watched(getattr(module, name), effect, tally, lock)
+            stack.enter_context(patch.object(module, name, watched))
         yield tally
 
 

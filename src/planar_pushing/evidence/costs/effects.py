@@ -21,7 +21,7 @@ from planar_pushing.study.datasets import contact_modes, limit_curves, motion_co
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.terms.options import EFFECT_DEGREES, EffectKind
+from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED
 
 #: What is asked of a scene: the cone, a curve of 361 points, and every mode of one push.
 FORCE_ANGLES = np.deg2rad(np.arange(361.0))
@@ -62,8 +62,8 @@ class Case:
 
 
 def _listed(scene: Scene) -> str:
-    listed = {EFFECT_DEGREES[effect.degree] for effect in scene.effects}
-    return "+".join(kind for kind in EffectKind if kind in listed)
+    listed = {EFFECT_CLASSES[type(effect).__name__] for effect in scene.effects}
+    return "+".join(kind for kind in STUDIED if kind in listed)
 
 
 def _scene_case(name: str, operation: str, scene: Scene) -> Case:
@@ -113,7 +113,7 @@ def evaluations(study: StudyFile) -> xr.Dataset:
     PlanarPushingError
         Where the mechanics are compiled, as in `counting`.
     """
-    found, names = list(cases(study)), [str(kind) for kind in EffectKind]
+    found, names = list(cases(study)), [str(kind) for kind in STUDIED]
     tallies = [_tally(case.run) for case in found]
     counts = np.array([[tally[name] for name in names] for tally in tallies])
     dataset = xr.Dataset(

@@ -51,7 +51,7 @@ def write_grid(size: int, block: int, path: Path) -> None:
 
 
 def force_angles(count: int, part: slice | None = None) -> Array:
-    """Force angles at the centres of `count` equal parts of the turn, or a slice of them, radians."""
+    """Force angles at the centers of `count` equal parts of the turn, or a slice of them, radians."""
     index = np.arange(*part.indices(count)) if part else np.arange(count)
     return 2 * np.pi * (index + 0.5) / count
 

@@ -100,7 +100,7 @@ def simulation_expectation(name: str, study: Study) -> Expectation:
     """Expectation of a simulation, from a run of its scene.
 
     Time stepping meets the force law on average over a step alone, and the equations are those of a
-    ring about the centre of mass under a fence: other logs are computed anew.
+    ring about the center of mass under a fence: other logs are computed anew.
     """
     file = load_scene_file(study.simulations[name])
     log = simulate_file(file)

@@ -28,7 +28,7 @@ CODES = 1 << len(ContactMode)
 #: Room around the map, pixels: more than its labels take, so that its place does not depend on them.
 BORDERS = {"left": 76, "right": 12, "top": 8, "bottom": 56}
 FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif"
-#: Colours of the energies. Their brightness differs too, for pictures in grey.
+#: Colors of the energies. Their brightness differs too, for pictures in gray.
 ENERGIES = {
     "work": DARK,
     "support friction": "#D55E00",

@@ -108,7 +108,7 @@ def number_of(kind: EffectKind, key: str, default: float) -> tuple[Any, Any]:
 
 
 def center_of_mass(part: int) -> tuple[Any, Any]:
-    """How a coordinate of the centre of mass is read, and changed."""
+    """How a coordinate of the center of mass is read, and changed."""
 
     def read(state: State) -> float:
         return float((effect(state, INERTIA) or {}).get("center", (0.0, 0.0))[part])

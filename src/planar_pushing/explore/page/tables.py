@@ -13,7 +13,7 @@ HEADS = {"force": "Force", "motion": "Motion", "centre": "Centre", "slip": "Slip
 
 
 def chip(color: str) -> str:
-    """A small square of a colour."""
+    """A small square of a color."""
     return f'<span class="chip" style="background:{color}"></span>'
 
 

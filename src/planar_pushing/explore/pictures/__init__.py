@@ -1,1 +1,1 @@
-"""What the page draws, as columns of numbers and colours: no browser is needed to make them."""
+"""What the page draws, as columns of numbers and colors: no browser is needed to make them."""

@@ -14,45 +14,58 @@ from planar_pushing.explore.pictures.scene import PALE, Found, letter
 from planar_pushing.explore.state import State
 from planar_pushing.figures.parts.forces import flats
 from planar_pushing.figures.style import CENTER, DARK, FORCE, LIGHT
+from planar_pushing.mechanics.cones import is_magnitude_open
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.effects import Inertia, Viscous
 from planar_pushing.mechanics.limit_curve import LimitCurve, limit_curve
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solution
 
-#: Force angles of the curve, radians: fewer with friction and inertia, where each takes longer.
-ANGLES = {1: np.linspace(0.0, 2 * np.pi, 241), 2: np.linspace(0.0, 2 * np.pi, 97)}
+#: Force angles of the curve, radians: fewer where the size of the motion matters and each takes longer.
+ANGLES = {False: np.linspace(0.0, 2 * np.pi, 241), True: np.linspace(0.0, 2 * np.pi, 97)}
 #: Half the width of the picture, in units of the farthest point of the curve.
 ROOM = 1.5
 
 
 def level(scene: Scene, solution: Solution | None) -> float:
-    """Size of the motion whose curve is shown: the acceleration of equal kinetic energy.
+    """Size of the motion whose curve is shown: the translation of equal energy.
 
-    A curve holds the forces whose motions have one kinetic energy. With one effect its size is a unit; with
-    friction and inertia its shape depends on it.
+    A curve holds the forces whose motions have one kinetic energy, or one power of viscous friction. With
+    friction too its shape depends on it; else its size is a unit.
     """
-    if len(scene.kinds) < 2 or solution is None or solution.mode == ContactMode.SEPARATE:
+    open_ = is_magnitude_open(scene)
+    if not open_ or solution is None or solution.mode == ContactMode.SEPARATE:
         return 1.0
-    _, ratio = scene.inertia
-    radius, (x, y) = scene.slider.radius, scene.mass_center
-    turn = float(scene.slider.rod_angle)
-    arm = radius * np.array(
-        [np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y]
-    )
-    v_x, v_y, spin = solution.twist
-    speed = np.hypot(v_x - spin * arm[1], v_y + spin * arm[0])
-    return float(np.sqrt(speed**2 + ratio * (radius * spin) ** 2))
+    turn, radius = float(scene.slider.rod_angle), scene.slider.radius
+    v_x, v_y, spin = solution.twist[0], solution.twist[1], radius * solution.twist[2]
+    energy = whole = 0.0
+    for entry in scene.from_rest:
+        if entry.degree == 2:
+            (mass,), (ratio, x, y) = entry.forces, entry.others
+            own_x, own_y = np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y
+            square = (v_x - spin * own_y) ** 2 + (v_y + spin * own_x) ** 2 + ratio * spin**2
+            energy, whole = energy + mass * square, whole + mass
+    return float(np.sqrt(energy / whole))
 
 
 @lru_cache(maxsize=8)
 def curve_at(scene: Scene, size: float) -> LimitCurve:
     """The limit curve of motions of a size, in the unit of the solutions' forces."""
-    heavier = [replace(each, mass=size * each.mass) for each in scene.masses]
+    effects = tuple(_scaled(each, size) for each in scene.effects)
     found: LimitCurve = limit_curve(
-        replace(scene, effects=(*scene.friction, *heavier)), ANGLES[len(scene.kinds)]
+        replace(scene, effects=effects), ANGLES[is_magnitude_open(scene)]
     )
     return found
+
+
+def _scaled(effect: Any, size: float) -> Any:
+    """The effect whose force at a unit of motion is that of this one at a size."""
+    if isinstance(effect, Inertia):
+        return replace(effect, mass=size * effect.mass)
+    if isinstance(effect, Viscous):
+        return replace(effect, coefficient=size * effect.coefficient)
+    return effect
 
 
 def picture(state: State, given: Found) -> dict[str, Any]:

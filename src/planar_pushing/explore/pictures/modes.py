@@ -175,6 +175,6 @@ def gone(state: State, angle: float, along: float) -> State:
 
 
 def look(code: int) -> tuple[str, str]:
-    """Name and colour of a set of modes, as in Fig. 13."""
+    """Name and color of a set of modes, as in Fig. 13."""
     name, color, _ = STYLES.get(code, OTHER)
     return name, color

@@ -48,7 +48,7 @@ def picture(motion: Motion, time: float) -> dict[str, Any]:
 
 
 def _paths(marks: Marks, motion: Motion, row: int) -> None:
-    """Path of the contact up to a row, in the colours of its modes."""
+    """Path of the contact up to a row, in the colors of its modes."""
     touch = contact(motion.data)
     step = max(len(touch) // POINTS, 1)
     for run in motion.runs:

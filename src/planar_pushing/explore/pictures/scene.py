@@ -27,7 +27,7 @@ from planar_pushing.mechanics.solutions import Solution, Solutions
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.options import Shape
 
-#: How much of their colour the solutions have that are not the one in full.
+#: How much of their color the solutions have that are not the one in full.
 PALE = 0.3
 #: Half the width of the fence and its depth, in units of the reach.
 HALF, DEPTH = 1.75, 0.12
@@ -144,7 +144,7 @@ def letter(state: State) -> str:
 def _solution(
     marks: Marks, state: State, given: Found, solution: Solution, strength: float
 ) -> None:
-    """Force, motion, slip and centre of a solution; pale where another one is in full."""
+    """Force, motion, slip and center of a solution; pale where another one is in full."""
     if solution.mode == ContactMode.SEPARATE:
         return
     sketch = sketch_of(state, solution, given.pusher)
@@ -181,7 +181,7 @@ def _motion(marks: Marks, state: State, given: Found, sketch: Sketch, strength: 
 
 
 def _center(marks: Marks, sketch: Sketch, strength: float) -> None:
-    """Motion centre, or where it lies if it is far away."""
+    """Motion center, or where it lies if it is far away."""
     color = CENTER if strength == 1.0 else tint(CENTER, PALE)
     if sketch.center_is_near:
         marks.line([sketch.ring, sketch.center], color, 1.1, dash="dashed")

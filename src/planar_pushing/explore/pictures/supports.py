@@ -48,7 +48,7 @@ def pieces(support: Any, ink: Ink) -> tuple[Piece, ...]:
 
 
 def _hex(color: Any) -> str:
-    """One of matplotlib's colours as the page has it."""
+    """One of matplotlib's colors as the page has it."""
     return str(to_hex(color))
 
 
@@ -109,7 +109,7 @@ def add_support(marks: Marks, body: Body, pose: Pose, ink: Ink) -> None:
 
 
 def add_centers(marks: Marks, body: Body, pose: Pose) -> None:
-    """Add the signs of the centres of pressure and of mass, where they are apart, and their names."""
+    """Add the signs of the centers of pressure and of mass, where they are apart, and their names."""
     for name, place in body.centers:
         at = pose.at(place)
         for sign in SIGNS[name](DARK):

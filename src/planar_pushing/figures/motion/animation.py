@@ -27,7 +27,7 @@ from planar_pushing.terms.errors import InvalidValue, require_number
 #: Size of a picture, inches, and its pixels per inch.
 SIZE = (4.2, 3.2)
 DPI = 120
-#: Colours of the whole animation: enough for smooth edges, and few enough for a small file.
+#: Colors of the whole animation: enough for smooth edges, and few enough for a small file.
 COLORS = 64
 FRAMES = "a whole number from 2 to 1000"
 
@@ -117,7 +117,7 @@ def _pivots(data: xr.Dataset, row: int) -> bool:
 
 
 def _center(ax: Axes, data: xr.Dataset, row: int) -> None:
-    """Motion centre, where there is one."""
+    """Motion center, where there is one."""
     center = data["path_center"].values[row]
     if np.isfinite(center).all():
         mark = drawing.pivot_mark if _pivots(data, row) else drawing.center_mark

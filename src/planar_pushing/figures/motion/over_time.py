@@ -1,4 +1,4 @@
-"""Drawing of a log over time: series, and the contact mode as a coloured strip."""
+"""Drawing of a log over time: series, and the contact mode as a colored strip."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LUMINANCE = 0.245
 
 
 def series(ax: Axes, data: xr.Dataset, name: str, text: str, **style: Any) -> None:
-    """One variable over time, its axis in the variable's colour."""
+    """One variable over time, its axis in the variable's color."""
     color = {"path_rod_angle": MOTION, "path_slip": SLIP}.get(name, DARK)
     ax.plot(data["time"], data[name], color=color, **style)
     ax.set_ylabel(text, color=color)
@@ -32,7 +32,7 @@ def series(ax: Axes, data: xr.Dataset, name: str, text: str, **style: Any) -> No
 
 
 def ribbon(ax: Axes, data: xr.Dataset, bottom: float = 0.0) -> None:
-    """Contact mode over time as a coloured strip of unit height; hatched where there was a choice."""
+    """Contact mode over time as a colored strip of unit height; hatched where there was a choice."""
     time = data["time"].values
     whole = time[-1] - time[0]
     for run in runs(data):
@@ -78,12 +78,12 @@ def _height(ax: Axes) -> float:
 
 
 def readable_on(color: str) -> str:
-    """White on dark colours, else the colour of dark text."""
+    """White on dark colors, else the color of dark text."""
     return "white" if luminance(color) < LUMINANCE else DARK
 
 
 def luminance(color: str) -> float:
-    """Relative luminance of a colour, as WCAG 2 defines it."""
+    """Relative luminance of a color, as WCAG 2 defines it."""
     parts = np.array(to_rgb(color))
     linear = np.where(parts > 0.04045, ((parts + 0.055) / 1.055) ** 2.4, parts / 12.92)
     return float(linear @ (0.2126, 0.7152, 0.0722))

@@ -1,4 +1,4 @@
-"""Picture of one simulation: the trajectory with its modes in colour, and time series beside it."""
+"""Picture of one simulation: the trajectory with its modes in color, and time series beside it."""
 
 from __future__ import annotations
 

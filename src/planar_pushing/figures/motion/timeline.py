@@ -1,4 +1,4 @@
-"""What the pictures of motion over time show of a log, and its parts: rows, runs of a mode, colours."""
+"""What the pictures of motion over time show of a log, and its parts: rows, runs of a mode, colors."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from planar_pushing.terms.quantities import DATASET, attributes, described
 
 #: Variables of a log that a picture shows; in the picture's data they are named path_*.
 PATH = ("position", "fence", "rod_angle", "slip", "gap", "force", "spin_ratio", "mode", "solutions")
-#: Colour and name of a contact mode; -1 is none.
+#: Color and name of a contact mode; -1 is none.
 MODES: dict[int, tuple[str, str]] = {
     -1: (DARK, "no mode"),
     ContactMode.SEPARATE: (GREY, "separate"),
@@ -30,7 +30,7 @@ MODES: dict[int, tuple[str, str]] = {
     ContactMode.SLIP_RIGHT: ("#E69F00", "slip right"),
     ContactMode.SLIP_LEFT: ("#CC79A7", "slip left"),
 }
-#: A motion centre that is this near to a support point is on it, in units of the support's size.
+#: A motion center that is this near to a support point is on it, in units of the support's size.
 ON_POINT = 1e-6
 #: Speeds that differ by less are equal.
 ROUNDING = 1e-6
@@ -79,7 +79,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
 
 
 def motion_center(log: xr.Dataset, radius: float) -> xr.DataArray:
-    """Place of the motion centre; NaN for a slider that does not turn."""
+    """Place of the motion center; NaN for a slider that does not turn."""
     v_x, v_y, spin = np.moveaxis(log["twist"].values, -1, 0)
     with np.errstate(divide="ignore", invalid="ignore"):
         offset = np.stack([-v_y, v_x], axis=-1) * (radius / spin)[:, None]
@@ -89,7 +89,7 @@ def motion_center(log: xr.Dataset, radius: float) -> xr.DataArray:
 
 
 def pivot(data: xr.Dataset, body: Body) -> xr.DataArray:
-    """Number of the support point that is the motion centre; -1 without one."""
+    """Number of the support point that is the motion center; -1 without one."""
     atoms = body.support.pieces().atoms[:, :2]
     angle = np.deg2rad(data["path_rod_angle"].values)[:, None]
     arm = (data["path_center"] - data["path_position"]).values
@@ -118,7 +118,7 @@ def impacts(log: xr.Dataset) -> list[int]:
 
 
 def _of_mass(log: xr.Dataset, inertia: dict[str, Any]) -> Array:
-    """Velocity of the centre of mass."""
+    """Velocity of the center of mass."""
     radius = json.loads(log.attrs["scene"])["slider"]["radius"]
     arm = np.asarray(inertia.get("center", (0.0, 0.0))) / radius
     turned = np.array([Pose((0.0, 0.0), each).at(arm) for each in np.deg2rad(log["rod_angle"])])

@@ -29,11 +29,11 @@ from planar_pushing.mechanics.plane import Array
 Box = tuple[float, float, float, float]
 Rect = tuple[float, float, float, float]
 
-#: How much of its colour the first of the snapshots keeps.
+#: How much of its color the first of the snapshots keeps.
 PALEST = 0.22
-#: A longer step of the motion centre between two rows is a jump, in units of the slider's span.
+#: A longer step of the motion center between two rows is a jump, in units of the slider's span.
 JUMP = 0.5
-#: Room for the legend of the centres, points.
+#: Room for the legend of the centers, points.
 LEGEND = 14.0
 #: Length of the drawn force and width of the fence on either side, in units of the slider's span.
 FORCE_LENGTH, FENCE_HALF = 0.42, 0.45
@@ -53,7 +53,7 @@ def span(data: xr.Dataset) -> float:
 
 
 def box(data: xr.Dataset) -> Box:
-    """xmin, xmax, ymin, ymax of slider and fence over all the motion, and of its last centre if near."""
+    """xmin, xmax, ymin, ymax of slider and fence over all the motion, and of its last center if near."""
     body, half = body_of(data), FENCE_HALF * span(data)
     points = [*contact(data), *last_center(data), *data["path_position"].values]
     points += [each for row in range(data.sizes["time"]) for each in body.box(pose(data, row))]
@@ -67,7 +67,7 @@ def box(data: xr.Dataset) -> Box:
 
 
 def last_center(data: xr.Dataset) -> list[Array]:
-    """Last motion centre, or nothing where it is far away or the slider never turns."""
+    """Last motion center, or nothing where it is far away or the slider never turns."""
     centers, ring = data["path_center"].values, data["path_position"].values
     turning = np.flatnonzero(np.isfinite(centers).all(axis=-1))
     if not turning.size:
@@ -106,7 +106,7 @@ def fence(ax: Axes, middle: Array, half: float, color: str, *, hatch: bool) -> N
 
 
 def paths(ax: Axes, data: xr.Dataset, last: int | None = None) -> None:
-    """Path of the contact, coloured by mode, and that of the motion centre, up to a row."""
+    """Path of the contact, colored by mode, and that of the motion center, up to a row."""
     touch, end = contact(data), len(data["time"]) if last is None else last + 1
     _path_of_center(ax, data["path_center"].values[:end], span(data))
     for run in runs(data):
@@ -115,7 +115,7 @@ def paths(ax: Axes, data: xr.Dataset, last: int | None = None) -> None:
 
 
 def _path_of_center(ax: Axes, center: Array, size: float) -> None:
-    """Path of the motion centre inside the picture; an arrowhead where it leaves or enters it.
+    """Path of the motion center inside the picture; an arrowhead where it leaves or enters it.
 
     A jump, as at a change of mode, is no part of the path.
     """

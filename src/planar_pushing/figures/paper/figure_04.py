@@ -13,7 +13,7 @@ from planar_pushing.figures.style import CENTER, DARK, FORCE
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the force and the velocity centre of quasi-static pushing."""
+    """Select the force and the velocity center of quasi-static pushing."""
     scene = shown(sources["scenes/figure_02"]).isel(solution=0)
     names = ["rod_length", "rod_angle", "radius", "ring_center", "force", "center"]
     return scene[names].assign_attrs(title="Coordinate systems (Fig. 4)")

@@ -1,4 +1,4 @@
-"""Figure 9: acceleration centres and acceleration cones, two coefficients of friction."""
+"""Figure 9: acceleration centers and acceleration cones, two coefficients of friction."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ BOX = (-2.0, 4.1, -1.0, 4.3)
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select geometry, cones, and the centres dual to the edges of the friction cone."""
+    """Select geometry, cones, and the centers dual to the edges of the friction cone."""
     panels = [_panel(sources[name]) for name in sorted(sources)]
     data = xr.concat(panels, xr.DataArray(list(PANELS), dims="panel", name="panel"), join="exact")
     data["panel"].attrs = {"units": "1", "long_name": "panel of the figure"}
@@ -73,7 +73,7 @@ def _slider_and_cones(ax: Axes, panel: xr.Dataset) -> None:
 
 
 def _line_of_centers(ax: Axes, panel: xr.Dataset) -> None:
-    """Draw the line of centres, and on it what lies between the duals of the cone's edges."""
+    """Draw the line of centers, and on it what lies between the duals of the cone's edges."""
     right, left = panel["center_right"].values, panel["center_left"].values
     psi = float(panel["rod_angle"])
     along = arrows.unit(psi + 90)
@@ -82,7 +82,7 @@ def _line_of_centers(ax: Axes, panel: xr.Dataset) -> None:
     if not float(panel["friction_cone_right"]) < psi < float(panel["friction_cone_left"]):
         _allowed(ax, right, left)
     else:
-        # A force along the rod translates the slider: the centres pass through infinity.
+        # A force along the rod translates the slider: the centers pass through infinity.
         for start, stop, sign in ((right, ends[1], 1.0), (left, ends[0], -1.0)):
             _allowed(ax, start, stop)
             at = 0.3 * start + 0.7 * stop

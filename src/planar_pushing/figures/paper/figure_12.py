@@ -1,4 +1,4 @@
-"""Figure 12: possible acceleration centres and accelerations with support friction and inertia."""
+"""Figure 12: possible acceleration centers and accelerations with support friction and inertia."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ SCENE = (
 
 
 def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
-    """Sectors of acceleration centres about the ring centre, by the paper's cases (Sec. 4).
+    """Sectors of acceleration centers about the ring center, by the paper's cases (Sec. 4).
 
-    The centre lies opposite the line of force, a quarter turn from it: inside the ring where the line
+    The center lies opposite the line of force, a quarter turn from it: inside the ring where the line
     passes outside of it, outside where the line passes through it.
     """
     cuts = {0.0, rod_angle, 180.0}
@@ -50,9 +50,9 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
 
 
 def exact_centers(grid: xr.Dataset) -> xr.Dataset:
-    """Boundaries of the exact set of centres, under friction alone and under inertia alone.
+    """Boundaries of the exact set of centers, under friction alone and under inertia alone.
 
-    Force angles whose centre is at infinity, a translation, are left out.
+    Force angles whose center is at infinity, a translation, are left out.
     """
     ends = grid.sel(inertia_share=[0.0, 1.0])
     finite = np.isfinite(ends.center_x) & np.isfinite(ends.center_y)
@@ -63,7 +63,7 @@ def exact_centers(grid: xr.Dataset) -> xr.Dataset:
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the scene, both sets of centres and both cones."""
+    """Select the scene, both sets of centers and both cones."""
     scene = sources["scenes/figure_12"]
     length = rod_lengths(settings, (float(scene.rod_length),))[0]
     grid = sources["acceleration_centers"].sel(rod_length=length).drop_vars("rod_length")
@@ -78,7 +78,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 #: Radius of the cones, and length of the sectors that go on to infinity, units of length.
 REACH, FAR = 2.6, 30.0
-#: Colours of the paper's bound and of the exact set.
+#: Colors of the paper's bound and of the exact set.
 BOUND, EXACT = drawing.tint(CENTER, 0.16), drawing.tint(CENTER, 0.6)
 #: What the two panels show, units of length; the second is half the width of a square.
 VIEW, DETAIL = (-3.6, 7.8, -2.35, 5.4), 1.55
@@ -118,7 +118,7 @@ def _frame(ax: Axes, frame: Rectangle) -> None:
 
 
 def _centers(ax: Axes, data: xr.Dataset) -> None:
-    """Region of acceleration centres: the sectors of the paper's cases, and the exact set."""
+    """Region of acceleration centers: the sectors of the paper's cases, and the exact set."""
     center, ring = tuple(data.ring_center.values), float(data.radius)
     inside = data.isel(sector=~data.sector_outside.values)
     sectors: list[tuple[float, float, float, float | None]] = []

@@ -94,7 +94,7 @@ def coordinate_axes(
 def turning(
     ax: Axes, xy: npt.ArrayLike, sense: float, radius: float, *, color: str = CENTER
 ) -> FancyArrowPatch:
-    """Curved motion arrow around a centre, counter-clockwise for a positive `sense`."""
+    """Curved motion arrow around a center, counter-clockwise for a positive `sense`."""
     arc = Path.arc(-30, 210)
     path = Path(np.asarray(arc.vertices) * [1.0 if sense > 0 else -1.0, 1.0], arc.codes)
     patch = FancyArrowPatch(

@@ -1,4 +1,4 @@
-"""The slider of a picture: its support, and its centres of pressure and of mass."""
+"""The slider of a picture: its support, and its centers of pressure and of mass."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from planar_pushing.study.files.scene_model import SceneFile
 
 #: What a scene file says of the slider alone.
 OWN = ("slider", "contact", "effects")
-#: A centre nearer to the origin of the body than this, in units of the support's size, is there.
+#: A center nearer to the origin of the body than this, in units of the support's size, is there.
 NEAR = 1e-6
 #: By how much dots and signs reach beyond their places, in units of half the support.
 RIM = 0.07
-#: Two quarters of a disc, the sign of a centre of mass.
+#: Two quarters of a disc, the sign of a center of mass.
 QUARTERS = Path.make_compound_path(Path.wedge(0, 90), Path.wedge(180, 270))
 #: Diameters of the signs, points.
 MASS, PRESSURE = 7.5, 7.0
@@ -37,7 +37,7 @@ MASS, PRESSURE = 7.5, 7.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Body:
-    """A slider in its body frame, with the centres that are marked: those that are not its origin."""
+    """A slider in its body frame, with the centers that are marked: those that are not its origin."""
 
     support: Any
     centers: tuple[tuple[str, Any], ...] = ()
@@ -110,7 +110,7 @@ def body_of_scene(scene: Scene) -> Body:
 def draw_body(
     ax: Axes, body: Body, pose: Pose, *, contact: npt.ArrayLike = (0.0, 0.0), ink: Ink | None = None
 ) -> None:
-    """Support, rod, contact, and the signs of the centres."""
+    """Support, rod, contact, and the signs of the centers."""
     own = ink or Ink()
     draw_support(ax, body.support, pose, own)
     drawing.rod(ax, pose.origin, contact=contact, width=own.width, color=own.color)
@@ -128,13 +128,13 @@ def _mass_signs(color: str) -> list[dict[str, Any]]:
     return [disc, {"marker": QUARTERS, "mfc": color, "mew": 0.0, "markersize": MASS}]
 
 
-#: Name of each centre, and the markers of its sign.
+#: Name of each center, and the markers of its sign.
 NAMES = {"pressure": "centre of\npressure", "mass": "centre\nof mass"}
 SIGNS = {"pressure": _pressure_signs, "mass": _mass_signs}
 
 
 def name_centers(ax: Axes, body: Body, pose: Pose) -> None:
-    """Write the names of the centres beside their signs."""
+    """Write the names of the centers beside their signs."""
     back = {"boxstyle": "square,pad=0.1", "facecolor": "white", "linewidth": 0, "alpha": 0.75}
     note: dict[str, Any] = {"color": DARK, "size": NOTE_SIZE, "bbox": back}
     for name, place in body.centers:

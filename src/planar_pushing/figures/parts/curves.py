@@ -106,7 +106,7 @@ def cone_mapping(sources: Sources, effects: str, length: float, friction: float)
 
 
 def shades(count: int) -> list[tuple[float, ...]]:
-    """Colours of an ordered family of force curves, from dark to light, which differ in grey too."""
+    """Colors of an ordered family of force curves, from dark to light, which differ in gray too."""
     return [tuple(each) for each in matplotlib.colormaps["copper"](np.linspace(0.1, 0.82, count))]
 
 

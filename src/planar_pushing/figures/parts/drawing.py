@@ -1,4 +1,4 @@
-"""Drawing primitives: slider, fence, cones, angles and centres.
+"""Drawing primitives: slider, fence, cones, angles and centers.
 
 Positions and vectors are in data coordinates, angles in degrees from +x, offsets and widths in
 points.
@@ -46,7 +46,7 @@ def schematic(
 
 
 def fit(ax: Axes, box: tuple[float, float, float, float], *, pad: float = 12.0) -> None:
-    """Set limits of equal aspect that show `box`, centred, with at least `pad` points around it."""
+    """Set limits of equal aspect that show `box`, centered, with at least `pad` points around it."""
     xmin, xmax, ymin, ymax = box
     figure = cast(Figure, ax.get_figure(root=True))
     place = ax.get_position(original=True)
@@ -61,7 +61,7 @@ def fit(ax: Axes, box: tuple[float, float, float, float], *, pad: float = 12.0) 
 
 
 def tint(color: str, strength: float) -> str:
-    """Colour mixed with white: opaque, so that two areas never add up to a third colour."""
+    """Color mixed with white: opaque, so that two areas never add up to a third color."""
     red, green, blue = (1 - strength * (1 - part) for part in to_rgb(color))
     return to_hex((red, green, blue))
 
@@ -75,7 +75,7 @@ def slider(
     width: float = 2.2,
     color: str = SLIDER,
 ) -> None:
-    """Ring, its centre, the rod from the ring centre to the contact and the contact's dot."""
+    """Ring, its center, the rod from the ring center to the contact and the contact's dot."""
     middle = tuple(np.asarray(center, dtype=float))
     ring = Circle(middle, radius, fill=False, linewidth=width, edgecolor=color, zorder=3)
     ax.add_patch(ring)
@@ -90,7 +90,7 @@ def rod(
     width: float = 2.2,
     color: str = SLIDER,
 ) -> None:
-    """Slider's centre, the rod from there to the contact, and the contact's dot."""
+    """Slider's center, the rod from there to the contact, and the contact's dot."""
     middle, end = np.asarray(center, dtype=float), np.asarray(contact, dtype=float)
     ax.plot(*np.stack([end, middle], axis=1), color=color, linewidth=0.6 * width, zorder=3)
     ax.plot(*middle, "o", color=color, markersize=2.2, zorder=4)
@@ -159,7 +159,7 @@ def angle_arc(
     offset: float = 6.0,
     at: float = 0.5,
 ) -> None:
-    """Arc of an angle, labelled `offset` points outside of it, at a fraction `at` of the angle."""
+    """Arc of an angle, labeled `offset` points outside of it, at a fraction `at` of the angle."""
     origin = np.asarray(vertex, dtype=float)
     angles = np.linspace(start_deg, stop_deg, 2 + int(abs(stop_deg - start_deg)))
     arc = origin[:, None] + radius * np.stack([unit(each) for each in angles], axis=1)
@@ -179,7 +179,7 @@ def center_mark(
     color: str = CENTER,
     size: float = 5.5,
 ) -> None:
-    """Motion centre: a circle with a dot."""
+    """Motion center: a circle with a dot."""
     at = np.asarray(xy, dtype=float)
     ax.plot(*at, "o", color=color, markersize=size, mfc="white", mew=1.0, zorder=ABOVE + 1)
     ax.plot(*at, "o", color=color, markersize=0.3 * size, zorder=ABOVE + 2)
@@ -188,7 +188,7 @@ def center_mark(
 
 
 def pivot_mark(ax: Axes, xy: npt.ArrayLike, *, size: float = 5.5) -> None:
-    """Support point about which the slider pivots: a motion centre with a wide circle around it."""
+    """Support point about which the slider pivots: a motion center with a wide circle around it."""
     at = np.asarray(xy, dtype=float)
     ax.plot(*at, "o", color=CENTER, markersize=2.3 * size, mfc="none", mew=1.2, zorder=ABOVE + 1)
     center_mark(ax, at, size=size)
@@ -197,6 +197,6 @@ def pivot_mark(ax: Axes, xy: npt.ArrayLike, *, size: float = 5.5) -> None:
 def guide(
     ax: Axes, start: npt.ArrayLike, stop: npt.ArrayLike, *, color: str = GUIDE, style: str = "--"
 ) -> None:
-    """Thin line for construction: a line of force, of centres, of measure."""
+    """Thin line for construction: a line of force, of centers, of measure."""
     ends = np.stack([np.asarray(start, dtype=float), np.asarray(stop, dtype=float)], axis=1)
     ax.plot(*ends, style, color=color, linewidth=0.7, zorder=2)

@@ -10,7 +10,7 @@ from planar_pushing.figures.parts.sketch import SUPPORT_LENGTH, Sketch
 from planar_pushing.figures.style import CENTER, FORCE
 from planar_pushing.mechanics.plane import Array
 
-#: How much of its colour the fan of a pivot's forces has; it lies over the cones.
+#: How much of its color the fan of a pivot's forces has; it lies over the cones.
 FAN, FAN_ORDER = 0.42, 0.8
 #: Motions whose angles differ by less, degrees, are one motion: a pivot, a flat of the curve.
 ALIKE = 1e-7

@@ -33,7 +33,7 @@ def label(
     size: float = SYMBOL_SIZE,
     **text_options: Any,
 ) -> Annotation:
-    """Write `text`, centred `offset` points from `xy` (data coordinates)."""
+    """Write `text`, centered `offset` points from `xy` (data coordinates)."""
     x, y = np.asarray(xy, dtype=float)
     options = {"ha": "center", "va": "center", "zorder": 10, "linespacing": 0.95, **text_options}
     return ax.annotate(

@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 from planar_pushing.figures.style import DARK, LIGHT
 from planar_pushing.mechanics.contact import ContactMode
 
-#: Each set of consistent modes: its name, colour and hatch; hatched where the solutions are several.
+#: Each set of consistent modes: its name, color and hatch; hatched where the solutions are several.
 SEPARATE, STICK, RIGHT, LEFT = (1 << mode for mode in ContactMode)
 STYLES: dict[int, tuple[str, str, str]] = {
     SEPARATE: ("separate", "#E4E4E4", ""),

@@ -1,4 +1,4 @@
-"""Picture of any scene: slider, fence, cones, and one solution's force, motion and centre."""
+"""Picture of any scene: slider, fence, cones, and one solution's force, motion and center."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def motions(ax: Axes, sketch: Sketch) -> None:
 
 
 def center(ax: Axes, sketch: Sketch) -> None:
-    """Motion centre on the perpendicular to the force, or where it lies if it is far away."""
+    """Motion center on the perpendicular to the force, or where it lies if it is far away."""
     if not sketch.moves:
         return
     ahead = sketch.toward_center
@@ -92,14 +92,14 @@ def center(ax: Axes, sketch: Sketch) -> None:
 
 
 def moment_arm(ax: Axes, sketch: Sketch) -> None:
-    """Perpendicular from the ring centre to the line of force."""
+    """Perpendicular from the ring center to the line of force."""
     if sketch.moves:
         drawing.guide(ax, sketch.ring, sketch.foot, style=":")
         drawing.dot(ax, sketch.foot, color=FORCE, size=2.8)
 
 
 def centers(ax: Axes, sketch: Sketch) -> None:
-    """Names of the centres of pressure and of mass, where they are apart."""
+    """Names of the centers of pressure and of mass, where they are apart."""
     bodies.name_centers(ax, sketch.body, sketch.pose)
 
 

@@ -15,7 +15,7 @@ from planar_pushing.figures.parts.supports import Pose
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 
-#: A centre further away than this, in units of the slider's span, is pointed to.
+#: A center further away than this, in units of the slider's span, is pointed to.
 FAR = 2.0
 #: Radius of the motion cone, in units of the longest motion.
 CONE = 0.72
@@ -74,7 +74,7 @@ class Sketch:
 
     @property
     def middle(self) -> Array:
-        """Centre of the ring; the middle of another support."""
+        """Center of the ring; the middle of another support."""
         return self.pose.at(self.body.middle)
 
     @property
@@ -120,7 +120,7 @@ class Sketch:
 
     @property
     def foot(self) -> Array:
-        """Point of the line of force that is nearest to the ring centre."""
+        """Point of the line of force that is nearest to the ring center."""
         heading = _unit(self.force)
         return np.asarray((heading @ self.middle) * heading)
 
@@ -153,14 +153,14 @@ class Sketch:
 
     @property
     def toward_center(self) -> Array:
-        """Unit vector from the slider's centre to the motion centre; zero where there is no rotation."""
+        """Unit vector from the slider's center to the motion center; zero where there is no rotation."""
         if not (np.any(self.force) and self.spin_ratio and np.isfinite(self.center).all()):
             return np.zeros(2)
         return _unit(self.center - self.ring)
 
     @property
     def center_distance(self) -> float:
-        """Distance of the motion centre from the slider's centre; infinite for a translation."""
+        """Distance of the motion center from the slider's center; infinite for a translation."""
         return float(np.hypot(*(self.center - self.ring))) if self.spin_ratio else np.inf
 
     @property
@@ -169,7 +169,7 @@ class Sketch:
 
     @property
     def far_center(self) -> Array:
-        """Where the line towards a centre that is far away ends."""
+        """Where the line towards a center that is far away ends."""
         return np.asarray(self.ring + 1.6 * self.radius * self.toward_center)
 
     @property

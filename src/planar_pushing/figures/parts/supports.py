@@ -18,7 +18,7 @@ from planar_pushing.figures.style import SLIDER
 from planar_pushing.mechanics import supports
 from planar_pushing.mechanics.plane import Array, direction
 
-#: How much of the slider's colour an even area has, the highest pressure of a map, and a support point.
+#: How much of the slider's color an even area has, the highest pressure of a map, and a support point.
 AREA, HIGHEST, POINT = 0.1, 0.62, 0.5
 #: Diameter of the heaviest support point, least diameter of any, and line width of a segment: points, for
 #: outlines of the default width.
@@ -42,7 +42,7 @@ class Pose(NamedTuple):
 
 
 class Ink(NamedTuple):
-    """Colour, and width of outlines in points."""
+    """Color, and width of outlines in points."""
 
     color: str = SLIDER
     width: float = 2.2
@@ -142,7 +142,7 @@ def _segment(ax: Axes, segment: supports.Segment, pose: Pose, ink: Ink) -> None:
 
 
 def _points(ax: Axes, points: supports.Points, pose: Pose, ink: Ink) -> None:
-    """Dots whose areas are in the ratio of the weights, on thin legs from the centre of pressure."""
+    """Dots whose areas are in the ratio of the weights, on thin legs from the center of pressure."""
     heaviest, places = max(points.weights), pose.at(points.positions)
     middle = pose.at(points.center_of_pressure)
     for place, weight in zip(places, points.weights, strict=True):
@@ -158,7 +158,7 @@ def _leg(ax: Axes, start: Array, end: Array, ink: Ink) -> None:
 
 
 def _composite(ax: Axes, composite: supports.Composite, pose: Pose, ink: Ink) -> None:
-    """The members, on thin legs from their common centre of pressure."""
+    """The members, on thin legs from their common center of pressure."""
     middle = pose.at(composite.center_of_pressure)
     for _, member in composite.members:
         _leg(ax, middle, pose.at(member.center_of_pressure), ink)

@@ -17,7 +17,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.study.datasets.sliders.gallery import words
 from planar_pushing.study.files.sliders_model import RodEntry
 
-#: What the errors are of: title, and colour.
+#: What the errors are of: title, and color.
 ERRORS = {"force": ("force direction", FORCE), "motion": ("motion direction", MOTION)}
 #: Widths of the panels.
 WIDTHS = [0.8, 1.0, 1.0]

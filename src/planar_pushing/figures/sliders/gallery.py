@@ -26,7 +26,7 @@ from planar_pushing.study.files.support_model import SupportEntry
 
 #: The paper's support, to which the others are compared.
 RING = Ring(1.0)
-#: Colours and dashes of the supports of a panel, in their order.
+#: Colors and dashes of the supports of a panel, in their order.
 STYLES = (
     (BLUE, "-"),
     (VERMILION, "-"),
@@ -62,7 +62,7 @@ def families(found: dict[str, Any]) -> tuple[list[str], list[str]]:
 
 
 def styled(names: Iterable[str]) -> list[tuple[str, Any, Any]]:
-    """Names with a colour and a dash for each."""
+    """Names with a color and a dash for each."""
     listed = list(names)
     return [(name, *STYLES[i % len(STYLES)]) for i, name in enumerate(listed)]
 

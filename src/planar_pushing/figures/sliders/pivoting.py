@@ -1,4 +1,4 @@
-"""Motion over time of a slider on points: its pictures at some instants, and its motion centre."""
+"""Motion over time of a slider on points: its pictures at some instants, and its motion center."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from planar_pushing.figures.style import CENTER, DARK, FENCE, NOTE_SIZE, SLIDER
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 
-#: Instants at which the slider is drawn, and how much of its colour the first of them keeps.
+#: Instants at which the slider is drawn, and how much of its color the first of them keeps.
 COUNT, PALEST = 3, 0.3
 #: Half the width of the fence.
 HALF = 0.8
@@ -24,7 +24,7 @@ SHOWN = ("position", "fence", "rod_angle")
 
 
 def motion(log: xr.Dataset, points: Points, radius: float) -> xr.Dataset:
-    """Select the motion, its motion centre, and how far that is from the point that it comes to."""
+    """Select the motion, its motion center, and how far that is from the point that it comes to."""
     data = log[list(SHOWN)].rename({name: f"path_{name}" for name in SHOWN}).drop_attrs(deep=False)
     data["path_center"] = motion_center(log, radius)
     data["support_point"] = named(
@@ -53,7 +53,7 @@ def _point(data: xr.Dataset, number: int) -> Array:
 
 
 def snapshots(figure: Figure, data: xr.Dataset, rect: tuple[float, float, float, float]) -> None:
-    """Slider and fence at some instants, paler the earlier, and the path of the motion centre."""
+    """Slider and fence at some instants, paler the earlier, and the path of the motion center."""
     chosen = rows(data, COUNT)
     feet = np.stack([_point(data, number) for number in _numbers(data)])
     ax = drawing.schematic(figure, _box(data, feet[:, chosen]), rect=rect, pad=8.0)
@@ -89,7 +89,7 @@ def _slider(ax: Axes, data: xr.Dataset, feet: Array, row: int, strength: float) 
 
 
 def distance_over_time(ax: Axes, data: xr.Dataset) -> None:
-    """How far the motion centre is from the point that it comes to."""
+    """How far the motion center is from the point that it comes to."""
     ax.plot(data.time, data.center_distance, color=CENTER)
     ax.set(xlim=(float(data.time[0]), float(data.time[-1])), ylim=(0.0, None))
     ax.set_xlabel("time")

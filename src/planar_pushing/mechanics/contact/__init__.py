@@ -6,7 +6,8 @@ from planar_pushing.mechanics.contact.laws import (
     InfiniteFriction,
     PerfectlyRough,
 )
-from planar_pushing.mechanics.contact.modes import ContactMode, Outcome, Status
+from planar_pushing.mechanics.contact.modes import ContactMode, Outcome
+from planar_pushing.mechanics.status import Status
 
 __all__ = [
     "ContactLaw",

@@ -4,16 +4,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 
-
-def _name(member: IntEnum) -> str:
-    """What is printed for a member: its name; `int` gives its number."""
-    return member.name
-
-
-def _formatted(member: IntEnum, format_spec: str) -> str:
-    """A member in a formatted text: its name, or its number in the format d."""
-    number = format_spec.endswith("d")
-    return format(int(member) if number else member.name, format_spec)
+from planar_pushing.mechanics.status import formatted, name_of
 
 
 class ContactMode(IntEnum):
@@ -24,8 +15,8 @@ class ContactMode(IntEnum):
     SLIP_RIGHT = 2
     SLIP_LEFT = 3
 
-    __str__ = _name
-    __format__ = _formatted
+    __str__ = name_of
+    __format__ = formatted
 
 
 class Outcome(IntEnum):
@@ -35,24 +26,5 @@ class Outcome(IntEnum):
     UNIQUE = 1
     AMBIGUOUS = 2
 
-    __str__ = _name
-    __format__ = _formatted
-
-
-class Status(IntEnum):
-    """What is known of the solutions of one push, or of a curve at one angle.
-
-    `NONE`: no mode is consistent. `CONSISTENT`: every solution is a motion of its own. `PIVOTS`: one of
-    them is a rotation about a support point, which belongs to an interval of forces. `CONTINUUM`: one of them
-    is an end of a continuum of motions. `UNSOLVED`: an iteration has not settled, or more than the known
-    number of slips was found.
-    """
-
-    NONE = 0
-    CONSISTENT = 1
-    PIVOTS = 2
-    CONTINUUM = 3
-    UNSOLVED = 4
-
-    __str__ = _name
-    __format__ = _formatted
+    __str__ = name_of
+    __format__ = formatted

@@ -14,7 +14,8 @@ from planar_pushing.terms.errors import InvalidValue
 class Viscous:
     """Friction in proportion to the speed of each support point: ``c <v^2> / 2`` over the support.
 
-    It resists velocities: in a push from rest of a slider with inertia, whose velocity is zero, it is absent.
+    It resists velocities: in a push from rest of a slider with inertia, whose velocity is zero, it is
+    absent.
 
     Parameters
     ----------
@@ -34,7 +35,8 @@ class Viscous:
 
     def __post_init__(self) -> None:
         require_fields(self, "coefficient")
-        if not is_kind(type(self.support)):
+        kind: Any = type(self.support)
+        if not is_kind(kind):
             raise InvalidValue(
                 "support", self.support,
                 "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import pi, sqrt
 
@@ -11,13 +12,22 @@ from planar_pushing.mechanics.compiled import compiled, kernel
 from planar_pushing.mechanics.supports.base import Position, Support
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import Array
+from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Array, Pressure
 from planar_pushing.mechanics.supports.pressure.table import extent_of
 
 #: Motions at which the ellipsoid is compared; means differ by less than 1e-4 from those at ten times more.
 MOTIONS = 20_000
 #: Turn between motions that follow each other, which spreads them evenly: the golden angle.
 GOLDEN = pi * (3.0 - sqrt(5.0))
+#: Motions from which, and directions in which, the maxima are searched; and the steps of a search, in
+#: radians: the first, which is the distance between motions, the last, and how many there are at most.
+STARTS, DIRECTIONS = 12, 16
+FIRST, LAST, STEPS = 0.02, 1e-13, 400
+#: Distance at which a center of rotation is beside a foot, where friction is full, relative to the numbers
+#: that it is computed from.
+BESIDE = 1e-12
+#: Least spin of a motion, the rest of which is a velocity of 1.
+LEAST = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,8 +54,10 @@ class EllipsoidFit:
 
     Notes
     -----
-    Errors are taken over motions spread evenly over the sphere of (v_x, v_y, a omega), where v is the
-    velocity of the centre of pressure; the worst is the largest of them.
+    Means are taken over motions spread evenly over the sphere of (v_x, v_y, a omega), where v is the
+    velocity of the center of pressure. The worst errors are maxima over all motions and the wrenches that
+    sustain them. Many wrenches sustain a rotation about a foot; the largest angle is at one of those with
+    full friction at the foot.
     """
 
     center: Position
@@ -78,32 +90,98 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
     extent = extent_of(support)
     pressure = assembled(support.pieces(), extent)
     constant = moments(pressure, pressure.center_x, pressure.center_y).torque
-    force, motion = np.empty(MOTIONS), np.empty(MOTIONS)
-    _errors(pressure, constant, force, motion)
+
+    def errors(motions: Array) -> Array:
+        found = np.empty((2, *motions.shape[:-1]))
+        _errors(pressure, constant, motions.reshape(-1, 3), *found.reshape(2, -1))
+        return found
+
+    motions = _spread(MOTIONS)
+    force, motion = errors(motions)
     return EllipsoidFit(
         center=support.center_of_pressure,
         extent=extent,
         integration_constant=float(constant),
         matrix=np.diag([1.0, 1.0, 1.0 / (constant * extent) ** 2]),
-        worst_force_error=float(force.max()),
+        worst_force_error=_worst(lambda each: errors(each)[0], motions, force, pressure),
         mean_force_error=float(force.mean()),
-        worst_motion_error=float(motion.max()),
+        worst_motion_error=_worst(lambda each: errors(each)[1], motions, motion, pressure),
         mean_motion_error=float(motion.mean()),
     )
 
 
-@kernel
-@compiled
-def _errors(pressure, constant, force, motion):
-    """Angles between the support and the ellipsoid at motions spread over half a sphere.
+def _spread(count: int) -> Array:
+    """Motions spread evenly over half a sphere, shape (count, 3).
 
     The other half has the opposite motions and wrenches, and the same angles.
     """
+    index = np.arange(count)
+    spin, turn = (index + 0.5) / count, index * GOLDEN
+    speed = np.sqrt(1.0 - spin * spin)
+    return np.column_stack([speed * np.cos(turn), speed * np.sin(turn), spin])
+
+
+def _worst(
+    error: Callable[[Array], Array], motions: Array, errors: Array, pressure: Pressure
+) -> float:
+    """Maximum of an error: searched from the largest of `errors` at `motions`, and about every foot."""
+
+    def of_motion(given: Array) -> Array:
+        whole = np.where(given[..., 2:] < 0.0, -given, given)
+        return error(whole / np.linalg.norm(whole, axis=-1, keepdims=True))
+
+    def beside_feet(turn: Array) -> Array:
+        to_feet = np.expand_dims(feet, tuple(range(1, turn.ndim - 1)))
+        away = to_feet + beside * np.concatenate([np.cos(turn), np.sin(turn)], axis=-1)
+        return of_motion(np.stack([away[..., 1], -away[..., 0], np.ones(away.shape[:-1])], axis=-1))
+
+    half = _spread(DIRECTIONS)
+    found = _climbed(
+        of_motion, motions[np.argsort(errors)[-STARTS:]], FIRST, np.concatenate([half, -half])
+    )
+    places = pressure.rows[pressure.starts[ATOMS] : pressure.starts[SEGMENTS], :2]
+    center = np.array([pressure.center_x, pressure.center_y])
+    feet, beside = places - center, BESIDE * (1.0 + np.abs(center).sum())
+    if not len(feet):
+        return found
+    around = np.linspace(-pi, pi, DIRECTIONS)[:, None]
+    return max(found, _climbed(beside_feet, np.zeros((len(feet), 1)), 1.0, around))
+
+
+def _climbed(
+    value: Callable[[Array], Array], start: Array, step: float, directions: Array
+) -> float:
+    """Largest value that steps from places reach; a step that leads no higher is halved.
+
+    Parameters
+    ----------
+    value : callable
+        Of arrays of places, shape (n, ..., d).
+    start : ndarray, shape (n, d)
+    step : float
+    directions : ndarray, shape (m, d)
+    """
+    place, best, sizes = start, value(start), np.full(len(start), step)
+    every = np.arange(len(start))
+    for _ in range(STEPS):
+        tried = place[:, None] + sizes[:, None, None] * directions
+        values = value(tried)
+        at = values.argmax(axis=1)
+        better = values[every, at] > best
+        place = np.where(better[:, None], tried[every, at], place)
+        best, sizes = np.maximum(best, values[every, at]), np.where(better, sizes, sizes / 2.0)
+        if sizes.max() < LAST:
+            break
+    return float(best.max())
+
+
+@kernel
+@compiled
+def _errors(pressure, constant, motions, force, motion):
+    """Angles between the support and the ellipsoid at motions that turn counter-clockwise."""
     square = constant * constant
-    for i in range(len(force)):
-        spin, turn = (i + 0.5) / len(force), i * GOLDEN
-        speed = sqrt(1.0 - spin * spin)
-        v_x, v_y = speed * np.cos(turn), speed * np.sin(turn)
+    for i in range(len(motions)):
+        v_x, v_y, spin = motions[i, 0], motions[i, 1], max(motions[i, 2], LEAST)
         c_x, c_y = pressure.center_x - v_y / spin, pressure.center_y + v_x / spin
         found = moments(pressure, c_x, c_y)
         f_x, f_y, torque = -found.unit_y, found.unit_x, found.torque

@@ -1,4 +1,4 @@
-"""Acceleration centres with friction and inertia under infinite friction (Sec. 4, Fig. 12)."""
+"""Acceleration centers with friction and inertia under infinite friction (Sec. 4, Fig. 12)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from planar_pushing.terms.options import EffectSet
 
 
 def build(study: StudyFile) -> xr.Dataset:
-    """Build the dataset of a study; centres are relative to the contact."""
+    """Build the dataset of a study; centers are relative to the contact."""
     scene = Scene(
         slider=study.ring(axis(study, "rod_length")),
         contact=InfiniteFriction(),

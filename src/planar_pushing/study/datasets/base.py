@@ -1,4 +1,4 @@
-"""What the builders of the datasets share: axes as labelled arrays, a part for each set of effects."""
+"""What the builders of the datasets share: axes as labeled arrays, a part for each set of effects."""
 
 from __future__ import annotations
 

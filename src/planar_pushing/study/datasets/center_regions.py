@@ -1,4 +1,4 @@
-"""Regions of possible acceleration centres: the paper's bound and the exact set (Sec. 4, Fig. 12)."""
+"""Regions of possible acceleration centers: the paper's bound and the exact set (Sec. 4, Fig. 12)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import xarray as xr
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.centers import conservative_spin_ratios, motion_centers
 from planar_pushing.mechanics.contact import InfiniteFriction
-from planar_pushing.mechanics.plane import Array, motion_center, rod
+from planar_pushing.mechanics.plane import Array, direction, motion_center, rod
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.catalog import DIMS
 from planar_pushing.study.datasets.base import axis, half_turn, parameters
@@ -36,9 +36,9 @@ def _bound(length: float, angle: float, force_angle: float) -> Array:
     if abs(abs(arm) - 1.0) <= RESOLUTION * max(length, 1.0):
         arm = np.copysign(1.0, arm)
     outer, inner = _spin_ratios(arm)
-    own = _rod(length, angle)
-    ends = np.array([_center(own, force_angle, ratio) for ratio in (inner, outer)])
-    # A translation has its centre at either end of a line; a region goes on to the one it approaches.
+    own, along = _rod(length, angle), direction(force_angle)
+    ends = np.array([_center(own, *along, ratio) for ratio in (inner, outer)])
+    # A translation has its center at either end of a line; a region goes on to the one it approaches.
     return np.where(np.isinf(ends) & (arm < 0), -ends, ends)
 
 

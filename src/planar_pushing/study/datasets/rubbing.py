@@ -17,8 +17,11 @@ STILL = 1e-12
 
 
 def support_of(scene: Scene) -> Any:
-    """The support of a scene with its own sizes; without friction the ring of the slider's radius."""
-    support = scene.friction[0].support if scene.friction else Ring()
+    """The support of a scene with its own sizes; without one the ring of the slider's radius."""
+    resting = [
+        each.support for each in (*scene.friction, *scene.effects) if hasattr(each, "support")
+    ]
+    support = resting[0] if resting else Ring()
     return Ring(scene.slider.radius) if support == Ring() else support
 
 
@@ -55,7 +58,7 @@ def _weight(scene: Scene) -> float:
 
 
 def _motion(arm: Array, twists: Array) -> Array:
-    """Motion of points at arms from the slider's centre, in radii."""
+    """Motion of points at arms from the slider's center, in radii."""
     turned = np.stack([-arm[:, 1], arm[:, 0]], axis=-1)
     return np.asarray(twists[:, None, :2] + twists[:, None, 2:] * turned)
 

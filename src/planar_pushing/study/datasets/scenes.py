@@ -9,7 +9,12 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.centers import motion_centers
-from planar_pushing.mechanics.cones import friction_cone, motion_angle, motion_cone
+from planar_pushing.mechanics.cones import (
+    friction_cone,
+    is_magnitude_open,
+    motion_angle,
+    motion_cone,
+)
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
@@ -21,7 +26,7 @@ from planar_pushing.study.files.models import PushEntry, StudyFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.options import EFFECT_DEGREES
+from planar_pushing.terms.options import EFFECT_CLASSES, EffectKind
 from planar_pushing.terms.quantities import DATASET, attributes
 
 #: Force angles of a limit curve, degrees.
@@ -37,7 +42,7 @@ def pusher_angle(scene: Scene, push: PushEntry) -> float:
     """
     if push.force_angle is None:
         return float(push.pusher_angle or 0.0)
-    share = None if len(scene.kinds) == 1 else 0.5
+    share = 0.5 if is_magnitude_open(scene) else None
     return float(np.rad2deg(motion_angle(scene, np.deg2rad(push.force_angle), share)))
 
 
@@ -69,10 +74,12 @@ def _pivots(solutions: Solutions) -> dict[str, Any]:
 
 
 def _kinds(scene: Scene) -> dict[str, tuple[Any, ...]]:
-    """The effects of each kind, by its name."""
+    """The effects of each kind that resist a push from rest, by its name."""
+    absent = {EffectKind.LOAD} | ({EffectKind.VISCOUS} if scene.stores_energy else set())
     found = {
-        name: tuple(each for each in scene.effects if each.degree == degree)
-        for degree, name in EFFECT_DEGREES.items()
+        kind: tuple(each for each in scene.effects if EFFECT_CLASSES[type(each).__name__] == kind)
+        for kind in EffectKind
+        if kind not in absent
     }
     return {name: effects for name, effects in found.items() if effects}
 
@@ -134,14 +141,14 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
 
 
 def with_limit_curve(dataset: xr.Dataset, scene: Scene) -> xr.Dataset:
-    """The same with the limit curve of a scene with one effect, which the picture may show.
+    """The same with the limit curve of a scene, which the picture may show.
 
     Raises
     ------
     InvalidValue
-        Where the scene has friction and inertia: no curve limits the force of all its motions.
+        Where the force depends on the size of the motion: no curve limits the forces of all motions.
     """
-    if len(scene.kinds) > 1:
+    if is_magnitude_open(scene):
         raise InvalidValue(
             "limit_curve", "friction and inertia", "a scene with one effect",
             "leave an effect out, or draw the scene without the curve",

@@ -74,7 +74,7 @@ GALLERY = by_name(
             "What the ellipsoid in a support's place costs: the integration constant that fits it to "
             "the support's torque of spinning, and the angles between its forces and the support's "
             "for the same motion, and between its motions and the support's under the same force, "
-            "over motions spread evenly."
+            "as means over motions spread evenly and as maxima over all motions."
         ),
     ),
 )

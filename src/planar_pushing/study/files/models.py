@@ -36,7 +36,7 @@ from planar_pushing.study.files.fields import (
     refuse,
 )
 from planar_pushing.terms.domain import Number
-from planar_pushing.terms.options import EffectKind
+from planar_pushing.terms.options import STUDIED
 
 Axis = tuple[float, ...]
 
@@ -149,7 +149,7 @@ class StudyFile(FileModel):
     @property
     def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:
         """Parameters of the effects that the study lists, by name."""
-        known = {str(kind): getattr(self, kind) for kind in EffectKind}
+        known = {str(kind): getattr(self, kind) for kind in STUDIED}
         return {name: part for name, part in known.items() if part is not None}
 
     def effects(self, name: EffectsName) -> tuple[Effect, ...]:

@@ -35,14 +35,14 @@ from planar_pushing.study.files.fields import (
     refuse,
 )
 from planar_pushing.study.files.simulate_model import SimulateEntry
-from planar_pushing.study.files.support_model import Point, SupportEntry
+from planar_pushing.study.files.support_model import Point, WholeSupport
 from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
 
 
 class SliderEntry(FileModel):
     """The slider and its rod; lengths in any one unit, the angle in degrees.
 
-    Without a radius it is the support's largest distance from its centre of pressure, 1 for a ring. `side`
+    Without a radius it is the support's largest distance from its center of pressure, 1 for a ring. `side`
     holds the ends of the flat side that a finger pushes, along it from the contact; it has none by default.
     """
 
@@ -103,14 +103,14 @@ class SupportFrictionEntry(FileModel):
 
     type: Literal["support_friction"]
     weight: Positive = 1.0
-    support: SupportEntry
+    support: WholeSupport
 
     def build(self) -> Effect:
         return SupportFriction(support=self.support.build(), weight=self.weight)
 
 
 class InertiaEntry(FileModel):
-    """Inertia of the slider; the radius of gyration is about the centre of mass."""
+    """Inertia of the slider; the radius of gyration is about the center of mass."""
 
     type: Literal["inertia"]
     mass: Positive = 1.0
@@ -126,7 +126,7 @@ class ViscousEntry(FileModel):
 
     type: Literal["viscous"]
     coefficient: Positive = 1.0
-    support: SupportEntry
+    support: WholeSupport
 
     def build(self) -> Effect:
         return Viscous(support=self.support.build(), coefficient=self.coefficient)

@@ -42,7 +42,7 @@ class RodEntry(FileModel):
 
 
 class SlidersGrid(FileModel):
-    """The axes of the datasets; angles in degrees, centres of rotation in the body frame."""
+    """The axes of the datasets; angles in degrees, centers of rotation in the body frame."""
 
     center_x: Coordinates
     center_y: Coordinates

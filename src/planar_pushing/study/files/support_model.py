@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.supports import SHAPES
+from planar_pushing.mechanics.supports.pressure.table import extent_of
 from planar_pushing.study.files.fields import FileModel, NotEmpty, Positive, refuse
 from planar_pushing.terms.errors import InvalidValue
 
@@ -51,7 +52,7 @@ class Entry(FileModel):
 
 
 class RingSupport(Entry):
-    """An even ring about the slider's centre, of the slider's radius unless it says another."""
+    """An even ring about the slider's center, of the slider's radius unless it says another."""
 
     shape: Literal["ring"]
     radius: Positive | None = None
@@ -135,5 +136,24 @@ SupportEntry = Annotated[
     | CompositeSupport,
     Field(discriminator="shape"),
 ]
+
+
+def is_point(support: Any) -> bool:
+    """Whether a support is one point, which resists no rotation."""
+    try:
+        extent_of(support)
+    except InvalidValue:
+        return True
+    return False
+
+
+def _larger(given: Any) -> Any:
+    if is_point(given.build()):
+        raise refuse("a support that is larger than a point, which resists no rotation")
+    return given
+
+
+#: A support of its own; a member of a composite may be a point.
+WholeSupport = Annotated[SupportEntry, AfterValidator(_larger)]
 MemberEntry.model_rebuild()
 CompositeSupport.model_rebuild()

@@ -43,9 +43,12 @@ def test_tables_of_few_supports_are_kept_and_of_many_the_last_alone():
 
 
 POINT = pp.Points([(1, 2), (1, 2)], [1, 3])
+#: Weights that round move its center of pressure off the place.
+FEET = pp.Points([(0.1, 0.2)] * 3, [0.3, 0.3, 0.1])
+POINTS = [POINT, FEET, pp.Composite([(1, POINT)]), pp.Composite([(0.7, FEET), (0.1, FEET)])]
 
 
-@pytest.mark.parametrize("support", [POINT, pp.Composite([(1, POINT)])])
+@pytest.mark.parametrize("support", POINTS)
 @pytest.mark.parametrize("radius", [None, 1.0])
 def test_a_single_point_is_no_support_of_a_scene(support, radius):
     slider = pp.Slider(rod_length=1.0, rod_angle=1.0, radius=radius)

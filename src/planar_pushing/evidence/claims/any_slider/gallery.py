@@ -64,7 +64,7 @@ def curve_of_l_leans(rod_length: float, turn: float, difference: float, within: 
 
 @check
 def greatest_force_along_rod() -> Evidence:
-    """The force is W along the rod, through the centre of pressure, and nowhere more."""
+    """The force is W along the rod, through the center of pressure, and nowhere more."""
     centered = {name: each for name, each in GALLERY.items() if name != "pressure map"}
     turns = np.concatenate([-TURNS, [0.0], TURNS])
     force = _forces(stacked(centered.values()), RODS, turns)

@@ -75,7 +75,7 @@ def cones_of_random_supports(supports: float, contacts: float) -> Evidence:
 
 @check
 def centers_of_random_supports(supports: float, contacts: float) -> Evidence:
-    """The centre is within a^2 / d where the line of force meets the disc of radius a, else within a."""
+    """The center is within a^2 / d where the line of force meets the disc of radius a, else within a."""
     members = random_supports(int(supports))
     scenes = random_scenes(members, int(contacts))
     force = np.random.default_rng(SEED).uniform(-np.pi, np.pi, scenes.slider.rod_length.shape)
@@ -92,7 +92,7 @@ def centers_of_random_supports(supports: float, contacts: float) -> Evidence:
 
 
 def _center_of_pressure(scenes: Scene, members: Any) -> Array:
-    """Centre of pressure from the slider's centre, in the directions of the fence."""
+    """Center of pressure from the slider's center, in the directions of the fence."""
     places = np.array([[each.center_of_pressure] for each in members[:, 0]])
     x, y = direction(scenes.slider.rod_angle), direction(scenes.slider.rod_angle + np.pi / 2)
     return np.asarray(places[..., :1] * x + places[..., 1:] * y)

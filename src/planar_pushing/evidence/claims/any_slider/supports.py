@@ -53,7 +53,7 @@ SYMMETRIC: dict[str, Support] = {
     "segment across": Segment((0.0, -1.0), (0.0, 1.0)),
     "segment along": Segment((-1.0, 0.0), (1.0, 0.0)),
 }
-#: An L of two equal legs about its centre of pressure: no line along or across a leg mirrors it.
+#: An L of two equal legs about its center of pressure: no line along or across a leg mirrors it.
 L_SHAPE = Polygon([(-5, -5), (7, -5), (7, 1), (1, 1), (1, 7), (-5, 7)])
 GALLERY = SYMMETRIC | {
     "L": L_SHAPE,
@@ -77,7 +77,7 @@ def everywhere(holds: Any, names: Iterable[object], method: str) -> Evidence:
 
 
 def reach(supports: Any) -> Array:
-    """Largest distance of each support from its centre of pressure."""
+    """Largest distance of each support from its center of pressure."""
     return extents_of(supports[:, 0])[:, None]
 
 

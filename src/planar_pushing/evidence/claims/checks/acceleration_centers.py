@@ -1,4 +1,4 @@
-"""Sec. 4: acceleration centres, the seven geometric facts, and Figs. 9, 11 and 12."""
+"""Sec. 4: acceleration centers, the seven geometric facts, and Figs. 9, 11 and 12."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _MIRROR = "the integrand of Eq. (1) is odd, and m a_c is along v; both exactly"
 
 @check
 def centers_on_a_line(rod_length: float, distance: float) -> Evidence:
-    """Fig. 9: under inertia every centre has the part rho^2 / l along the rod."""
+    """Fig. 9: under inertia every center has the part rho^2 / l along the rod."""
     along = ids.l * ids.dot((ids.y, -ids.x), (ids.p, ids.q)) + ids.ARM  # times -1 / k, k = h
     method = "centre -1 / k on x', along the rod h / (l k) = 1 / l, an identity"
     place = equal(1 / arb(rational(rod_length)), distance, method, unit="R")
@@ -44,7 +44,7 @@ def centers_on_a_line(rod_length: float, distance: float) -> Evidence:
 
 @check
 def force_perpendicular_to_center_line() -> Evidence:
-    """Fact 1: the force is along y', the centre on x'."""
+    """Fact 1: the force is along y', the center on x'."""
     return lemmas.no_sideways_force(_MIRROR)
 
 
@@ -71,7 +71,7 @@ def forces_parallel() -> Evidence:
 
 @check
 def force_opposite_to_center() -> Evidence:
-    """Fact 4: on x' the centre is at -1 / k, the lines at H(k) and at k, of the sign of k."""
+    """Fact 4: on x' the center is at -1 / k, the lines at H(k) and at k, of the sign of k."""
     method = "least H / k on [0, 1], where H / k >= t / k; its dual beyond; h / k = 1 for inertia"
     return lemmas.same_sense(method)
 

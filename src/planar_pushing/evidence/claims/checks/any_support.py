@@ -61,7 +61,7 @@ def aligned_where_symmetric() -> Evidence:
 def corner_of_a_line(distance: float, half_length: float, span: float, within: float) -> Evidence:
     """A line of pressure at a distance, level with the contact, across the fence: one force, many motions.
 
-    Every centre on the line beyond its ends makes all points slide along the fence, so the force is W along
+    Every center on the line beyond its ends makes all points slide along the fence, so the force is W along
     the fence through the middle. The motion of the contact about an end is (half_length, -distance).
     """
     length, far = rational(half_length), rational(distance)
@@ -123,13 +123,13 @@ def _size(x: arb, y: arb) -> arb:
 
 @check
 def center_within_bound() -> Evidence:
-    """A centre at c > a has c d <= a^2, so that d <= a gives c <= a^2 / d, and d > a gives c <= a."""
+    """A center at c > a has c d <= a^2, so that d <= a gives c <= a^2 / d, and d > a gives c <= a."""
     return any_support.spread()
 
 
 @check
 def center_beyond_bound(spin_ratio: float, product: float, within: float) -> Evidence:
-    """Offset times distance of the centre, c d / a^2, of a ring under a force that misses it."""
+    """Offset times distance of the center, c d / a^2, of a ring under a force that misses it."""
     force, torque = ring.profile(1 / arb(rational(spin_ratio)))  # dual: H(k) = f(1/k) / t(1/k)
     found = force / torque / rational(spin_ratio)
     method = "offset times distance of the centre, H(k) / k, by duality"
@@ -138,7 +138,7 @@ def center_beyond_bound(spin_ratio: float, product: float, within: float) -> Evi
 
 @check
 def integration_constant_of_rectangle(aspect: float, constant: float, within: float) -> Evidence:
-    """Mean distance from the centre, over the half diagonal, by the triangles over the edges."""
+    """Mean distance from the center, over the half diagonal, by the triangles over the edges."""
     long, short = arb(rational(aspect)), arb(1)
     diagonal = (long**2 + short**2).sqrt()
     mean = sum(
@@ -150,7 +150,7 @@ def integration_constant_of_rectangle(aspect: float, constant: float, within: fl
 
 @check
 def integration_constant_of_annulus(hole: float, constant: float, within: float) -> Evidence:
-    """Mean distance from the centre over the outer radius: a disc without a hole, a ring with hole 1."""
+    """Mean distance from the center over the outer radius: a disc without a hole, a ring with hole 1."""
     part = arb(rational(hole))
     mean = fmpq(2, 3) * (1 + part + part**2) / (1 + part)
     return near(mean, constant, within, "2/3 (1 + q + q^2) / (1 + q), q the hole's radius")

@@ -39,13 +39,13 @@ def acceleration_across_fence(mass: float) -> Evidence:
 
 
 def _torque() -> ids.Polynomial:
-    """Torque about the centre of a force at the contact, which lies at -l (cos psi, sin psi)."""
+    """Torque about the center of a force at the contact, which lies at -l (cos psi, sin psi)."""
     return ids.cross((-ids.l * ids.p, -ids.l * ids.q), _FORCE)
 
 
 @check
 def gyration_of_ring(gyration_radius: float) -> Evidence:
-    """A point of the ring at (cos, sin) has this distance from the centre, squared."""
+    """A point of the ring at (cos, sin) has this distance from the center, squared."""
     size = ids.c**2 + ids.s**2 - rational(gyration_radius) ** 2
     return identity({"the mean square distance": ids.normal(size)}, "all mass is at R = 1, exactly")
 
@@ -59,7 +59,7 @@ def angular_acceleration(gyration_radius: float) -> Evidence:
 
 
 def _rod_end(gyration_radius: float) -> tuple[ids.Polynomial, ids.Polynomial]:
-    """a_s = a_c + alpha x r with r from the centre to the contact."""
+    """a_s = a_c + alpha x r with r from the center to the contact."""
     alpha = _torque() / rational(gyration_radius) ** 2
     return _FORCE[0] + alpha * ids.l * ids.q, _FORCE[1] - alpha * ids.l * ids.p
 

@@ -52,7 +52,7 @@ def force_integral(cross_term: float) -> Evidence:
 
 @check
 def torque_integral(cross_term: float) -> Evidence:
-    """Eq. (3): its moment about the ring's centre."""
+    """Eq. (3): its moment about the ring's center."""
     moment = ids.cross((ids.c, ids.s), _POINT)
     return identity(
         {
@@ -123,7 +123,7 @@ def force_across_fence() -> Evidence:
 
 @check
 def torque_about_contact(rod_angle: float) -> Evidence:
-    """Eq. (6): the wrench at the centre l (cos psi, sin psi), moved to the contact."""
+    """Eq. (6): the wrench at the center l (cos psi, sin psi), moved to the contact."""
     moved = ids.cross((ids.l * ids.p, ids.l * ids.q), (ids.f * ids.x, ids.f * ids.y))
     difference = ids.normal(moved - ids.l * ids.f * (ids.y * ids.p - ids.x * ids.q))
     angle, drawn = (exact_direction(rational(degrees)) for degrees in (rod_angle, 45.0))

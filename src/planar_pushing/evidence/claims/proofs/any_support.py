@@ -57,10 +57,10 @@ def mirror() -> Evidence:
 
 
 def spread() -> Evidence:
-    """Evidence for c T <= a^2 |G|, with a centre at c > a and all pressure within a of its own centre.
+    """Evidence for c T <= a^2 |G|, with a center at c > a and all pressure within a of its own center.
 
-    The point at x along the direction of the centre, r from the centre of pressure and e = a^2 - r^2 >= 0,
-    is at rho from the centre, ``rho^2 = s^2 - 2 c x - e`` with ``s^2 = a^2 + c^2``. The mean of x is zero,
+    The point at x along the direction of the center, r from the center of pressure and e = a^2 - r^2 >= 0,
+    is at rho from the center, ``rho^2 = s^2 - 2 c x - e`` with ``s^2 = a^2 + c^2``. The mean of x is zero,
     so the part (c^2 - a^2) x / s may be taken from each point's
     ``(a^2 (c - x) - c (r^2 - c x)) / rho = (c e + (c^2 - a^2) x) / rho``. Over rho s (s + rho) is left
 

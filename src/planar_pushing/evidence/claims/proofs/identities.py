@@ -21,7 +21,7 @@ s, c, y, x, q, p, k, l, f, t, e, a, b = _RING.gens()  # noqa: E741
 
 ONE = _RING.constant(1)
 
-#: Moment arm of the line of force, Eq. (10), and the contact's motion per speed of the centre.
+#: Moment arm of the line of force, Eq. (10), and the contact's motion per speed of the center.
 ARM = l * (q * x - p * y)
 MOTION = (x + k * l * q, y - k * l * p)
 

@@ -130,7 +130,7 @@ def least_work(low: arb, high: arb) -> arb:
 
 
 def work() -> Evidence:
-    """Evidence for f . u = 1 + k h with a unit force and a unit speed of the centre."""
+    """Evidence for f . u = 1 + k h with a unit force and a unit speed of the center."""
     done = ids.dot((ids.x, ids.y), ids.MOTION)
     return identity({"f . u": ids.normal(done - 1 - ids.k * ids.ARM)}, "an identity")
 

@@ -92,7 +92,7 @@ def contact_mode(
 def center(
     parameters: Parameters, rod_angle: float, length: float, force_angle: float, share: float
 ) -> Record:
-    """Acceleration centre, from the contact, and motion at a share of inertia."""
+    """Acceleration center, from the contact, and motion at a share of inertia."""
     slider, force = (Slider.of(length, rod_angle, **parameters), heading(rational(force_angle)))
     spin = line_of_force.spin_ratio(slider, force, rational(share))
     x, y = _from_contact(parameters, slider, line_of_force.motion_center(slider, force, spin))
@@ -101,7 +101,7 @@ def center(
 
 
 def exact_ends(parameters: Parameters, length: float, angle: float, force_angle: float) -> Record:
-    """Acceleration centres under one line of force, from the contact: friction alone, inertia alone."""
+    """Acceleration centers under one line of force, from the contact: friction alone, inertia alone."""
     ends = [center(parameters, angle, length, force_angle, share) for share in (0.0, 1.0)]
     return {f"exact_{x}": [each[f"center_{x}"] for each in ends] for x in "xy"}
 
@@ -109,7 +109,7 @@ def exact_ends(parameters: Parameters, length: float, angle: float, force_angle:
 def bound_ends(parameters: Parameters, length: float, angle: float, force_angle: float) -> Record:
     """Ends of the paper's bound under one line of force, from the contact (Sec. 4).
 
-    A line that misses the ring has its centres inside it, one that meets it outside.
+    A line that misses the ring has its centers inside it, one that meets it outside.
     """
     slider, force = Slider.of(length, angle, **parameters), heading(rational(force_angle))
     _, sine = lean(slider, force)
@@ -128,7 +128,7 @@ def bound_ends(parameters: Parameters, length: float, angle: float, force_angle:
 def _bound_end(
     parameters: Parameters, slider: Slider, force: Heading, spin: arb, side: int
 ) -> tuple[arb, arb]:
-    """Centre at a spin ratio; at infinity it lies on the side that the region goes on to."""
+    """Center at a spin ratio; at infinity it lies on the side that the region goes on to."""
     if spin.is_finite():
         x, y = line_of_force.motion_center(slider, force, spin)
         flip = -1 if spin == 0 and side < 0 else 1
@@ -139,7 +139,7 @@ def _bound_end(
 def _from_contact(
     parameters: Parameters, slider: Slider, centre: tuple[arb, arb]
 ) -> tuple[arb, arb]:
-    """Place relative to the contact of one relative to the ring centre in units of R."""
+    """Place relative to the contact of one relative to the ring center in units of R."""
     c, s = cosine_sine(slider.rod_angle)
     size = rational(parameters["radius"])
     return (centre[0] + slider.rod_length * c) * size, (centre[1] + slider.rod_length * s) * size

@@ -80,7 +80,7 @@ def contact_modes(
 def acceleration_centers(
     grid: Grid, rod_angle: float = 45.0, parameters: Parameters = UNIT, processes: int = 1
 ) -> xr.Dataset:
-    """Acceleration centres over rod_length, force_angle and inertia_share; cones over rod_length."""
+    """Acceleration centers over rod_length, force_angle and inertia_share; cones over rod_length."""
     dims = ("rod_length", "force_angle", "inertia_share")
     centers = partial(cells.center, parameters, rod_angle)
     bounds = partial(cells.acceleration_cones, parameters, rod_angle)

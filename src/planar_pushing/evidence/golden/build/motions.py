@@ -45,7 +45,7 @@ def figure_14(study: Study) -> Golden:
 
 
 def figure_15(study: Study) -> Golden:
-    """Slip with infinite friction; the motion centre is above the ring's centre, by 1 / |k|."""
+    """Slip with infinite friction; the motion center is above the ring's center, by 1 / |k|."""
     file = study["simulations"]["figure_15"]
     times = _times(study, file)
     instants = slipping(file, times)

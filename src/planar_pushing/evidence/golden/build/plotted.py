@@ -38,7 +38,7 @@ def cone(study: Study, effects: Effects, length: float, mu: float) -> Any:
 
 
 def center(study: Study, length: float, phi: float, share: float) -> Any:
-    """Acceleration centre at the study's rod angle."""
+    """Acceleration center at the study's rod angle."""
     return cells.center(parameters(study), study["slider"]["rod_angle"], length, phi, share)
 
 
@@ -76,7 +76,7 @@ def mapping(study: Study, effects: Effects, length: float, mu: float) -> Values:
 
 
 def sectors(scene: Scene) -> Values:
-    """Sectors about the ring centre that the seven cases allow, from the cuts between the cases."""
+    """Sectors about the ring center that the seven cases allow, from the cuts between the cases."""
     slider, _ = slider_of(scene[0])
     psi, cuts = arb(slider.rod_angle), [arb(0), arb(slider.rod_angle), arb(180)]
     if slider.rod_length > 1:

@@ -1,4 +1,4 @@
-"""Golden scenes: every solution of a pushing problem, its force, motion, centre and friction."""
+"""Golden scenes: every solution of a pushing problem, its force, motion, center and friction."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def _solution(
 
 
 def _center(ring_center: list[arb], size: fmpq, motion: Motion) -> list[arb]:
-    """Motion centre relative to the contact; of a translation the limit k -> 0+ of a rotation."""
+    """Motion center relative to the contact; of a translation the limit k -> 0+ of a rotation."""
     along, k = direction(motion.force_angle), motion.spin_ratio
     across = -along.y, along.x
     if sign(k) != 0:

@@ -41,7 +41,7 @@ CURVE_ANGLES = (45, 60, 90, 135, 180)
 CONE_SAMPLES = (0, 45, 90, 180)
 #: Motion over time starts from numbers of this route; its integrals over the spin ratio are of the first.
 FIRST = (0.0,)
-#: Values kept of a study of sliders: centres off the lines and rims of its supports, and one rod.
+#: Values kept of a study of sliders: centers off the lines and rims of its supports, and one rod.
 SLIDERS: dict[str, tuple[Any, ...]] = {
     "center_x": (-1.5, -0.5, 0.5, 1.5),
     "center_y": (-1.5, -0.5, 0.5, 1.5),

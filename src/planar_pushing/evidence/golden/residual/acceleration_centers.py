@@ -1,4 +1,4 @@
-"""Acceleration centres with friction and inertia, and the cones of infinite friction (Sec. 4, Fig. 12)."""
+"""Acceleration centers with friction and inertia, and the cones of infinite friction (Sec. 4, Fig. 12)."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from planar_pushing.evidence.golden.residual.motion import (
 from planar_pushing.study.files.models import StudyFile
 from planar_pushing.terms.options import EffectSet
 
-#: Roundings of a centre, and of an angle in radians.
+#: Roundings of a center, and of an angle in radians.
 CENTER, ANGLE = 64, 32
 
 
@@ -52,7 +52,7 @@ def residuals(dataset: xr.Dataset, study: StudyFile) -> Iterable[Finding]:
 
 
 def _from_ring(dataset: xr.Dataset, study: StudyFile, length: Any) -> list[Doubled]:
-    """Centres relative to the ring centre, in units of R."""
+    """Centers relative to the ring center, in units of R."""
     center = [doubled(dataset[f"center_{name}"].values / study.slider.radius) for name in "xy"]
     ring = cosine_sine(radians(study.slider.rod_angle))
     with np.errstate(invalid="ignore"):
@@ -61,9 +61,9 @@ def _from_ring(dataset: xr.Dataset, study: StudyFile, length: Any) -> list[Doubl
 
 
 def _spins(center: list[Doubled], force_angle: Any, arm: Doubled) -> tuple[Doubled, Floats]:
-    """Spin ratios that put the centre at -1/k along x', and how far it is from this line.
+    """Spin ratios that put the center at -1/k along x', and how far it is from this line.
 
-    Without a moment arm the slider translates: the centre is at infinity along -x', or has no such part.
+    Without a moment arm the slider translates: the center is at infinity along -x', or has no such part.
     """
     cosine, sine = cosine_sine(radians(force_angle))
     x, y = center

@@ -1,4 +1,4 @@
-"""Regions of acceleration centres: ends of the paper's bound and of the exact set (Sec. 4, Fig. 12)."""
+"""Regions of acceleration centers: ends of the paper's bound and of the exact set (Sec. 4, Fig. 12)."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from planar_pushing.evidence.golden.residual.motion import line_at
 from planar_pushing.evidence.golden.residual.spin import spin_ratio, steady
 from planar_pushing.study.files.models import StudyFile
 
-#: Roundings of a centre, and of the moment arm of a line that touches the ring.
+#: Roundings of a center, and of the moment arm of a line that touches the ring.
 CENTER, TOUCH = 64, 64
 
 
 class Lines(NamedTuple):
-    """Lines of force through the contact: their angle, moment arm in units of R, and the ring centre."""
+    """Lines of force through the contact: their angle, moment arm in units of R, and the ring center."""
 
     angle: Doubled
     arm: Doubled
@@ -44,9 +44,9 @@ def residuals(dataset: xr.Dataset, study: StudyFile) -> Iterable[Finding]:
 
 
 def _bound(lines: Lines, radius: float) -> list[Doubled]:
-    """Distances of the inner and the outer end from the ring centre along x' (Sec. 4).
+    """Distances of the inner and the outer end from the ring center along x' (Sec. 4).
 
-    A line that misses the ring has its centres inside the ring, one that meets it outside, one that
+    A line that misses the ring has its centers inside the ring, one that meets it outside, one that
     touches it on the ring; they lie on the side of x' that the moment arm turns to.
     """
     size = abs(lines.arm)
@@ -74,7 +74,7 @@ def _findings(
 
 
 def _rounding(lines: Lines, away: Doubled) -> list[Any]:
-    """Sizes of the parts of a centre, along x and y, each with its own rounding."""
+    """Sizes of the parts of a center, along x and y, each with its own rounding."""
     reach = np.where(np.isfinite(away.high), np.abs(away.high), 0.0)
     cosine, sine = cosine_sine(lines.angle)
     sizes = zip(lines.ring, (sine, cosine), strict=True)

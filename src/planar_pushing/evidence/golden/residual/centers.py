@@ -1,4 +1,4 @@
-"""Motion centres relative to the contact, on the normal of the line of force through the ring centre."""
+"""Motion centers relative to the contact, on the normal of the line of force through the ring center."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from planar_pushing.certified.doubled.numbers import Doubled, Floats, choose
 
 
 def distance(k: Doubled, radius: float) -> Doubled:
-    """Distance -R/k of a centre from the ring centre along x'; of a translation the limit k -> 0+."""
+    """Distance -R/k of a center from the ring center along x'; of a translation the limit k -> 0+."""
     still = k.high == 0
     return choose(still, -np.inf, -radius / choose(still, 1.0, k))
 
 
 def center(ring: list[Doubled], force_angle: Doubled, away: Doubled) -> list[Floats]:
-    """The centre at a distance along x', the force's direction less 90 degrees, from the ring centre.
+    """The center at a distance along x', the force's direction less 90 degrees, from the ring center.
 
     At infinity it is finite along the axis to which x' is normal.
     """
@@ -31,7 +31,7 @@ def center(ring: list[Doubled], force_angle: Doubled, away: Doubled) -> list[Flo
 
 
 def center_error(stored: Any, wanted: list[Floats], rounding: Any) -> tuple[Floats, Floats]:
-    """Errors of centres, shape S + (2,), and what a relative rounding of k explains."""
+    """Errors of centers, shape S + (2,), and what a relative rounding of k explains."""
     points = np.stack(np.broadcast_arrays(*wanted), axis=-1)
     size = np.abs(np.where(np.isfinite(points), points, 0.0)).max(axis=-1, keepdims=True)
     return gap(stored, points), np.asarray(rounding)[..., None] * size

@@ -90,7 +90,7 @@ def torque_error(parts: Shares, gyration: float, k: Any, arm: Doubled) -> Floats
 
 
 def contact_motion(line: Line, length: Any, k: Any) -> tuple[Doubled, Doubled]:
-    """Motion of the contact per speed of the centre, along the force and to its right (Eqs. 11-12)."""
+    """Motion of the contact per speed of the center, along the force and to its right (Eqs. 11-12)."""
     pull = doubled(k) * length
     return pull * line.aside + 1.0, pull * line.along
 

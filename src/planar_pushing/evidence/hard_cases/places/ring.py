@@ -1,4 +1,4 @@
-"""Lines 1 and 2: a centre on the ring, a translation, a rotation about the ring centre."""
+"""Lines 1 and 2: a center on the ring, a translation, a rotation about the ring center."""
 
 from __future__ import annotations
 

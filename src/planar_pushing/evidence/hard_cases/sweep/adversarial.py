@@ -59,7 +59,7 @@ def numbers(rng: Generator, size: int) -> Array:
 
 
 def angles(rng: Generator, size: int, *near: float) -> Array:
-    """Angles: every turn by quarters and `near`, with neighbours, and the rest even over two turns."""
+    """Angles: every turn by quarters and `near`, with neighbors, and the rest even over two turns."""
     special = neighbours([*QUARTERS, *near])
     tiny = rng.choice([-1.0, 1.0], size // 8) * 10.0 ** rng.uniform(-300, -1, size // 8)
     around = rng.choice([*QUARTERS, *near], size // 8) + tiny

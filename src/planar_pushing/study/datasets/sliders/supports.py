@@ -1,4 +1,4 @@
-"""Wrench of each support over centres of rotation, and the ellipsoid that planners put in its place."""
+"""Wrench of each support over centers of rotation, and the ellipsoid that planners put in its place."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ ERRORS = ("worst_force_error", "mean_force_error", "worst_motion_error", "mean_m
 
 
 def rotations(study: SlidersFile) -> Array:
-    """Twists of unit rotation, counter-clockwise, about every centre of the grid, shape S + (3,)."""
+    """Twists of unit rotation, counter-clockwise, about every center of the grid, shape S + (3,)."""
     x, y = np.meshgrid(study.grid.center_x, study.grid.center_y, indexing="ij")
     return np.stack([y, -x, np.ones_like(x)], axis=-1)
 

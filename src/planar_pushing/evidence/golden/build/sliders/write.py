@@ -25,7 +25,7 @@ MARKS = {
 }
 #: Plain values of a study of sliders: the entries of its supports, and its grid.
 Study = Mapping[str, Any]
-#: Steps between the certified centres of rotation, in the unit of length.
+#: Steps between the certified centers of rotation, in the unit of length.
 CENTERS = 0.5
 #: Values kept of each axis, for the cones and for the modes.
 CONES: Mapping[str, tuple[Any, ...]] = {"friction_coefficient": (0.25, 1.5, 2, 5, float("inf"))}
@@ -48,7 +48,7 @@ def kept(study: Study, axes: Mapping[str, tuple[Any, ...]]) -> dict[str, Any]:
 
 
 def supports(study: Study, processes: int = 1) -> xr.Dataset:
-    """Wrenches over centres of rotation, and numbers of each support as a whole."""
+    """Wrenches over centers of rotation, and numbers of each support as a whole."""
     whole = kept(study, {})
     steps = {name: [each for each in whole[name] if each % CENTERS == 0] for name in cells.CENTERS}
     dims, inner = ("support", *cells.CENTERS), ("twist_component", "wrench_component")

@@ -33,6 +33,8 @@ from planar_pushing.terms.options import EffectSet
 
 #: Roundings of a spin ratio or a balance of torques, and of an angle in radians.
 SPIN, ANGLE = 64, 32
+#: Spin ratio below which the slider translates: the rounding of roots that are zero.
+STILL = 1e-30
 #: Slowest and fastest motion of each mode.
 ENDS = ("", "_fast")
 
@@ -118,9 +120,8 @@ def _slips(effects: str, given: Pushes, counts: Any, tables: dict[str, Table], m
     for end in ENDS:
         table, wanted = tables[f"spin_ratio{end}"], k.value()
         error = np.abs(table.values[..., MODES.index(mode)] - wanted)
-        table.put(
-            mode, here, error, SPIN * EPSILON * (np.abs(wanted) + given.length * (wanted != 0))
-        )
+        size = np.abs(wanted) + given.length * (wanted != 0)
+        table.put(mode, here, error, np.maximum(SPIN * EPSILON * size, STILL))
     decision = steady_slips(given, lines, k, SLIPS[mode])
     return _contradicts(counts[..., MODES.index(mode)], decision)
 

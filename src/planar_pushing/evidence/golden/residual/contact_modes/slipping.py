@@ -33,7 +33,7 @@ class Edge(NamedTuple):
     reach_y: Doubled
 
     def motion(self, k: Any) -> tuple[Doubled, Doubled]:
-        """Contact's motion per speed of the centre (Eqs. 11-12)."""
+        """Contact's motion per speed of the center (Eqs. 11-12)."""
         return self.x + self.reach_x * k, self.y - self.reach_y * k
 
     def over(self, shape: tuple[int, ...], place: Any) -> Edge:
@@ -103,7 +103,7 @@ def slips(
 def _speed(
     surplus: Doubled, lag: Doubled, still: Flags, normal: Doubled, pushed: Doubled
 ) -> Floats:
-    """Speed of the centre; where friction and inertia agree on k, that which keeps up with the fence."""
+    """Speed of the center; where friction and inertia agree on k, that which keeps up with the fence."""
     with np.errstate(divide="ignore", invalid="ignore"):
         steady, driven = pushed.high / normal.high, surplus.high / np.where(still, 1.0, lag.high)
     return np.asarray(np.where(still, steady, driven))

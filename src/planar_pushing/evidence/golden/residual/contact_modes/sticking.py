@@ -1,7 +1,7 @@
 """Sticking: the motion that takes the contact along with the pusher, the same under every law.
 
 In the axes of the rod the contact moves by ``(along, aside)``; with the moment arm per spin ratio
-``h / k = L`` the rotation takes ``l aside / (l^2 + L)`` and leaves the centre ``L / (l^2 + L) aside``.
+``h / k = L`` the rotation takes ``l aside / (l^2 + L)`` and leaves the center ``L / (l^2 + L) aside``.
 """
 
 from __future__ import annotations

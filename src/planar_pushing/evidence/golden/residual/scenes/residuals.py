@@ -19,7 +19,7 @@ from planar_pushing.evidence.golden.residual.scenes.solutions import solutions
 from planar_pushing.evidence.golden.residual.spin import spin_ratio, steady
 from planar_pushing.terms.options import EffectSet
 
-#: Roundings of a part of a vector, and of a centre.
+#: Roundings of a part of a vector, and of a center.
 PART, CENTER = 8, 64
 
 

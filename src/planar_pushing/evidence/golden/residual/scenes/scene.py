@@ -12,7 +12,7 @@ import xarray as xr
 from planar_pushing.certified.doubled.angles import cosine_sine, radians
 from planar_pushing.certified.doubled.numbers import Doubled, doubled
 from planar_pushing.evidence.golden.residual.motion import Line, Slider, edge
-from planar_pushing.terms.options import EFFECT_TYPES, EffectKind
+from planar_pushing.terms.options import EFFECT_TYPES, STUDIED, EffectKind
 
 
 class Scene(NamedTuple):
@@ -56,7 +56,7 @@ def read(dataset: xr.Dataset) -> Scene:
     inertia = found.get(EffectKind.INERTIA, {"mass": 0.0, "gyration_radius": radius})
     return Scene(
         Slider(weight, inertia["mass"], (inertia["gyration_radius"] / radius) ** 2),
-        "+".join(kind for kind in EffectKind if kind in found),
+        "+".join(kind for kind in STUDIED if kind in found),
         radius, slider["rod_length"] / radius, slider["rod_angle"],
         {side: _edge(contact, side) for side in (1, -1)},
         push["pusher_angle"], push["force_angle"], push["pusher_magnitude"],

@@ -61,7 +61,7 @@ def _near(dataset: xr.Dataset, name: str, wanted: Any, allowed: Any) -> Finding:
 def _conditions(dataset: xr.Dataset, scene: Scene, contact: Floats, velocity: Floats) -> Floats:
     """The contact moves with the fence: in both directions where it sticks, else normal to it.
 
-    Where it slips the centre moves along the edge of the friction cone.
+    Where it slips the center moves along the edge of the friction cone.
     """
     mode, lack = dataset["mode"].values, np.abs(contact - dataset["pusher_motion"].values)
     error = np.where(mode >= STICK, lack[:, 1], np.abs(velocity).max(axis=1))
@@ -86,7 +86,7 @@ def _resistance(scene: Scene, pace: Floats, k: Floats) -> tuple[Floats, Floats]:
 def _places(
     dataset: xr.Dataset, scene: Scene, velocity: Floats, spin: Floats, k: Floats
 ) -> Iterable[Finding]:
-    """Motion centres, and the motion of points of the ring with the support's friction on them."""
+    """Motion centers, and the motion of points of the ring with the support's friction on them."""
     ring = [doubled(part) for part in dataset["ring_center"].values]
     angle = doubled(np.arctan2(*dataset["force"].values.T[::-1]))
     wanted = center(ring, angle, distance(doubled(k), scene.radius))

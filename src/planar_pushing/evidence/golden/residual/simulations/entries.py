@@ -31,9 +31,9 @@ class Log(NamedTuple):
         Coefficient of friction, infinite for laws without one.
     mode : ndarray of int
     lever : ndarray, shape (n, 2)
-        From the contact to the ring centre.
+        From the contact to the ring center.
     position, velocity : ndarray, shape (n, 2)
-        Of the ring centre.
+        Of the ring center.
     spin : ndarray
         R omega.
     fence, fence_velocity : ndarray, shape (n, 2)

@@ -52,7 +52,7 @@ def _friction(log: Log, pace: Floats, k: Floats) -> tuple[Floats, Floats]:
 
 
 def _torque(log: Log) -> Floats:
-    """Torque of the fence's force about the ring centre, over R."""
+    """Torque of the fence's force about the ring center, over R."""
     x, y = log.lever.T
     return np.asarray(log.force[:, 0] * y - log.force[:, 1] * x)
 

@@ -51,7 +51,7 @@ def _slips(slip: Floats, apart: Floats, log: Log) -> Floats:
 
 
 def _free(time: Floats, log: Log) -> Floats:
-    """Way of the centre apart from the fence, less that of its velocity; shape (n, 2).
+    """Way of the center apart from the fence, less that of its velocity; shape (n, 2).
 
     It is known in closed form at rest and without friction.
     """

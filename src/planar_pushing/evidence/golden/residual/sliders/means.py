@@ -1,4 +1,4 @@
-"""D and G of supports in plain doubles, by their closed forms, over arrays of centres of rotation."""
+"""D and G of supports in plain doubles, by their closed forms, over arrays of centers of rotation."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Law = Callable[[Floats], tuple[Any, Any]]
 
 
 def means(support: Pieces, c: Floats) -> Means:
-    """D and G at centres of rotation, shape (2, n)."""
+    """D and G at centers of rotation, shape (2, n)."""
     parts = list(_parts(support, c))
     distance, g_x, g_y = (np.sum([part[i] for part in parts], axis=0) for i in range(3))
     return distance, g_x, g_y

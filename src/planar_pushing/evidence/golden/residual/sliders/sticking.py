@@ -1,7 +1,7 @@
 """Sticking motions of any support: no torque about the contact, and the force that follows.
 
-A motion is about the centre ``c = P + J u / omega``. Its torque about the contact is that about the centre
-of pressure, which falls with the distance, and that of the force at the centre of pressure.
+A motion is about the center ``c = P + J u / omega``. Its torque about the contact is that about the center
+of pressure, which falls with the distance, and that of the force at the center of pressure.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ BALANCE, ANGLE = 64, 32
 PLACE = MODES.index("STICK")
 #: log(1 / EPSILON): next to a line of pressure the force changes by the logarithm of the distance.
 ON_LINE = 36.0
-#: A slower rotation is about a centre so far away that the torque takes more bits.
+#: A slower rotation is about a center so far away that the torque takes more bits.
 SLOW, FAR = 1e-6, 640
 #: A rotation that moves nothing by a rounding: a translation.
 STILL = 1e-30

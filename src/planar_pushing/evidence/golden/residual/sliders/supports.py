@@ -1,4 +1,4 @@
-"""Moments of the supports over centres of rotation, enclosed anew, and the ellipsoids in their place."""
+"""Moments of the supports over centers of rotation, enclosed anew, and the ellipsoids in their place."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from planar_pushing.evidence.golden.residual.sliders.gallery import gallery, gap
 
 #: Roundings of a moment, of a number of a support as a whole, and of a mean over motions.
 MOMENT, WHOLE = 32, 8
-#: Difference of an ellipsoid's errors, radians, from those by other formulas in doubles.
-SAME = 2e-13
+#: Difference of an ellipsoid's errors, radians, from those by other formulas in doubles: means, maxima.
+SAME, LARGEST = 2e-13, 2e-11
 MOMENTS = ("mean_distance", "force_x", "force_y", "torque")
 
 
@@ -30,12 +30,13 @@ def residuals(dataset: xr.Dataset, study: Any) -> Iterable[Finding]:
     yield from _numbers(dataset, supports)
     found = np.array([errors(support) for support in supports])
     for i, name in enumerate(ERRORS):
-        yield Finding(name, np.abs(dataset[name].values - found[:, i] * DEGREE), SAME * DEGREE)
+        allowed = LARGEST if name.startswith("worst") else SAME
+        yield Finding(name, np.abs(dataset[name].values - found[:, i] * DEGREE), allowed * DEGREE)
 
 
 @precise
 def _over_centers(dataset: xr.Dataset, supports: list[Pieces]) -> list[Finding]:
-    """Mean distance and the wrench that sustains a rotation, at every centre."""
+    """Mean distance and the wrench that sustains a rotation, at every center."""
     x, y = dataset["center_x"].values, dataset["center_y"].values
     shape = (len(supports), len(x), len(y))
     places = [(rational(a), rational(b)) for a in x for b in y]
@@ -64,7 +65,7 @@ def wrench(support: Pieces, place: tuple[Any, Any]) -> tuple[arb, arb, arb, arb]
 
 @precise
 def _numbers(dataset: xr.Dataset, supports: list[Pieces]) -> list[Finding]:
-    """Centre, extent, integration constant and ellipsoid of each support."""
+    """Center, extent, integration constant and ellipsoid of each support."""
     rows = [numbers(support) for support in supports]
     found = []
     for name in rows[0]:
