@@ -7,6 +7,7 @@ claim. A foot whose ball holds the center of rotation may carry any force up to 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
@@ -100,6 +101,9 @@ def check(
         Radius of the balls: of the force relative to it and to a load, of the twist relative to
         ``|v| + L |omega|``, L the length of the rod and the extent of the slider.
     """
+    numbers = claim.force, claim.force_end, claim.contact_motion, claim.twist
+    if not all(math.isfinite(each) for given in numbers for each in given):
+        return Verdict(("a number is not finite",))
     with ctx.workprec(PRECISION):
         return _check(scene, law, pusher, magnitude, claim, tolerance)
 
@@ -148,6 +152,9 @@ class _Check:
     def failures(self) -> Iterator[str]:
         """Every condition that fails with certainty."""
         yield from self._kinematics()
+        if self.pivot >= 0 and not self._turns_about(self.pivot):
+            yield "the pivot moves"
+            return
         if self.mode is Mode.SEPARATE:
             yield from self._free()
             return
@@ -188,8 +195,6 @@ class _Check:
             yield "the contact slips"
         if self.mode in SLIPS and -SLIPS[self.mode] * slip < 0:
             yield "the contact slips to the other side"
-        if self.pivot >= 0 and not self._turns_about(self.pivot):
-            yield "the pivot moves"
 
     def _turns_about(self, foot: int) -> bool:
         if foot >= len(self.total.support.points):
@@ -216,7 +221,9 @@ class _Check:
         slack = arb(0, (size * self.tolerance).upper())
         force = given[0] + slack, given[1] + slack
         yield from self._in_cone(force)
-        yield from self._balance(force, is_end=_exact(self.claim.force) != _exact(self.claim.force_end))
+        yield from self._balance(
+            force, is_end=_exact(self.claim.force) != _exact(self.claim.force_end)
+        )
 
     def _in_cone(self, force: Vector) -> Iterator[str]:
         """The force within the law's cone; of a slip on the edge against it."""
@@ -257,7 +264,9 @@ class _Check:
         if norm(*hinge) > share:
             yield "a foot at the center of rotation carries more than its share"
         places = [total.foot(i) for i in feet]
-        x, y = (arb(min(p[k] for p in places)).union(arb(max(p[k] for p in places))) for k in (0, 1))
+        x, y = (
+            arb(min(p[k] for p in places)).union(arb(max(p[k] for p in places))) for k in (0, 1)
+        )
         if not (torque + x * hinge[1] - y * hinge[0]).contains(0):
             yield "the torque about the contact is not zero"
 
