@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Undecided, sign
-from planar_pushing.certified.effects.gradient import Motion, response
+from planar_pushing.certified.effects.gradient import Motion, response, slopes
+from planar_pushing.certified.effects.newton import Line, least
 from planar_pushing.certified.effects.resistance import Resistance
-from planar_pushing.certified.effects.sticking import near_root, rising_bounds, rotation, width
+from planar_pushing.certified.effects.sticking import near_root, rising_bounds, rotations, width
 from planar_pushing.certified.effects.way import Way, at, kinks, line
 from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.push import Push
@@ -70,9 +71,8 @@ def under(total: Resistance, push: Push, power: arb | fmpq) -> Moved:
         t = line(push, power)
         now = response(total, Motion(t, arb(0)))
         return Moved(t, arb(0), now.x * push.x + now.y * push.y)
-    s = _balanced(way)
+    s, spin = _through_rest(way) if way.rests else _balanced(way, push, power)
     (x, y), scale = way.motion(s)
-    spin = rotation(total, (x, y), scale)
     now = response(total, Motion((x, y), spin, scale))
     if now.feet:
         raise Undecided("a centre of rotation next to a foot")
@@ -108,16 +108,37 @@ def _pivot(way: Way, push: Push) -> Moved | None:
     return None
 
 
-def _balanced(way: Way) -> arb:
-    """The place at which the force has no part along the way."""
+def _balanced(way: Way, push: Push, power: arb | fmpq) -> tuple[arb, arb]:
+    """The place at which the force has no part along the way, and the rotation there."""
+    e = push.x.mid(), push.y.mid()
+    one = Line(way.total, e, arb(power).mid())
+    near = least(one)
+    bend = slopes(way.total, one.motion(near))
+    rate = -((bend.xs * way.toward.x + bend.ys * way.toward.y) / bend.ss).mid()
 
-    def part(way: Way, s: arb) -> arb:
+    def spin(s: arb) -> arb:
+        guess = near.spin + rate * (s - near.s)
+        return rotations(way.total, way.motion(s)[0], arb(1), guess)
+
+    def part(s: arb) -> arb:
+        now = response(way.total, Motion(way.motion(s)[0], spin(s)))
+        if now.feet:
+            raise Undecided("a centre of rotation next to a foot")
+        return now.x * way.toward.x + now.y * way.toward.y
+
+    s = rising_bounds(part, near.s)
+    return s, spin(s)
+
+
+def _through_rest(way: Way) -> tuple[arb, arb]:
+    """The same of a way through rest, where the potential has a kink."""
+
+    def part(s: arb) -> arb:
         x, y = at(way, s).force
         return x * way.toward.x + y * way.toward.y
 
-    start = way.start[0].mid(), way.start[1].mid()
-    middle, size = way._replace(start=start), arb.max(abs(start[0]), abs(start[1])).mid()
-    return rising_bounds(lambda s: part(way, s), _root(lambda s: part(middle, s), size, width(1)))
+    s = rising_bounds(part, _root(part, arb(1), width(1)))
+    return s, at(way, s).spin
 
 
 def _root(rising: Callable[[arb], arb], size: arb, wide: arb) -> arb:
