@@ -14,6 +14,7 @@ from planar_pushing.certified.contact.modes import SLIPS, Law, Mode
 from planar_pushing.certified.effects import direction as directions
 from planar_pushing.certified.effects.direction import Direction, relative, returned
 from planar_pushing.certified.effects.precision import decided
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.effects.resistance import Resistance, Scene, resistance
 from planar_pushing.certified.effects.rest import free_normal, is_held
 from planar_pushing.certified.effects.slips import Slip, slips
@@ -21,7 +22,6 @@ from planar_pushing.certified.effects.steady import steady_foot, steady_slips
 from planar_pushing.certified.effects.sticking import NOTHING, Stuck, is_across, stick
 from planar_pushing.certified.effects.way import Way, line
 from planar_pushing.certified.supports.pressure.moments import Vector
-from planar_pushing.certified.supports.push import Push
 
 FENCE, NORMAL = directions.degrees(fmpq(0)), directions.degrees(fmpq(90))
 

@@ -1,8 +1,8 @@
 """The motion of least potential under a line of force, in floats of the working precision.
 
-Among contact motions ``p e + s n``, n to the left of the force's direction e, and rotations omega Newton's
-method minimizes the potential, which is convex. It has a kink at the rotation about each foot, where a method
-that only falls would stay; started below all of them, it never comes there. Nothing is proved here.
+Newton's method minimizes the potential over contact motions ``p e + s n``, n to the left of the direction e of
+the force, and rotations omega. The potential is convex, with a kink at the rotation about each foot, where a
+descent would stay; started below all of them, it never comes there. Nothing is proved here.
 """
 
 from __future__ import annotations
@@ -98,7 +98,8 @@ def _step(line: Line, at: State) -> tuple[State, arb]:
     turn = x * bend.ys - y * bend.xs
     whole = across * bend.ss - turn * turn
     step = State(
-        ((turn * other - bend.ss * one) / whole).mid(), ((turn * one - across * other) / whole).mid()
+        ((turn * other - bend.ss * one) / whole).mid(),
+        ((turn * one - across * other) / whole).mid(),
     )
     if not (step.s.is_finite() and step.spin.is_finite()):
         raise Undecided("no step toward the least potential")

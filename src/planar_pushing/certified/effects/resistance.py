@@ -12,10 +12,10 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Exact, settle
 from planar_pushing.certified.effects.direction import Direction, exact_turned, turned
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.supports.pressure.mirror import is_mirrored
 from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place, together
-from planar_pushing.certified.supports.push import Push
 
 ORIGIN: Place = (fmpq(0), fmpq(0))
 

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Undecided, sign
+from planar_pushing.certified.effects import collinear
 from planar_pushing.certified.effects.gradient import Motion, response
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.effects.resistance import Resistance
-from planar_pushing.certified.supports import collinear
 from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Place
-from planar_pushing.certified.supports.push import Push
 
 NOTHING = arb(0), arb(0)
 #: Doublings of a rotation that meets too little torque.

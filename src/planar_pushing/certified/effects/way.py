@@ -13,10 +13,10 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Undecided
 from planar_pushing.certified.effects.gradient import Motion, Response, response, slopes
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.effects.resistance import Resistance
 from planar_pushing.certified.effects.sticking import Stuck, pivot, rotation, rotations
 from planar_pushing.certified.supports.pressure.moments import Vector
-from planar_pushing.certified.supports.push import Push
 
 
 class Way(NamedTuple):
