@@ -1,8 +1,8 @@
 """The motion of least potential under a line of force, in floats of the working precision.
 
-Newton's method minimizes the potential over contact motions ``p e + s n``, n to the left of the direction e of
-the force, and rotations omega. The potential is convex, with a kink at the rotation about each foot, where a
-descent would stay; started below all of them, it never comes there. Nothing is proved here.
+Newton's method minimizes the potential over contact motions ``p e + s n``, n to the left of the direction e
+of the force, and rotations omega. The potential is convex, with a kink at the rotation about each foot,
+where a descent would stay; started below all of them, it never comes there. Nothing is proved here.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from planar_pushing.certified.effects.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 #: Newton steps at most, halvings of one, and of a step away from a foot.
-STEPS, HALVINGS, AWAY = 200, 60, 40
+STEPS, HALVINGS, AWAY = 50, 60, 40
 #: Bits of rounding of a potential.
 LAST = 12
 #: Square of the radius of gyration that stands for a support in a first guess, in its extents.

@@ -112,6 +112,11 @@ class Resistance:
         x, y = self.support.points[i].place
         return x + self.length, y
 
+    @property
+    def is_steady(self) -> bool:
+        """Whether multiples of a motion have one direction of the force: all effects are of one degree."""
+        return all(each.is_zero() for each in self.load) and not (self.weight and self.mass)
+
     def is_even(self) -> bool:
         """Whether the slider mirrors itself in the rod: force and motion across the rod are parallel."""
         even = not self.first[1] and self.load[0].is_zero() and self.load[2].is_zero()

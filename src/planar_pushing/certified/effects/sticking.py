@@ -25,7 +25,7 @@ NOTHING = arb(0), arb(0)
 DOUBLINGS = 400
 #: Steps to a guess at most; bisection alone needs fewer.
 STEPS = 500
-#: Steps outward to the bounds of a root over balls, each four times as long as the one before.
+#: Steps outward to the bounds of a root over balls, at first each four times as long as the one before.
 BROADENINGS = 40
 
 
@@ -206,10 +206,10 @@ def rising_bounds(rising: Callable[[arb], arb], guess: arb) -> arb:
 def _outward(excess: Callable[[arb], arb], start: arb, step: arb) -> arb:
     """A place at which the excess is positive."""
     at = start
-    for _ in range(BROADENINGS):
+    for i in range(BROADENINGS):
         if excess(at) > 0:
             return at
-        at, step = (at + step).mid(), 4 * step
+        at, step = (at + step).mid(), step * 4 ** (1 + i // 8)
     raise Undecided("no bounds of a root")
 
 
