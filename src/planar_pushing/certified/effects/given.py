@@ -73,8 +73,8 @@ def _effect(entry: Entry, radius: float) -> Effect:
             gyration = rational(entry["gyration_radius"]) ** 2
             center = _place(entry.get("center") or (0.0, 0.0))
             return Inertia(rational(entry["mass"]), gyration, center)
-    center = entry.get("center")
-    return Load(_place(entry["force"]), None if center is None else _place(center))
+    place = entry.get("center")
+    return Load(_place(entry["force"]), None if place is None else _place(place))
 
 
 def _support(entry: Entry, radius: float) -> Pieces:

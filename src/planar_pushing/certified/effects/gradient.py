@@ -18,6 +18,9 @@ from planar_pushing.certified.effects.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Moments, Vector, moments
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 
+#: Turn of a support's velocities below which those of a translation tell them to more digits.
+NEARLY = 1e-3
+
 
 class Motion(NamedTuple):
     """A motion of the contact along t and a rotation, both times a scale."""
@@ -85,9 +88,9 @@ def center(total: Resistance, motion: Motion) -> Vector:
 
 
 def _about(total: Resistance, motion: Motion, foot: int) -> Response:
-    """Friction of a rotation: over wide balls also by expansions from their middle."""
+    """Friction of a rotation: over wide balls, and about far centers, also by expansions."""
     _, feet = _seen(total, motion, foot)
-    if feet or _is_narrow(motion):
+    if feet or (_is_narrow(motion) and _straightness(total, motion)[2] > NEARLY):
         return _by_moments(total, motion, foot)
     every = [_nearly_straight(total, motion)]
     with suppress(Undecided):

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from flint import ctx
 
-from planar_pushing.certified.balls import Undecided
+from planar_pushing.certified.balls import Exhausted, Undecided
 
 #: Precisions in bits that are tried in turn: for a decision, and for numbers that are stored.
 COARSE, FINE = (128, 256, 512), (320, 640, 1280)
@@ -27,6 +27,8 @@ def decided(decide: Callable[[], Found], precisions: Sequence[int] = COARSE) -> 
         try:
             with ctx.workprec(precision):
                 return decide()
+        except Exhausted:
+            raise
         except Undecided:
             continue
     with ctx.workprec(precisions[-1]):
