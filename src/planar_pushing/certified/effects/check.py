@@ -199,7 +199,8 @@ class _Check:
     def _turns_about(self, foot: int) -> bool:
         if foot >= len(self.total.support.points):
             return False
-        (x, y), ((t_x, t_y), spin, _) = self.total.foot(foot), self.moved.motion
+        (x, y), (t_x, t_y) = self.total.foot(foot), self.moved.motion.t
+        spin = self.moved.motion.spin
         return bool((t_x - spin * y).contains(0) and (t_y + spin * x).contains(0))
 
     # --- Force -----------------------------------------------------------------------------------

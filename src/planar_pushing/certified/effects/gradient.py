@@ -23,11 +23,15 @@ NEARLY = 1e-3
 
 
 class Motion(NamedTuple):
-    """A motion of the contact along t and a rotation, both times a scale."""
+    """A motion of the contact along t and a rotation, both times a scale.
+
+    Of balls of motions the center of rotation may be known better than by t and spin.
+    """
 
     t: Vector
     spin: arb
     scale: arb = arb(1)
+    about: Vector | None = None
 
 
 class Response(NamedTuple):
@@ -66,7 +70,7 @@ def response(total: Resistance, motion: Motion, foot: int = -1) -> Response:
     Undecided
         Where the balls leave them open.
     """
-    (x, y), spin, scale = motion
+    (x, y), spin, scale = motion[:3]
     if total.weight == 0:
         own = Response(arb(0), arb(0), arb(0))
     elif spin.contains(0):
@@ -83,7 +87,9 @@ def response(total: Resistance, motion: Motion, foot: int = -1) -> Response:
 
 
 def center(total: Resistance, motion: Motion) -> Vector:
-    """Centre of rotation of a motion with rotation."""
+    """Center of rotation of a motion with rotation."""
+    if motion.about is not None:
+        return motion.about
     return -total.length - motion.t[1] / motion.spin, motion.t[0] / motion.spin
 
 
@@ -118,15 +124,17 @@ def _by_moments(total: Resistance, motion: Motion, foot: int) -> Response:
 
 
 def _expanded(total: Resistance, motion: Motion) -> Response:
-    """Mean values from the middle of the balls."""
-    middle = Motion((motion.t[0].mid(), motion.t[1].mid()), motion.spin.mid())
-    start, own = _by_moments(total, middle, -1), _bent(total, motion, -1)
-    x, y = motion.t[0] - middle.t[0], motion.t[1] - middle.t[1]
-    spin = motion.spin - middle.spin
+    """Mean values from the middle of the ball of the center of rotation."""
+    weight, sense = total.weight, 1 if motion.spin > 0 else -1
+    c = center(total, motion)
+    middle = c[0].mid(), c[1].mid()
+    start, over = moments(total.support, middle), moments(total.support, c)
+    d = c[0] - middle[0], c[1] - middle[1]
+    x, y = _product(over, d)
+    lever = _product(over, (c[0] + total.length, c[1]))
+    torque = start.torque(middle, (-total.length, arb(0))) - lever[0] * d[0] - lever[1] * d[1]
     return Response(
-        start.x + own.xx * x + own.xy * y + own.xs * spin,
-        start.y + own.xy * x + own.yy * y + own.ys * spin,
-        start.torque + own.xs * x + own.ys * y + own.ss * spin,
+        -sense * weight * (start.y - y), sense * weight * (start.x - x), sense * weight * torque
     )
 
 
@@ -167,7 +175,7 @@ def _straightness(total: Resistance, motion: Motion) -> tuple[arb, arb, arb]:
 
     A velocity v next to u has a direction within ``2 |v - u| / |u|`` of that of u.
     """
-    (x, y), spin, _ = motion
+    (x, y), spin = motion.t, motion.spin
     speed, (p_x, p_y) = norm(x, y), total.pressure
     reach = (total.support.extent + arb(p_x * p_x + p_y * p_y).sqrt()).upper()
     return speed, reach, (2 * abs(spin) * reach / speed).upper()

@@ -55,7 +55,7 @@ class Line(NamedTuple):
     def potential(self, at: State) -> arb:
         """The potential, infinite where the balls leave it open."""
         motion, total = self.motion(at), self.total
-        (t_x, t_y), spin, _ = motion
+        (t_x, t_y), spin = motion.t, motion.spin
         (s_x, s_y), mass = total.first, total.mass
         try:
             now = response(total, motion)

@@ -25,7 +25,7 @@ NOTHING = arb(0), arb(0)
 DOUBLINGS = 400
 #: Steps to a guess at most; bisection alone needs fewer.
 STEPS = 500
-#: Steps outward to the bounds of a root over balls, at first each four times as long as the one before.
+#: Steps outward to the bounds of a root over balls, at first each twice as long as the one before.
 BROADENINGS = 40
 
 
@@ -138,14 +138,14 @@ def rotation(total: Resistance, t: Vector, scale: arb) -> arb:
         Where the friction of a foot leaves it open, or a load turns the slider against any friction.
     """
     middle = _rotation(total, (t[0].mid(), t[1].mid()), scale.mid())
-    return rotations(total, t, scale, middle)
+    return rotations(total, Motion(t, middle, scale))
 
 
 def _rotation(total: Resistance, t: Vector, scale: arb) -> arb:
     """A guess of the rotation."""
 
     def torque(spin: arb) -> arb:
-        return _bounds(total, Motion(t, spin, scale))
+        return bounds(total, Motion(t, spin, scale))
 
     start = torque(arb(0))
     if start.contains(0):
@@ -180,7 +180,7 @@ def near_root(rising: Callable[[arb], arb], low: arb, high: arb, wide: arb) -> a
     return low.union(high)
 
 
-def _bounds(total: Resistance, motion: Motion) -> arb:
+def bounds(total: Resistance, motion: Motion) -> arb:
     """Torque about the contact, with all that the feet next to the centre of rotation may add."""
     now = response(total, motion)
     return now.torque + sum((_most(total, i) for i in now.feet), arb(0))
@@ -191,14 +191,14 @@ def _most(total: Resistance, i: int) -> arb:
     return arb(0, (share * arb(x * x + y * y).sqrt()).upper())
 
 
-def rotations(total: Resistance, t: Vector, scale: arb, guess: arb) -> arb:
+def rotations(total: Resistance, guess: Motion) -> arb:
     """Bounds of the rotation over balls of contact motions, from a guess of them."""
-    return rising_bounds(lambda spin: _bounds(total, Motion(t, spin, scale)), guess)
+    return rising_bounds(lambda spin: bounds(total, guess._replace(spin=spin)), guess.spin)
 
 
 def rising_bounds(rising: Callable[[arb], arb], guess: arb) -> arb:
     """Bounds of the root of a rising function that is known as balls, from a guess of them."""
-    step = (guess.rad() + abs(guess).upper() * arb(2) ** (8 - ctx.prec)).mid()
+    step = (guess.rad() / 4 + abs(guess).upper() * arb(2) ** (8 - ctx.prec)).mid()
     below = _outward(lambda x: -rising(x), guess.lower(), -step)
     return below.union(_outward(rising, guess.upper(), step))
 
@@ -209,7 +209,7 @@ def _outward(excess: Callable[[arb], arb], start: arb, step: arb) -> arb:
     for i in range(BROADENINGS):
         if excess(at) > 0:
             return at
-        at, step = (at + step).mid(), step * 4 ** (1 + i // 8)
+        at, step = (at + step).mid(), step * 2 ** (1 + i // 4)
     raise Undecided("no bounds of a root")
 
 

@@ -141,7 +141,7 @@ def _balanced(way: Way, push: Push, power: arb | fmpq) -> tuple[arb, arb]:
 
     def spin(s: arb) -> arb:
         guess = near.spin + rate * (s - near.s)
-        return rotations(way.total, way.motion(s)[0], arb(1), guess)
+        return rotations(way.total, Motion(way.motion(s)[0], guess))
 
     def part(s: arb) -> arb:
         now = response(way.total, Motion(way.motion(s)[0], spin(s)))
