@@ -123,6 +123,15 @@ def test_an_edge_of_the_cone_along_the_rod(psi, mass):
             assert faults(one, angle, 1.0, solutions) == []
 
 
+@pytest.mark.slow
+def test_fast_pulling_has_two_slips_and_no_stick():
+    """PHYSICS 5, mu = 1.4: n . u falls to -0.0400296 at |f| = 1.40897 and is back at 0 at 2.22518."""
+    _, slow, fast = found(scene(RING, 2, 45), Law(1.4), -1, 2.0)
+    assert (slow.mode, fast.mode) == (Mode.SLIP_LEFT, Mode.SLIP_LEFT)
+    sizes = sorted(math.hypot(*map(float, each.force)) for each in (slow, fast))
+    assert sizes[0] < 1.40897 < sizes[1] < 2.22518
+
+
 # --- More effects, and the core ------------------------------------------------------------------
 
 

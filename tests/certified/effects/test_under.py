@@ -14,9 +14,9 @@ from planar_pushing.certified.effects.cone_edges import edge, pivot_load
 from planar_pushing.certified.effects.direction import degrees, relative, returned
 from planar_pushing.certified.effects.gradient import Motion, center, response
 from planar_pushing.certified.effects.modes import edge as force_edge
-from planar_pushing.certified.effects.resistance import Friction, Inertia, Load, Scene, resistance
+from planar_pushing.certified.effects.resistance import Friction, Load, Scene, resistance
 from planar_pushing.certified.effects.sticking import stick
-from planar_pushing.certified.effects.under import under, under_size
+from planar_pushing.certified.effects.under import under
 from planar_pushing.certified.supports.pressure.mirror import is_mirrored
 from planar_pushing.certified.supports.pressure.pieces import pieces
 
@@ -235,15 +235,3 @@ def test_beyond_a_corner_the_force_is_across_the_line(turn):
 
 def test_within_the_ends_of_a_line_it_is_not():
     assert abs(stuck(ACROSS, 1, 50).force[1]) > arb(10) ** -4
-
-
-# --- More effects --------------------------------------------------------------------------------
-
-
-def test_a_force_of_a_size_moves_friction_and_a_mass_aside():
-    """PHYSICS 7: |f| = 0.8415 W at 150 degrees; the contact moves at 138.605 degrees."""
-    mass = Inertia(fmpq(1), fmpq(1, 4), (fmpq(-1, 2), fmpq(0)))
-    total = slider(2, friction(RING), mass, rod=45)
-    found = under_size(total, total.push(degrees(fmpq(105))), rational(0.8415))
-    x, y = returned(found.motion, total.rod)
-    assert float(in_degrees(arb.atan2(y, x))) == pytest.approx(138.605, abs=1e-2)

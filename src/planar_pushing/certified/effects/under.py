@@ -7,7 +7,6 @@ signs of the part on both of its sides prove it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from flint import arb, ctx, fmpq
@@ -163,34 +162,15 @@ def _through_rest(way: Way) -> tuple[arb, arb]:
         return x * way.toward.x + y * way.toward.y
 
     start = way.start[0].mid(), way.start[1].mid()
-    middle, size = way._replace(start=start), arb.max(abs(start[0]), abs(start[1])).mid()
-    s = rising_bounds(lambda s: part(way, s), _root(lambda s: part(middle, s), size, width(1)))
-    return s, at(way, s).spin
-
-
-def _root(rising: Callable[[arb], arb], size: arb, wide: arb) -> arb:
-    """Root of a function that rises on the whole line; a size of the same order makes it fast."""
-    reach = size if size > 0 else arb(1)
+    middle = way._replace(start=start)
+    reach = arb.max(abs(start[0]), abs(start[1])).mid()
+    reach = reach if reach > 0 else arb(1)
     for _ in range(DOUBLINGS):
-        if rising(-reach) < 0 and rising(reach) > 0:
+        if part(middle, -reach) < 0 and part(middle, reach) > 0:
             break
         reach = 2 * reach
     else:
         raise Undecided("no motion under this line of force")
-    guess = near_root(lambda x: rising(x - reach), arb(0), 2 * reach, wide) - reach
-    return rising_bounds(rising, guess)
-
-
-def under_size(total: Resistance, push: Push, size: arb | fmpq) -> Moved:
-    """The motion under a force of a given size along a direction; of size 0 it is the free motion.
-
-    Raises
-    ------
-    Undecided
-        As `under`; with friction alone any motion along one direction has the same force.
-    """
-
-    def excess(power: arb) -> arb:
-        return under(total, push, power).force - size
-
-    return under(total, push, _root(excess, arb(1), width(2)))
+    near = near_root(lambda x: part(middle, x - reach), arb(0), 2 * reach, width(1)) - reach
+    s = rising_bounds(lambda s: part(way, s), near)
+    return s, at(way, s).spin

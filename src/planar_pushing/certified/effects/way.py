@@ -31,7 +31,6 @@ from planar_pushing.certified.effects.sticking import (
 )
 from planar_pushing.certified.supports.pressure.moments import Vector
 
-
 #: Rotations over a cell are first assumed to be off their secant by this part of their change.
 WIDE = 64
 
@@ -161,7 +160,7 @@ def over(way: Way, cell: Cell) -> Range:
 def _motion(way: Way, cell: Cell) -> Motion:
     """The motions over a cell."""
     middle = ((cell.low.s + cell.high.s) / 2).mid()
-    t, scale = way.motion(cell.s)
+    _, scale = way.motion(cell.s)
     if way.rests:
         guess = Motion(way.motion(middle)[0], cell.low.spin.union(cell.high.spin), scale)
         return guess._replace(spin=rotations(way.total, guess))

@@ -86,7 +86,9 @@ def _by(route: Route, support: Pieces, c: Vector, known: Moments) -> Moments:
 def use(route: Route) -> None:
     """Evaluate D and G at exact centres by this route from now on: call it before anything else."""
     global _route
-    _route = lru_cache(maxsize=16)(route)  # forces and derivatives are evaluated one after the other
+    _route = lru_cache(maxsize=16)(
+        route
+    )  # forces and derivatives are evaluated one after the other
 
 
 def _parts(support: Pieces, c: Vector) -> Iterable[Part]:
