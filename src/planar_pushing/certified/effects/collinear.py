@@ -31,7 +31,7 @@ def crossed(push: Push) -> tuple[Place, Place] | None:
 
 
 def center_beyond(push: Push) -> Vector | None:
-    """Centre of rotation of a contact that moves along t, where it is on the support's line at a corner.
+    """Center of rotation of a contact that moves along t, where it is on the support's line at a corner.
 
     It is the place across t from the contact, if that is not between the support's ends.
     """

@@ -37,7 +37,7 @@ class Motion(NamedTuple):
 class Response(NamedTuple):
     """Force at the contact, torque about it, and the feet whose own friction is left out.
 
-    These feet are in the ball of the centre of rotation.
+    These feet are in the ball of the center of rotation.
     """
 
     x: arb
@@ -139,7 +139,7 @@ def _expanded(total: Resistance, motion: Motion) -> Response:
 
 
 def _common(balls: Iterable[arb]) -> arb:
-    """What is in all of the balls that are finite."""
+    """The intersection of the balls that are finite."""
     found = [each for each in balls if each.is_finite()]
     if not found:
         raise Undecided("friction over a ball too wide")
@@ -147,7 +147,7 @@ def _common(balls: Iterable[arb]) -> arb:
 
 
 def _seen(total: Resistance, motion: Motion, foot: int) -> tuple[Vector, tuple[int, ...]]:
-    """Centre of rotation, and the feet that it may be at."""
+    """Center of rotation, and the feet that it may be at."""
     if foot >= 0:
         x, y = total.support.points[foot].place
         return (arb(x), arb(y)), (foot,)
@@ -218,7 +218,7 @@ def slopes(total: Resistance, motion: Motion, foot: int = -1) -> Slopes:
 
 
 def _bent(total: Resistance, motion: Motion, foot: int) -> Slopes:
-    """Derivatives of the friction of a rotation, by the second derivatives of D at its centre."""
+    """Derivatives of the friction of a rotation, by the second derivatives of D at its center."""
     c, feet = _seen(total, motion, foot)
     if feet and foot < 0:
         return Slopes(*[arb.nan()] * 6)

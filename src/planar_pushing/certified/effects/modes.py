@@ -45,7 +45,7 @@ class Solution:
     free : tuple of arb
         Half of that interval, else zero.
     pivot : int
-        Number of the support's point that is the centre of rotation, -1 without one.
+        Number of the support's point that is the center of rotation, -1 without one.
     continuum : bool
         Whether every slip from rest up to this solution is one too.
     """

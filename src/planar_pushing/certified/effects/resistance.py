@@ -47,7 +47,7 @@ class Viscous:
 
 @dataclass(frozen=True, slots=True)
 class Load:
-    """A force in the fence's frame at a place of the body, by default the mass centre."""
+    """A force in the fence's frame at a place of the body, by default the mass center."""
 
     force: Place
     place: Place | None = None
@@ -99,7 +99,7 @@ class Resistance:
 
     @property
     def pressure(self) -> Place:
-        """Centre of pressure from the contact."""
+        """Center of pressure from the contact."""
         x, y = self.support.center
         return x + self.length, y
 

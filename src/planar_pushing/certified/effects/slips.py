@@ -37,7 +37,7 @@ class Slip:
         Rotation.
     force : tuple of arb
     pivot : int
-        Number of the support's point that is the centre of rotation, -1 without one.
+        Number of the support's point that is the center of rotation, -1 without one.
     """
 
     s: arb

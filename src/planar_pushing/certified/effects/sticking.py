@@ -42,7 +42,7 @@ class Stuck:
     free : tuple of arb
         Of a pivot half of the interval of forces, away from the contact; else zero.
     pivot : int
-        Number of the support's point that is the centre of rotation, -1 without one.
+        Number of the support's point that is the center of rotation, -1 without one.
     straight : bool
         Whether the force is along the contact's motion, exactly.
     """
@@ -89,7 +89,7 @@ def stick(total: Resistance, push: Push, size: fmpq | arb) -> Stuck:
     spin = rotation(total, (push.x, push.y), size)
     x, y, _, feet = response(total, Motion((push.x, push.y), spin, size))
     if feet:
-        raise Undecided("a centre of rotation next to a foot")
+        raise Undecided("a center of rotation next to a foot")
     return _made_even(total, push, Stuck(spin * size, (x, y)))
 
 
@@ -181,7 +181,7 @@ def near_root(rising: Callable[[arb], arb], low: arb, high: arb, wide: arb) -> a
 
 
 def bounds(total: Resistance, motion: Motion) -> arb:
-    """Torque about the contact, with all that the feet next to the centre of rotation may add."""
+    """Torque about the contact, with all that the feet next to the center of rotation may add."""
     now = response(total, motion)
     return now.torque + sum((_most(total, i) for i in now.feet), arb(0))
 

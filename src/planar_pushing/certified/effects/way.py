@@ -99,7 +99,7 @@ def at(way: Way, s: arb, side: int = 0) -> Place:
     spin = rotation(way.total, (x, y), scale)
     now = response(way.total, Motion((x, y), spin, scale))
     if now.feet:
-        raise Undecided("a centre of rotation next to a foot")
+        raise Undecided("a center of rotation next to a foot")
     return Place(s, spin, (now.x, now.y))
 
 
@@ -195,7 +195,7 @@ class _Tube(NamedTuple):
 
 
 def _with_feet(way: Way, cell: Cell, now: Response) -> Vector:
-    """The force with that of the feet which may be at the centre of rotation."""
+    """The force with that of the feet which may be at the center of rotation."""
     for side, end in ((1, cell.low), (-1, cell.high)):
         if now.feet == (end.foot,):
             return _next_to_pivot(way, now, side)
