@@ -2,8 +2,8 @@
 
 The claim is a solution for some twist and force within a tolerance of those that are stated. Every
 condition of its mode is evaluated on balls of this radius; one that fails on all of the balls refuses the
-claim. A foot whose ball holds the center of rotation may carry any force up to its share. Whether a solution
-ends a continuum is not checked, and neither is completeness: `modes` enumerates.
+claim. A foot whose ball holds the center of rotation may carry any force up to its share. The check does
+not tell whether a solution ends a continuum, nor whether one is missing: `modes` enumerates.
 """
 
 from __future__ import annotations
