@@ -32,6 +32,10 @@ class Undecided(ArithmeticError):
     """A sign or an accuracy that neither the precision nor exact arithmetic settles."""
 
 
+class Exhausted(Undecided):
+    """A search that came to its budget: more digits do not help."""
+
+
 def precise(function: Callable[P, T]) -> Callable[P, T]:
     """Evaluate a function at the working precision, whatever the caller's is."""
 

@@ -18,19 +18,26 @@ from planar_pushing.certified.effects.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Moments, Vector, moments
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 
+#: Turn of a support's velocities below which those of a translation tell them to more digits.
+NEARLY = 1e-3
+
 
 class Motion(NamedTuple):
-    """A motion of the contact along t and a rotation, both times a scale."""
+    """A motion of the contact along t and a rotation, both times a scale.
+
+    Of balls of motions the center of rotation may be known better than by t and spin.
+    """
 
     t: Vector
     spin: arb
     scale: arb = arb(1)
+    about: Vector | None = None
 
 
 class Response(NamedTuple):
     """Force at the contact, torque about it, and the feet whose own friction is left out.
 
-    These feet are in the ball of the centre of rotation.
+    These feet are in the ball of the center of rotation.
     """
 
     x: arb
@@ -63,7 +70,7 @@ def response(total: Resistance, motion: Motion, foot: int = -1) -> Response:
     Undecided
         Where the balls leave them open.
     """
-    (x, y), spin, scale = motion
+    (x, y), spin, scale = motion[:3]
     if total.weight == 0:
         own = Response(arb(0), arb(0), arb(0))
     elif spin.contains(0):
@@ -80,14 +87,16 @@ def response(total: Resistance, motion: Motion, foot: int = -1) -> Response:
 
 
 def center(total: Resistance, motion: Motion) -> Vector:
-    """Centre of rotation of a motion with rotation."""
+    """Center of rotation of a motion with rotation."""
+    if motion.about is not None:
+        return motion.about
     return -total.length - motion.t[1] / motion.spin, motion.t[0] / motion.spin
 
 
 def _about(total: Resistance, motion: Motion, foot: int) -> Response:
-    """Friction of a rotation: over wide balls also by expansions from their middle."""
+    """Friction of a rotation: over wide balls, and about far centers, also by expansions."""
     _, feet = _seen(total, motion, foot)
-    if feet or _is_narrow(motion):
+    if feet or (_is_narrow(motion) and _straightness(total, motion)[2] > NEARLY):
         return _by_moments(total, motion, foot)
     every = [_nearly_straight(total, motion)]
     with suppress(Undecided):
@@ -115,20 +124,22 @@ def _by_moments(total: Resistance, motion: Motion, foot: int) -> Response:
 
 
 def _expanded(total: Resistance, motion: Motion) -> Response:
-    """Mean values from the middle of the balls."""
-    middle = Motion((motion.t[0].mid(), motion.t[1].mid()), motion.spin.mid())
-    start, own = _by_moments(total, middle, -1), _bent(total, motion, -1)
-    x, y = motion.t[0] - middle.t[0], motion.t[1] - middle.t[1]
-    spin = motion.spin - middle.spin
+    """Mean values from the middle of the ball of the center of rotation."""
+    weight, sense = total.weight, 1 if motion.spin > 0 else -1
+    c = center(total, motion)
+    middle = c[0].mid(), c[1].mid()
+    start, over = moments(total.support, middle), moments(total.support, c)
+    d = c[0] - middle[0], c[1] - middle[1]
+    x, y = _product(over, d)
+    lever = _product(over, (c[0] + total.length, c[1]))
+    torque = start.torque(middle, (-total.length, arb(0))) - lever[0] * d[0] - lever[1] * d[1]
     return Response(
-        start.x + own.xx * x + own.xy * y + own.xs * spin,
-        start.y + own.xy * x + own.yy * y + own.ys * spin,
-        start.torque + own.xs * x + own.ys * y + own.ss * spin,
+        -sense * weight * (start.y - y), sense * weight * (start.x - x), sense * weight * torque
     )
 
 
 def _common(balls: Iterable[arb]) -> arb:
-    """What is in all of the balls that are finite."""
+    """The intersection of the balls that are finite."""
     found = [each for each in balls if each.is_finite()]
     if not found:
         raise Undecided("friction over a ball too wide")
@@ -136,7 +147,7 @@ def _common(balls: Iterable[arb]) -> arb:
 
 
 def _seen(total: Resistance, motion: Motion, foot: int) -> tuple[Vector, tuple[int, ...]]:
-    """Centre of rotation, and the feet that it may be at."""
+    """Center of rotation, and the feet that it may be at."""
     if foot >= 0:
         x, y = total.support.points[foot].place
         return (arb(x), arb(y)), (foot,)
@@ -164,7 +175,7 @@ def _straightness(total: Resistance, motion: Motion) -> tuple[arb, arb, arb]:
 
     A velocity v next to u has a direction within ``2 |v - u| / |u|`` of that of u.
     """
-    (x, y), spin, _ = motion
+    (x, y), spin = motion.t, motion.spin
     speed, (p_x, p_y) = norm(x, y), total.pressure
     reach = (total.support.extent + arb(p_x * p_x + p_y * p_y).sqrt()).upper()
     return speed, reach, (2 * abs(spin) * reach / speed).upper()
@@ -207,7 +218,7 @@ def slopes(total: Resistance, motion: Motion, foot: int = -1) -> Slopes:
 
 
 def _bent(total: Resistance, motion: Motion, foot: int) -> Slopes:
-    """Derivatives of the friction of a rotation, by the second derivatives of D at its centre."""
+    """Derivatives of the friction of a rotation, by the second derivatives of D at its center."""
     c, feet = _seen(total, motion, foot)
     if feet and foot < 0:
         return Slopes(*[arb.nan()] * 6)

@@ -11,18 +11,21 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Exact, Undecided, rational, sign
 from planar_pushing.certified.contact.modes import SLIPS, Law, Mode
+from planar_pushing.certified.effects import collinear
 from planar_pushing.certified.effects import direction as directions
 from planar_pushing.certified.effects.direction import Direction, relative, returned
 from planar_pushing.certified.effects.precision import decided
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.effects.resistance import Resistance, Scene, resistance
 from planar_pushing.certified.effects.rest import free_normal, is_held
 from planar_pushing.certified.effects.slips import Slip, slips
 from planar_pushing.certified.effects.steady import steady_foot, steady_slips
 from planar_pushing.certified.effects.sticking import NOTHING, Stuck, is_across, stick
+from planar_pushing.certified.effects.under import is_straight, under
 from planar_pushing.certified.effects.way import Way, line
 from planar_pushing.certified.supports.pressure.moments import Vector
-from planar_pushing.certified.supports.push import Push
 
+ONE = fmpq(1)
 FENCE, NORMAL = directions.degrees(fmpq(0)), directions.degrees(fmpq(90))
 
 
@@ -42,7 +45,7 @@ class Solution:
     free : tuple of arb
         Half of that interval, else zero.
     pivot : int
-        Number of the support's point that is the centre of rotation, -1 without one.
+        Number of the support's point that is the center of rotation, -1 without one.
     continuum : bool
         Whether every slip from rest up to this solution is one too.
     """
@@ -192,7 +195,9 @@ def _slips(problem: _Problem, mode: Mode, side: int) -> Iterator[Solution]:
     stick_place = problem.pusher.ball()[0] * problem.size
     found: Iterable[Slip]
     foot = steady_foot(way)
-    if foot >= 0:
+    if problem.moves and total.is_steady:
+        found = _ray(problem, side)
+    elif foot >= 0:
         found = steady_slips(way, loaded, stick_place, -side, foot, problem.is_even)
     elif problem.is_even or (problem.moves == 0 and _is_inert(total)):
         found = ()
@@ -201,6 +206,30 @@ def _slips(problem: _Problem, mode: Mode, side: int) -> Iterator[Solution]:
     for each in found:
         motion, force = (returned(vector, total.rod) for vector in (each.motion, each.force))
         yield Solution(mode, motion, each.spin, force, NOTHING, each.pivot, continuum=foot >= 0)
+
+
+def _ray(problem: _Problem, side: int) -> Iterator[Slip]:
+    """The slip of effects of one degree: under the force of an edge any multiple of a motion."""
+    total, bound = problem.total, edge(problem.law, side)
+    push = total.push(relative(bound, problem.scene.rod))
+    straight = is_straight(total, push, ONE)
+    if straight and total.weight != 0 and collinear.crossed(push) is not None:
+        raise Undecided("a corner: one force, an interval of motions")
+    found = under(total, push, ONE)
+    parallel = straight or (is_across(push) and total.is_even())
+    exact = bound.exact if parallel else None
+    motion = bound.ball() if parallel else returned(found.motion, total.rod)
+    if sign(motion[1], None if exact is None else lambda: exact[1]) != problem.moves:
+        return
+    over = sign(_cross(motion, problem.pusher.ball()), _exact_depth(problem.pusher, -1, exact))
+    if over * problem.moves * side >= 0:
+        return
+    scale = problem.normal / (motion[1] if parallel else returned(found.motion, total.rod)[1])
+    if parallel:
+        scale = scale * (motion[0] ** 2 + motion[1] ** 2)
+    x, y = (each * scale for each in found.motion)
+    size = found.force * (scale if total.weight == 0 else 1)
+    yield Slip(arb(0), (x, y), found.spin * scale, (size * push.x, size * push.y), found.pivot)
 
 
 def _is_inert(total: Resistance) -> bool:

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 from flint import ctx
 
-from planar_pushing.certified.balls import Undecided
+from planar_pushing.certified.balls import Exhausted, Undecided
 
-#: Precisions in bits that are tried in turn.
-PRECISIONS = (128, 256, 512)
+#: Precisions in bits that are tried in turn: for a decision, and for numbers that are stored.
+COARSE, FINE = (128, 256, 512), (320, 640, 1280)
 
 Found = TypeVar("Found")
 
 
-def decided(decide: Callable[[], Found]) -> Found:
+def decided(decide: Callable[[], Found], precisions: Sequence[int] = COARSE) -> Found:
     """Decide at the first precision that suffices; everything is made anew at each.
 
     Raises
@@ -23,11 +23,13 @@ def decided(decide: Callable[[], Found]) -> Found:
     Undecided
         Where a sign stays open at the last precision.
     """
-    for precision in PRECISIONS[:-1]:
+    for precision in precisions[:-1]:
         try:
             with ctx.workprec(precision):
                 return decide()
+        except Exhausted:
+            raise
         except Undecided:
             continue
-    with ctx.workprec(PRECISIONS[-1]):
+    with ctx.workprec(precisions[-1]):
         return decide()

@@ -12,10 +12,10 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Exact, settle
 from planar_pushing.certified.effects.direction import Direction, exact_turned, turned
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.supports.pressure.mirror import is_mirrored
 from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place, together
-from planar_pushing.certified.supports.push import Push
 
 ORIGIN: Place = (fmpq(0), fmpq(0))
 
@@ -47,7 +47,7 @@ class Viscous:
 
 @dataclass(frozen=True, slots=True)
 class Load:
-    """A force in the fence's frame at a place of the body, by default the mass centre."""
+    """A force in the fence's frame at a place of the body, by default the mass center."""
 
     force: Place
     place: Place | None = None
@@ -99,7 +99,7 @@ class Resistance:
 
     @property
     def pressure(self) -> Place:
-        """Centre of pressure from the contact."""
+        """Center of pressure from the contact."""
         x, y = self.support.center
         return x + self.length, y
 
@@ -111,6 +111,11 @@ class Resistance:
         """A point of the support from the contact."""
         x, y = self.support.points[i].place
         return x + self.length, y
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether multiples of a motion have one direction of the force: all effects are of one degree."""
+        return all(each.is_zero() for each in self.load) and not (self.weight and self.mass)
 
     def is_even(self) -> bool:
         """Whether the slider mirrors itself in the rod: force and motion across the rod are parallel."""

@@ -1,4 +1,4 @@
-"""Whether friction holds a slider against a load, and how it moves where it does not."""
+"""Whether friction holds a slider against a load, and whether it leaves the pusher where it does not."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from itertools import pairwise
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Undecided, sign
-from planar_pushing.certified.effects.direction import Direction, degrees, relative
+from planar_pushing.certified.effects.direction import Direction, degrees
 from planar_pushing.certified.effects.gradient import Motion, response
-from planar_pushing.certified.effects.resistance import Resistance, Scene
+from planar_pushing.certified.effects.resistance import Resistance
 from planar_pushing.certified.effects.sticking import rotation
-from planar_pushing.certified.effects.under import Moved, under, under_size
+from planar_pushing.certified.effects.under import under
 from planar_pushing.certified.supports.pressure.moments import Vector, moments
 
 #: Numbers of directions that are tried in turn; a polygon of forces has a corner at each.
@@ -67,14 +67,3 @@ def free_normal(total: Resistance, normal: Direction, power: arb | fmpq) -> arb:
     It is negative where the slider on its own moves away from the pusher.
     """
     return under(total, total.push(normal), power).force
-
-
-def free_motion(total: Resistance, scene: Scene) -> Moved:
-    """Motion of the contact, and rotation, without the pusher; body frame.
-
-    Raises
-    ------
-    Undecided
-        Where friction holds the slider.
-    """
-    return under_size(total, total.push(relative(degrees(fmpq(90)), scene.rod)), fmpq(0))

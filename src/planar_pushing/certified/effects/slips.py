@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, ctx
 
-from planar_pushing.certified.balls import Undecided, sign
+from planar_pushing.certified.balls import Exhausted, Undecided, sign
 from planar_pushing.certified.effects.gradient import Motion, response
 from planar_pushing.certified.effects.sticking import near_root, rising_bounds, rotation, width
 from planar_pushing.certified.effects.way import Cell, Kink, Place, Way, at, kinks, over, rise
@@ -37,7 +37,7 @@ class Slip:
         Rotation.
     force : tuple of arb
     pivot : int
-        Number of the support's point that is the centre of rotation, -1 without one.
+        Number of the support's point that is the center of rotation, -1 without one.
     """
 
     s: arb
@@ -151,7 +151,7 @@ class _Search:
             cell = cells.pop()
             self.budget -= 1
             if self.budget < 0:
-                raise Undecided("slips are open: the bisection has no end")
+                raise Exhausted("slips are open: the bisection has no end")
             verdict = self._verdict(cell)
             if verdict is None:
                 cells += self._halves(cell)

@@ -13,19 +13,19 @@ from dataclasses import dataclass
 from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Undecided, sign
+from planar_pushing.certified.effects import collinear
 from planar_pushing.certified.effects.gradient import Motion, response
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.effects.resistance import Resistance
-from planar_pushing.certified.supports import collinear
 from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Place
-from planar_pushing.certified.supports.push import Push
 
 NOTHING = arb(0), arb(0)
 #: Doublings of a rotation that meets too little torque.
 DOUBLINGS = 400
 #: Steps to a guess at most; bisection alone needs fewer.
 STEPS = 500
-#: Steps outward to the bounds of a root over balls, each four times as long as the one before.
+#: Steps outward to the bounds of a root over balls, at first each twice as long as the one before.
 BROADENINGS = 40
 
 
@@ -42,7 +42,7 @@ class Stuck:
     free : tuple of arb
         Of a pivot half of the interval of forces, away from the contact; else zero.
     pivot : int
-        Number of the support's point that is the centre of rotation, -1 without one.
+        Number of the support's point that is the center of rotation, -1 without one.
     straight : bool
         Whether the force is along the contact's motion, exactly.
     """
@@ -89,7 +89,7 @@ def stick(total: Resistance, push: Push, size: fmpq | arb) -> Stuck:
     spin = rotation(total, (push.x, push.y), size)
     x, y, _, feet = response(total, Motion((push.x, push.y), spin, size))
     if feet:
-        raise Undecided("a centre of rotation next to a foot")
+        raise Undecided("a center of rotation next to a foot")
     return _made_even(total, push, Stuck(spin * size, (x, y)))
 
 
@@ -138,14 +138,14 @@ def rotation(total: Resistance, t: Vector, scale: arb) -> arb:
         Where the friction of a foot leaves it open, or a load turns the slider against any friction.
     """
     middle = _rotation(total, (t[0].mid(), t[1].mid()), scale.mid())
-    return rotations(total, t, scale, middle)
+    return rotations(total, Motion(t, middle, scale))
 
 
 def _rotation(total: Resistance, t: Vector, scale: arb) -> arb:
     """A guess of the rotation."""
 
     def torque(spin: arb) -> arb:
-        return _bounds(total, Motion(t, spin, scale))
+        return bounds(total, Motion(t, spin, scale))
 
     start = torque(arb(0))
     if start.contains(0):
@@ -180,8 +180,8 @@ def near_root(rising: Callable[[arb], arb], low: arb, high: arb, wide: arb) -> a
     return low.union(high)
 
 
-def _bounds(total: Resistance, motion: Motion) -> arb:
-    """Torque about the contact, with all that the feet next to the centre of rotation may add."""
+def bounds(total: Resistance, motion: Motion) -> arb:
+    """Torque about the contact, with all that the feet next to the center of rotation may add."""
     now = response(total, motion)
     return now.torque + sum((_most(total, i) for i in now.feet), arb(0))
 
@@ -191,14 +191,14 @@ def _most(total: Resistance, i: int) -> arb:
     return arb(0, (share * arb(x * x + y * y).sqrt()).upper())
 
 
-def rotations(total: Resistance, t: Vector, scale: arb, guess: arb) -> arb:
+def rotations(total: Resistance, guess: Motion) -> arb:
     """Bounds of the rotation over balls of contact motions, from a guess of them."""
-    return rising_bounds(lambda spin: _bounds(total, Motion(t, spin, scale)), guess)
+    return rising_bounds(lambda spin: bounds(total, guess._replace(spin=spin)), guess.spin)
 
 
 def rising_bounds(rising: Callable[[arb], arb], guess: arb) -> arb:
     """Bounds of the root of a rising function that is known as balls, from a guess of them."""
-    step = (guess.rad() + abs(guess).upper() * arb(2) ** (8 - ctx.prec)).mid()
+    step = (guess.rad() / 4 + abs(guess).upper() * arb(2) ** (8 - ctx.prec)).mid()
     below = _outward(lambda x: -rising(x), guess.lower(), -step)
     return below.union(_outward(rising, guess.upper(), step))
 
@@ -206,10 +206,10 @@ def rising_bounds(rising: Callable[[arb], arb], guess: arb) -> arb:
 def _outward(excess: Callable[[arb], arb], start: arb, step: arb) -> arb:
     """A place at which the excess is positive."""
     at = start
-    for _ in range(BROADENINGS):
+    for i in range(BROADENINGS):
         if excess(at) > 0:
             return at
-        at, step = (at + step).mid(), 4 * step
+        at, step = (at + step).mid(), step * 2 ** (1 + i // 4)
     raise Undecided("no bounds of a root")
 
 

@@ -1,24 +1,26 @@
 """The motion under a force along a direction, with any effects.
 
 Among contact motions ``p e + s n``, n to the left of the direction e, the force has no part along n at one:
-the part rises with s, by convexity, and jumps where a foot pivots.
+the part rises with s, by convexity, and jumps where a foot pivots. Newton's method finds the motion, the
+signs of the part on both of its sides prove it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Undecided, sign
-from planar_pushing.certified.effects.gradient import Motion, response
+from planar_pushing.certified.effects.gradient import Motion, response, slopes
+from planar_pushing.certified.effects.newton import Line, least
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.effects.resistance import Resistance
-from planar_pushing.certified.effects.sticking import near_root, rising_bounds, rotation, width
-from planar_pushing.certified.effects.way import Way, at, kinks, line
+from planar_pushing.certified.effects.sticking import near_root, rising_bounds, rotations, width
+from planar_pushing.certified.effects.way import Way, at, line
 from planar_pushing.certified.supports.pressure.moments import Vector
-from planar_pushing.certified.supports.push import Push
 
+ZERO = arb(0)
 #: Doublings of a bracket.
 DOUBLINGS = 200
 
@@ -36,13 +38,22 @@ class Moved:
     force : arb
         Part along the direction; the other one is zero.
     pivot : int
-        Number of the support's point that is the centre of rotation, -1 without one.
+        Number of the support's point that is the center of rotation, -1 without one.
+    own : arb
+        Of a pivot the square of the force that the point takes.
     """
 
     motion: Vector
     spin: arb
     force: arb
     pivot: int = -1
+    own: arb = ZERO
+
+    @property
+    def turn(self) -> arb:
+        """Rotation while the contact moves by one unit."""
+        x, y = self.motion
+        return self.spin / (x * x + y * y).sqrt()
 
 
 def under(total: Resistance, push: Push, power: arb | fmpq) -> Moved:
@@ -61,88 +72,105 @@ def under(total: Resistance, push: Push, power: arb | fmpq) -> Moved:
     Undecided
         Where a sign stays open, or the motion is not the only one: at a corner, and at rest.
     """
-    across = Push(push.support, push.length, -push.y, push.x, _left(push))
-    way = Way(total, line(push, power), across)
-    found = _pivot(way, push)
-    if found is not None:
-        return found
-    if _is_straight(total, push, power):
+    if is_straight(total, push, power):
         t = line(push, power)
         now = response(total, Motion(t, arb(0)))
         return Moved(t, arb(0), now.x * push.x + now.y * push.y)
-    s = _balanced(way)
-    (x, y), scale = way.motion(s)
-    spin = rotation(total, (x, y), scale)
-    now = response(total, Motion((x, y), spin, scale))
+    way = Way(total, line(push, power), Push(push.support, push.length, -push.y, push.x))
+    for foot in range(0 if way.rests else len(total.support.points)):
+        found = about(total, push, power, foot)
+        share = total.weight * total.support.points[foot].share
+        if found is not None and sign(found.own - share * share) < 0:
+            return found
+    s, spin = _through_rest(way) if way.rests else _balanced(way, push, power)
+    t, scale = way.motion(s)
+    now = response(total, Motion(t, spin, scale))
     if now.feet:
-        raise Undecided("a centre of rotation next to a foot")
-    motion = (x * scale, y * scale) if way.rests else (x, y)
+        raise Undecided("a center of rotation next to a foot")
+    motion = (t[0] * scale, t[1] * scale) if way.rests else t
     return Moved(motion, spin * scale, now.x * push.x + now.y * push.y)
 
 
-def _left(push: Push) -> tuple[arb, arb] | None:
-    return None if push.exact is None else (-push.exact[1], push.exact[0])
-
-
-def _is_straight(total: Resistance, push: Push, power: arb | fmpq) -> bool:
-    """Whether the line of force goes through the centre of all that resists, exactly."""
-    if not total.load[2].is_zero() or not isinstance(power, fmpq) or not power > 0:
-        return False
+def is_straight(total: Resistance, push: Push, power: arb | fmpq) -> bool:
+    """Whether the line of force goes through the center of all that resists, exactly."""
     if not all(each.is_zero() for each in total.load):
         return False
+    if not isinstance(power, fmpq) or not power > 0:
+        return False
     (x, y), (p_x, p_y) = total.first, total.pressure
-    place = total.weight * p_x + power * x - total.length, total.weight * p_y + power * y
-    return push.side(place) == 0
+    place = total.weight * p_x + power * x, total.weight * p_y + power * y
+    return push.side((place[0] - total.length, place[1])) == 0
 
 
-def _pivot(way: Way, push: Push) -> Moved | None:
-    """The pivot whose interval of forces holds the direction."""
-    for kink in kinks(way):
-        stuck = kink.stuck
-        part, free = (x * way.toward.x + y * way.toward.y for x, y in (stuck.force, stuck.free))
-        if sign(free * free - part * part) > 0:
-            force = tuple(f - part / free * e for f, e in zip(stuck.force, stuck.free, strict=True))
-            (x, y), _ = way.motion(kink.s)
-            size = force[0] * push.x + force[1] * push.y
-            return Moved((x, y), stuck.spin, size, kink.foot)
-    return None
+def about(total: Resistance, push: Push, power: arb | fmpq, foot: int) -> Moved | None:
+    """The rotation about a foot under a line of force, whatever the foot's share.
+
+    The rest of the effects takes the force f and the torque T about the contact. With the foot at r from
+    the contact, ``h = (T e - r (e x f)) / (e x r)`` makes f + h parallel to e, without torque.
+
+    Returns
+    -------
+    Moved or None
+        None where the line of force meets the foot.
+    """
+    if push.side(total.support.points[foot].place) == 0:
+        return None
+    (e_x, e_y), (x, y) = (push.x, push.y), total.foot(foot)
+    arm = e_x * y - e_y * x
+    spin = power / arm
+    t = spin * y, -spin * x
+    rest = response(total, Motion(t, spin), foot)
+    across = e_x * rest.y - e_y * rest.x
+    h_x, h_y = ((rest.torque * e - r * across) / arm for e, r in ((e_x, x), (e_y, y)))
+    force = (rest.x + h_x) * e_x + (rest.y + h_y) * e_y
+    return Moved(t, spin, force, foot, h_x * h_x + h_y * h_y)
 
 
-def _balanced(way: Way) -> arb:
-    """The place at which the force has no part along the way."""
+def _balanced(way: Way, push: Push, power: arb | fmpq) -> tuple[arb, arb]:
+    """The place at which the force has no part along the way, and the rotation there."""
+    one = Line(way.total, (push.x.mid(), push.y.mid()), arb(power).mid())
+    try:
+        near = least(one)
+        bend = slopes(way.total, one.motion(near))
+        rate = -((bend.xs * way.toward.x + bend.ys * way.toward.y) / bend.ss).mid()
+        if not rate.is_finite():
+            raise Undecided("no slope")
+    except Undecided:  # on a rim, or on a line of the support
+        return _through_rest(way)
+
+    def spin(s: arb) -> arb:
+        guess = near.spin + rate * (s - near.s)
+        return rotations(way.total, Motion(way.motion(s)[0], guess))
+
+    def part(s: arb) -> arb:
+        now = response(way.total, Motion(way.motion(s)[0], spin(s)))
+        if now.feet:
+            raise Undecided("a center of rotation next to a foot")
+        return now.x * way.toward.x + now.y * way.toward.y
+
+    # By symmetry the place may be zero, to all digits.
+    wide = (abs(near.s) + abs(one.power)) * arb(2) ** (8 - ctx.prec)
+    s = rising_bounds(part, near.s + arb(0, wide.mid()))
+    return s, spin(s)
+
+
+def _through_rest(way: Way) -> tuple[arb, arb]:
+    """The same without slopes, of a way through rest, where the potential has a kink."""
 
     def part(way: Way, s: arb) -> arb:
         x, y = at(way, s).force
         return x * way.toward.x + y * way.toward.y
 
     start = way.start[0].mid(), way.start[1].mid()
-    middle, size = way._replace(start=start), arb.max(abs(start[0]), abs(start[1])).mid()
-    return rising_bounds(lambda s: part(way, s), _root(lambda s: part(middle, s), size, width(1)))
-
-
-def _root(rising: Callable[[arb], arb], size: arb, wide: arb) -> arb:
-    """Root of a function that rises on the whole line; a size of the same order makes it fast."""
-    reach = size if size > 0 else arb(1)
+    middle = way._replace(start=start)
+    reach = arb.max(abs(start[0]), abs(start[1])).mid()
+    reach = reach if reach > 0 else arb(1)
     for _ in range(DOUBLINGS):
-        if rising(-reach) < 0 and rising(reach) > 0:
+        if part(middle, -reach) < 0 and part(middle, reach) > 0:
             break
         reach = 2 * reach
     else:
         raise Undecided("no motion under this line of force")
-    guess = near_root(lambda x: rising(x - reach), arb(0), 2 * reach, wide) - reach
-    return rising_bounds(rising, guess)
-
-
-def under_size(total: Resistance, push: Push, size: arb | fmpq) -> Moved:
-    """The motion under a force of a given size along a direction; of size 0 it is the free motion.
-
-    Raises
-    ------
-    Undecided
-        As `under`; with friction alone any motion along one direction has the same force.
-    """
-
-    def excess(power: arb) -> arb:
-        return under(total, push, power).force - size
-
-    return under(total, push, _root(excess, arb(1), width(2)))
+    near = near_root(lambda x: part(middle, x - reach), arb(0), 2 * reach, width(1)) - reach
+    s = rising_bounds(lambda s: part(way, s), near)
+    return s, at(way, s).spin

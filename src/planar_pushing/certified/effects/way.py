@@ -12,11 +12,27 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Undecided
-from planar_pushing.certified.effects.gradient import Motion, Response, response, slopes
+from planar_pushing.certified.effects.gradient import (
+    Motion,
+    Response,
+    center,
+    response,
+    slopes,
+)
+from planar_pushing.certified.effects.push import Push
 from planar_pushing.certified.effects.resistance import Resistance
-from planar_pushing.certified.effects.sticking import Stuck, pivot, rotation, rotations
+from planar_pushing.certified.effects.sticking import (
+    Stuck,
+    bounds,
+    pivot,
+    rising_bounds,
+    rotation,
+    rotations,
+)
 from planar_pushing.certified.supports.pressure.moments import Vector
-from planar_pushing.certified.supports.push import Push
+
+#: Rotations over a cell are first assumed to be off their secant by this part of their change.
+WIDE = 64
 
 
 class Way(NamedTuple):
@@ -83,7 +99,7 @@ def at(way: Way, s: arb, side: int = 0) -> Place:
     spin = rotation(way.total, (x, y), scale)
     now = response(way.total, Motion((x, y), spin, scale))
     if now.feet:
-        raise Undecided("a centre of rotation next to a foot")
+        raise Undecided("a center of rotation next to a foot")
     return Place(s, spin, (now.x, now.y))
 
 
@@ -136,22 +152,50 @@ def over(way: Way, cell: Cell) -> Range:
     Undecided
         Where the cell is too large.
     """
-    t, scale = _motion(way, cell)
-    spin = rotations(way.total, t, scale, cell.low.spin.union(cell.high.spin))
-    motion = Motion(t, spin, scale)
+    motion = _motion(way, cell)
     now = response(way.total, motion)
     return Range(motion, _with_feet(way, cell, now))
 
 
-def _motion(way: Way, cell: Cell) -> tuple[Vector, arb]:
-    t, scale = way.motion(cell.s)
+def _motion(way: Way, cell: Cell) -> Motion:
+    """The motions over a cell."""
+    middle = ((cell.low.s + cell.high.s) / 2).mid()
+    _, scale = way.motion(cell.s)
     if way.rests:
-        t, _ = way.motion((cell.low.s + cell.high.s).mid())
-    return t, scale
+        guess = Motion(way.motion(middle)[0], cell.low.spin.union(cell.high.spin), scale)
+        return guess._replace(spin=rotations(way.total, guess))
+    tube = _Tube(way, cell, middle)
+    wide = abs(cell.high.spin - cell.low.spin) / WIDE + cell.low.spin.rad() + cell.high.spin.rad()
+    off = rising_bounds(lambda off: bounds(way.total, tube.motion(off)), arb(0, wide.upper()))
+    return tube.motion(off)
+
+
+class _Tube(NamedTuple):
+    """Motions next to the secant of a cell: the rotation is off a linear function of s."""
+
+    way: Way
+    cell: Cell
+    middle: arb
+
+    def motion(self, off: arb) -> Motion:
+        """The motions whose rotation is off the secant; their centers of rotation by slopes."""
+        (low, high), (d_x, d_y) = self.cell, (self.way.toward.x, self.way.toward.y)
+        (x, y), scale = self.way.motion(self.cell.s)
+        run, rate = self.cell.s - self.middle, ((high.spin - low.spin) / (high.s - low.s)).mid()
+        own = (low.spin + rate * (self.middle - low.s)).mid() + off
+        spin = own + rate * run
+        if spin.contains(0):
+            return Motion((x, y), spin, scale)
+        start = center(self.way.total, Motion(self.way.motion(self.middle)[0], own))
+        about = (
+            start[0] + run * (y * rate - d_y * spin) / spin**2,
+            start[1] + run * (d_x * spin - x * rate) / spin**2,
+        )
+        return Motion((x, y), spin, scale, about)
 
 
 def _with_feet(way: Way, cell: Cell, now: Response) -> Vector:
-    """The force with that of the feet which may be at the centre of rotation."""
+    """The force with that of the feet which may be at the center of rotation."""
     for side, end in ((1, cell.low), (-1, cell.high)):
         if now.feet == (end.foot,):
             return _next_to_pivot(way, now, side)

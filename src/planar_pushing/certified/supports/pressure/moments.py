@@ -7,6 +7,7 @@ the second derivatives of D by c those of ``(1 - r' r'^T / rho^2) / rho``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 from typing import NamedTuple
 
 from flint import arb, fmpq
@@ -19,7 +20,7 @@ from planar_pushing.certified.supports.pressure.pieces import Circle, Pieces, Po
 Vector = tuple[arb, arb]
 #: D, G_x, G_y, and the second derivatives xx, xy, yy of one piece.
 Part = tuple[arb, arb, arb, arb, arb, arb]
-#: Evaluates D and G at an exact centre of rotation; a process has the closed forms until `use`.
+#: Evaluates D and G at an exact center of rotation; a process has the closed forms until `use`.
 Route = Callable[[Pieces, Vector], tuple[arb, arb, arb]]
 _route: Route | None = None
 
@@ -61,18 +62,33 @@ def moments(support: Pieces, c: Vector) -> Moments:
     for part in _parts(support, c):
         total = [whole + each for whole, each in zip(total, part, strict=True)]
     found = Moments(*total)
-    if _route is not None and c[0].is_exact() and c[1].is_exact():
-        distance, x, y = _route(support, c)
-        found = found._replace(distance=distance, x=x, y=y)
+    if _route is not None:
+        found = _by(_route, support, c, found)
     if not all(each.is_finite() for each in found[:3]):
         raise Undecided(f"no moments at {c}")
     return found
 
 
+def _by(route: Route, support: Pieces, c: Vector, known: Moments) -> Moments:
+    """D and G by a route at the middle of a ball, and by the derivatives over it where it has them."""
+    middle = c[0].mid(), c[1].mid()
+    distance, x, y = route(support, middle)
+    d_x, d_y = c[0] - middle[0], c[1] - middle[1]
+    if not (d_x.is_zero() and d_y.is_zero()):
+        distance -= known.x * d_x + known.y * d_y
+        x -= known.xx * d_x + known.xy * d_y
+        y -= known.xy * d_x + known.yy * d_y
+    if not (distance.is_finite() and x.is_finite() and y.is_finite()):
+        return known
+    return known._replace(distance=distance, x=x, y=y)
+
+
 def use(route: Route) -> None:
     """Evaluate D and G at exact centres by this route from now on: call it before anything else."""
     global _route
-    _route = route
+    _route = lru_cache(maxsize=16)(
+        route
+    )  # forces and derivatives are evaluated one after the other
 
 
 def _parts(support: Pieces, c: Vector) -> Iterable[Part]:

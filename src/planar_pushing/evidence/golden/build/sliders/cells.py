@@ -11,11 +11,14 @@ from typing import Any
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import cosine_sine, in_degrees, rational, sign
-from planar_pushing.certified.supports.cone_edges import Edge, edge
+from planar_pushing.certified.effects.cone_edges import Edge, edge
+from planar_pushing.certified.effects.direction import degrees as at_degrees
+from planar_pushing.certified.effects.direction import relative
+from planar_pushing.certified.effects.precision import FINE, decided
+from planar_pushing.certified.effects.resistance import Friction, Scene, resistance
+from planar_pushing.certified.effects.sticking import Stuck, stick
 from planar_pushing.certified.supports.pressure.moments import moments
 from planar_pushing.certified.supports.pressure.pieces import Pieces, pieces
-from planar_pushing.certified.supports.push import at_angle
-from planar_pushing.certified.supports.sticking import Stuck, stuck
 from planar_pushing.evidence.golden.build.cells import Record
 
 Entries = Mapping[str, Any]
@@ -98,7 +101,13 @@ def _stick(rod: Any, right: Edge, left: Edge, pusher: fmpq) -> tuple[Any, ...] |
     if not any(within):
         return None
     support, length, angle = rod
-    found = stuck(lambda: at_angle(support, length, angle, pusher))
+    scene = Scene(length, at_degrees(angle), (Friction(support, fmpq(1)),))
+
+    def along() -> Stuck:
+        total = resistance(scene)
+        return stick(total, total.push(relative(at_degrees(pusher), scene.rod)), fmpq(1))
+
+    found = decided(along, FINE)
     ends = _ends(found, right, left, angle)
     spin = found.spin * support.extent
     return *ends, arb(180 if pusher == -180 else pusher), spin, found.pivot
@@ -130,7 +139,7 @@ def _angle(force: Any, free: Any, part: arb) -> arb:
 
 def _slip(rod: Any, at: Edge, side: int, pusher: fmpq) -> tuple[Any, ...] | None:
     """The slip under the force of an edge, if the contact keeps up with the fence and goes to its side."""
-    support, length, _ = rod
+    support = rod[0]
     _, moves = cosine_sine(pusher)
     turn = at.angle / 180
     normal = arb(0) if at.angle == 0 or at.angle == 180 else turn.sin_pi()
@@ -139,7 +148,7 @@ def _slip(rod: Any, at: Edge, side: int, pusher: fmpq) -> tuple[Any, ...] | None
     over = ((pusher - at.angle) / 180).sin_pi()
     if sign(over) * sign(normal) * side >= 0:
         return None
-    spin = at.rotation(length) * support.extent * moves / normal
+    spin = at.moved.turn * support.extent * moves / normal
     high = sign(at.angle - 180) > 0
     motion = at.angle - 360 if high else at.angle
     return at.force_angle, at.force_angle, motion, spin, at.moved.pivot

@@ -19,7 +19,7 @@ from planar_pushing.evidence.golden.build.sliders import cells
 
 #: How the numbers are proved, and which part of the study they are.
 MARKS = {
-    "method": "closed forms in balls; centres of rotation by Krawczyk's operator, rotations by a change of "
+    "method": "closed forms in balls; motions and rotations by a change of "
     "sign, pivots by the force at the point against its share",
     "part": "the coordinates of this file, of those of the study",
 }

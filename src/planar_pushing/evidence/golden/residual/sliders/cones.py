@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.certified.balls import precise
-from planar_pushing.certified.supports.cone_edges import Edge
+from planar_pushing.certified.effects.cone_edges import Edge
 from planar_pushing.evidence.golden.residual.edges import ALONG, EDGE
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON, Finding, same
 from planar_pushing.evidence.golden.residual.sliders.gallery import (

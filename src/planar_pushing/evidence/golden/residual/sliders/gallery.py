@@ -11,10 +11,8 @@ import xarray as xr
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import rational
-from planar_pushing.certified.supports.cone_edges import Edge, edge
-from planar_pushing.certified.supports.pivots import about
+from planar_pushing.certified.effects.cone_edges import Edge, edge, pivot_load
 from planar_pushing.certified.supports.pressure.pieces import Pieces, pieces
-from planar_pushing.certified.supports.push import on_edge
 
 #: Sign of an edge of a cone, by its name in the datasets.
 SIDES = {"right": 1, "left": -1}
@@ -58,9 +56,8 @@ def expected_pivot(rod: Rod, friction: float, side: int, stored: int) -> int:
     number = max(found, int(stored))
     if found == stored or number >= len(rod.support.points):
         return found
-    at = about(on_edge(*rod[1:], float(friction), side), number)
-    share = rod.support.points[number].share
-    return int(stored) if at is not None and abs(at.own / share**2 - 1) < OPEN else found
+    load = pivot_load(*rod[1:], float(friction), side, number)
+    return int(stored) if load is not None and abs(load - 1) < OPEN else found
 
 
 def gap(stored: float, ball: arb) -> float:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.certified.supports.cone_edges import Edge
+from planar_pushing.certified.effects.cone_edges import Edge
 from planar_pushing.evidence.golden.residual.contact_modes.push import MODES, SLIPS, Decision
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON
 from planar_pushing.evidence.golden.residual.sliders.gallery import Rod, edges, expected_pivot
@@ -42,7 +42,7 @@ def slip_values(
     pivots = expected_pivot(rod, friction, SLIPS[mode], stored)
     tables.put("pivot", place, 0.0 if stored == pivots else np.inf, 0.0)
     normal = abs(np.sin(np.deg2rad(angle)))
-    turn = float(edge.rotation(rod.length) * rod.support.extent)
+    turn = float(edge.moved.turn * rod.support.extent)
     spin = turn * abs(np.sin(np.deg2rad(pusher))) / normal
     error = abs(tables.values["spin"][place] - spin)
     tables.put("spin", place, error, SPIN * rounding / ANGLE * (1 + abs(spin)) / min(normal, 1.0))

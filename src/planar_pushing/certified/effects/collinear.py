@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from flint import arb, fmpq
+from flint import arb
 
-from planar_pushing.certified.roots import increasing_root
-from planar_pushing.certified.supports.pressure.moments import Vector, moments
+from planar_pushing.certified.effects.push import Push, ball
+from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
-from planar_pushing.certified.supports.push import Push, ball
 
 
 def line_ends(support: Pieces) -> tuple[Place, Place] | None:
@@ -31,32 +30,8 @@ def crossed(push: Push) -> tuple[Place, Place] | None:
     return None if push.along((c - a, d - b)) else ends
 
 
-def center_between(push: Push, ends: tuple[Place, Place]) -> Vector:
-    """Centre of rotation on the line that a force crosses beside the centre of pressure.
-
-    There G is along the line. The torque about the contact is positive at the foot of the contact, and
-    negative at the end on the other side of the centre of pressure, and falls on the way.
-    """
-    (a, b), (c, d) = ends
-    run, whole = (c - a, d - b), (c - a) ** 2 + (d - b) ** 2
-    foot = ((-push.length - a) * run[0] - b * run[1]) / whole
-    x, y = push.support.center
-    center = ((x - a) * run[0] + (y - b) * run[1]) / whole
-    way = (fmpq(1) if center > foot else fmpq(0)) - foot
-
-    def place(part: arb) -> Vector:
-        at = foot + part * way
-        return a + at * run[0], b + at * run[1]
-
-    def lack(part: arb) -> arb:
-        at = place(part)
-        return -moments(push.support, at).torque(at, push.contact)
-
-    return place(increasing_root(lack, arb(0), arb(1), arb(2) ** -130))
-
-
 def center_beyond(push: Push) -> Vector | None:
-    """Centre of rotation of a contact that moves along t, where it is on the support's line at a corner.
+    """Center of rotation of a contact that moves along t, where it is on the support's line at a corner.
 
     It is the place across t from the contact, if that is not between the support's ends.
     """
