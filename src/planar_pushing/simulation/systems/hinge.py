@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import copysign, sqrt
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.simulation.systems import base, contact
@@ -35,7 +35,7 @@ def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
         Accelerations of the contact over the fence, and of the rotation.
     lift : float
         Normal acceleration of the contact without the force.
-    carried : float
+    p_x, p_y : float
         Force of the hinge.
     """
     body, (a_x, a_y, turn), (slip, rise, spin) = system.body, free, velocity
@@ -56,7 +56,45 @@ def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
     # The center of mass turns about the hinge.
     c_x, c_y = turn * q_y + square * q_x, -turn * q_x + square * q_y
     p_x, p_y = body.mass * (c_x - a_x) - f_x, body.mass * (c_y - a_y) - f_y
-    return f_x, f_y, a_along, a_normal, turn, lift, sqrt(p_x * p_x + p_y * p_y)
+    return f_x, f_y, a_along, a_normal, turn, lift, p_x, p_y
+
+
+@compiled
+def passing_friction(system, now, q_x, q_y, free, fence, velocity, share):
+    """Friction at a support point through which the center of rotation passes while the contact sticks.
+
+    Along the line to the contact, the contact's motion takes the point from one side to the other, and its
+    friction jumps. The part across is what leaves the point there, as long as it is less than the share.
+
+    Parameters
+    ----------
+    system : Inertial
+    now : Pose
+    q_x, q_y : float
+        From the center of mass to the point.
+    free : (a_x, a_y, turn)
+        Accelerations of the center of mass and of the rotation without the point's friction and the contact.
+    fence : (a_x, a_y)
+    velocity : (w_x, w_y)
+        Of the point.
+    share : float
+        Its largest friction.
+    """
+    body, (a_x, a_y, turn), (w_x, w_y) = system.body, free, velocity
+    d_x, d_y = now.arm_x + q_x, now.arm_y + q_y
+    reach = sqrt(d_x * d_x + d_y * d_y)
+    size = sqrt(w_x * w_x + w_y * w_y)
+    if reach > 0.0:
+        whole = body.moment + body.mass * (now.arm_x * now.arm_x + now.arm_y * now.arm_y)
+        held = -(fence[1] * d_x - fence[0] * d_y) / (reach * reach)
+        torque = body.moment * turn + body.mass * (now.arm_x * a_y - now.arm_y * a_x)
+        torque -= body.mass * (now.arm_x * fence[1] - now.arm_y * fence[0])
+        across = (whole * held - torque) / reach
+        if abs(across) < share:
+            along = -copysign(sqrt(share * share - across * across), w_x * d_x + w_y * d_y)
+            return (along * d_x - across * d_y) / reach, (along * d_y + across * d_x) / reach
+    part = -share / size if size > 0.0 else 0.0
+    return part * w_x, part * w_y
 
 
 @compiled

@@ -23,7 +23,7 @@ from planar_pushing.simulation.systems.frame import (
     to_body,
     to_contact,
 )
-from planar_pushing.simulation.systems.hinge import hinged_motion
+from planar_pushing.simulation.systems.hinge import hinged_motion, passing_friction
 from planar_pushing.simulation.systems.shapes.base import relative, seen
 
 #: Fraction of the typical force below which a force has no direction of its own.
@@ -34,7 +34,7 @@ STOPPED = 2e-9
 NO_DIRECTION = 1e-13
 #: A support point slower than this fraction of the slider's speed has arrived at the center of rotation; one
 #: that leaves it has left above the second; and one below the third may be a pivot.
-ARRIVED, LEFT, NEAR = 1e-10, 1e-6, 1e-9
+ARRIVED, LEFT, NEAR = 1e-10, 1e-5, 1e-9
 
 
 @inlined
@@ -126,6 +126,10 @@ def after(system, cause, mode, time, state, policy):
         return rest.stopped(system, mode, time, state), 0
     elif cause == base.STARTS:
         return time, rest.set_off(system, mode, time, state, policy)
+    falls = state[base.RISE] < -base.SLACK * system.body.speed
+    if mode.kind == base.SEPARATE and falls and base.clearance(system, state) <= base.SLACK:
+        state[base.GAP] = 0.0
+        return time, contact.impact(system, mode.during, time, state, mode.kind, policy)
     return time, 0
 
 
@@ -141,13 +145,21 @@ def motion(system, mode, time, state):
     body.evaluations += 1
     slip, rise, foot_x, foot_y = state[base.OVER], state[base.RISE], 0.0, 0.0
     v_x, v_y = center_motion(now, fence_x + slip, fence_y + rise, spin)
-    if mode.hinged:
-        p_x, p_y = foot_at(system.friction, mode.foot)
+    foot, sticks = mode.foot, mode.kind == base.STICK
+    if sticks:
+        foot, ratio = _slowest(system, now, v_x, v_y, spin)
+        foot = foot if ratio < LEFT else -1
+    t_x, t_y, turns = v_x, v_y, foot >= 0
+    if turns:
+        # About the support point, exactly.
+        p_x, p_y = foot_at(system.friction, foot)
         foot_x, foot_y = to_contact(now.frame, p_x, p_y)
-        v_x, v_y = spin * foot_y, -spin * foot_x
-        u_x, u_y = contact_motion(now, v_x, v_y, spin)
-        slip, rise = u_x - fence_x, u_y - fence_y if mode.kind == base.SEPARATE else 0.0
-    x, y, turned = _direction(system, mode, now, v_x, v_y, spin)
+        t_x, t_y = spin * foot_y, -spin * foot_x
+        if mode.hinged:
+            v_x, v_y = t_x, t_y
+            u_x, u_y = contact_motion(now, v_x, v_y, spin)
+            slip, rise = u_x - fence_x, u_y - fence_y if mode.kind == base.SEPARATE else 0.0
+    x, y, turned = _direction(system, mode, now, t_x, t_y, spin)
     found = drag(system.effects, x, y, turned)
     x, y = to_body(now.frame, v_x, v_y)
     rubbed = found.f_x * x + found.f_y * y + found.torque * spin
@@ -155,14 +167,32 @@ def motion(system, mode, time, state):
     d_x, d_y = pull.x - found.f_x, pull.y - found.f_y
     torque = pull.torque - found.torque - (body.center[0] * d_y - body.center[1] * d_x)
     d_x, d_y = to_contact(now.frame, d_x, d_y)
-    a_x, a_y, turn = d_x / body.mass, d_y / body.mass, torque / body.moment
-    pivot, hold = found.point, 1.0
-    if mode.hinged:
-        q_x, q_y = foot_x + now.x - now.arm_x, foot_y + now.y - now.arm_y
-        f_x, f_y, a_x, a_y, turn, free_y, carried = hinged_motion(
+    a_x, a_y, turn, hold = d_x / body.mass, d_y / body.mass, torque / body.moment, 1.0
+    f_x, f_y, along, normal, turn_too, free_y = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    q_x, q_y = foot_x + now.x - now.arm_x, foot_y + now.y - now.arm_y
+    if turns and sticks:
+        w_x, w_y = v_x - t_x, v_y - t_y
+        p_x, p_y = passing_friction(
+            system, now, q_x, q_y, (a_x, a_y, turn), (turn_x, turn_y), (w_x, w_y), found.most
+        )
+        a_x, a_y = a_x + p_x / body.mass, a_y + p_y / body.mass
+        turn += (q_x * p_y - q_y * p_x) / body.moment
+        rubbed -= p_x * w_x + p_y * w_y
+    elif turns:
+        f_x, f_y, along, normal, turn_too, free_y, p_x, p_y = hinged_motion(
             system, now, mode.kind, q_x, q_y, (a_x, a_y, turn), (slip, rise, spin), (turn_x, turn_y)
         )
-        hold, pivot = (found.most - carried) / (found.most + carried), mode.foot
+        carried = sqrt(p_x * p_x + p_y * p_y)
+        hold = (found.most - carried) / (found.most + carried)
+        if not mode.hinged:
+            # Friction at a point that begins to move is all of its share, against the force that would hold it.
+            part = found.most / carried if carried > 0.0 else 0.0
+            p_x, p_y = part * p_x, part * p_y
+            a_x, a_y = a_x + p_x / body.mass, a_y + p_y / body.mass
+            turn += (q_x * p_y - q_y * p_x) / body.moment
+            rubbed -= p_x * (v_x - t_x) + p_y * (v_y - t_y)
+    if mode.hinged:
+        a_x, a_y, turn = along, normal, turn_too
     else:
         free_x, free_y = _at_contact(now, a_x, a_y, turn, spin)
         free_x, free_y = relative(system.shape, spin, slip, rise, free_x - turn_x, free_y - turn_y)
@@ -170,7 +200,7 @@ def motion(system, mode, time, state):
             body, now.arm_x, now.arm_y, mode.kind, free_x, free_y
         )
         turn += contact.moment_of(now.arm_x, now.arm_y, f_x, f_y) / body.moment
-        pivot = -1
+    pivot = mode.foot if mode.hinged else -1
     return Motion(
         slip, rise, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
         f_x, f_y, rubbed, a_x, a_y, turn, free_y, pivot, hold,
