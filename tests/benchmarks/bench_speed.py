@@ -236,13 +236,13 @@ def batch():
     """Ten thousand scenes of friction, each another."""
     count = 10_000
     angle = RANDOM.uniform(0.3, np.pi - 0.3, count)
-    return pp.simulate_batch(
-        rod_length=RANDOM.uniform(0.5, 3.0, count),
-        rod_angle=RANDOM.uniform(0.5, 2.5, count),
-        friction_coefficient=RANDOM.uniform(0.2, 2.0, count),
-        velocity=np.stack([np.cos(angle), np.sin(angle)], axis=-1),
-        duration=2.0,
+    slider = pp.Slider(
+        rod_length=RANDOM.uniform(0.5, 3.0, count), rod_angle=RANDOM.uniform(0.5, 2.5, count)
     )
+    law = pp.Coulomb(RANDOM.uniform(0.2, 2.0, count))
+    scenes = pp.Scene(slider=slider, contact=law, effects=(pp.RingFriction(),))
+    pusher = pp.Pusher(velocity=(np.cos(angle), np.sin(angle)))
+    return pp.simulate_batch(scenes, pusher, duration=2.0)
 
 
 def test_batch_of_scenes(ratio):

@@ -1,31 +1,20 @@
-"""Many quasi-static scenes at once, against the event-driven simulation of each."""
+"""Many scenes at once, against the simulation of each."""
 
 import numpy as np
 import pytest
 import xarray as xr
 
-from planar_pushing import (
-    ContactMode,
-    Coulomb,
-    Inertia,
-    InfiniteFriction,
-    InvalidValue,
-    PerfectlyRough,
-    RingFriction,
-    Scene,
-    Slider,
-)
+import planar_pushing as pp
+from mechanics.builders import make_scene
 from planar_pushing.mechanics.plane import direction
-from planar_pushing.simulation.batch import simulate_batch
-from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.simulate import simulate
 
+AHEAD = pp.Pusher(velocity=(0.2, 1.0))
 REFERENCES = {
-    "rod_length": [5, 2, 2, 1],
+    "rod_length": np.array([5, 2, 2, 1]),
     "rod_angle": np.deg2rad([45, 45, 45, 80]),
-    "friction_coefficient": [np.inf, 2, 2, 0.5],
+    "friction_coefficient": np.array([np.inf, 2, 2, 0.5]),
     "velocity": direction(np.deg2rad([165, 60, 170, 20])),
-    "duration": [3, 3, 3, 2],
+    "duration": np.array([3, 3, 3, 2]),
 }
 ANGLES = [33.49164319965058, 6.511092064133266, 29.673182764562068, 110.23885816124236]
 SLIPS = [2.1514157444528927, -0.15251676648881093, 2.437240035590965, -1.0410568765402608]
@@ -43,21 +32,30 @@ def random_scenes(count, seed):
     }
 
 
+def law(mu):
+    return pp.InfiniteFriction() if np.isinf(mu) else pp.Coulomb(mu)
+
+
+def batch(scenes, radius=1.0, **options):
+    """Scenes under friction, each with a velocity of its own, all at once."""
+    length, angle, mu, velocity, duration = scenes.values()
+    scene = make_scene(length, np.array(list(map(law, mu))), psi=angle, radius=radius)
+    return pp.simulate_batch(
+        scene, pp.Pusher(velocity=tuple(velocity.T)), duration=duration, **options
+    )
+
+
 def single(scenes, index, radius, policy):
     length, angle, mu, velocity, duration = (values[index] for values in scenes.values())
-    law = InfiniteFriction() if np.isinf(mu) else Coulomb(mu)
-    slider = Slider(rod_length=length, rod_angle=angle, radius=radius)
-    scene = Scene(slider=slider, contact=law, effects=(RingFriction(),))
-    pusher = Pusher(velocity=tuple(velocity))
-    run = simulate(scene, pusher=pusher, duration=duration, on_ambiguity=policy, samples=2)
+    run = pp.simulate(
+        make_scene(length, law(mu), psi=angle, radius=radius), duration=duration, samples=2,
+        pusher=pp.Pusher(velocity=tuple(velocity)), on_ambiguity=policy,
+    )  # fmt: skip
     return run.isel(time=-1)
 
 
-SLIDER = {"rod_length": 2.0, "rod_angle": 1.0, "radius": 0.7}
-
-
 def test_the_references():
-    found = simulate_batch(**REFERENCES)
+    found = batch(REFERENCES)
     assert found.rod_angle.values == pytest.approx(ANGLES, abs=1e-8)
     assert found.slip.values == pytest.approx(SLIPS, abs=1e-9)
     assert found["mode"].values.tolist() == [2, 3, 2, 3]
@@ -74,9 +72,9 @@ def test_the_references():
 )  # fmt: skip
 def test_random_scenes_move_as_one_by_one(seed, policy):
     scenes = random_scenes(12, seed)
-    batch = simulate_batch(**scenes, radius=0.7, on_ambiguity=policy)
+    found = batch(scenes, radius=0.7, on_ambiguity=policy)
     for index in range(12):
-        one, here = single(scenes, index, 0.7, policy), batch.isel(scene=index)
+        one, here = single(scenes, index, 0.7, policy), found.isel(scene=index)
         for name in ("rod_angle", "slip", "gap", "time", "mode", "solutions"):
             assert here[name].item() == one[name].item()
         assert (here.position == one.position).all()
@@ -85,7 +83,7 @@ def test_random_scenes_move_as_one_by_one(seed, policy):
 
 def test_a_tighter_tolerance_agrees_to_1e_8():
     scenes = random_scenes(30, 4)
-    rough, fine = (simulate_batch(**scenes, rtol=rtol) for rtol in (1e-10, 1e-12))
+    rough, fine = (batch(scenes, rtol=rtol) for rtol in (1e-10, 1e-12))
     assert np.abs(np.deg2rad(rough.rod_angle - fine.rod_angle)).max() < 1e-8
     assert np.abs(rough.slip - fine.slip).max() < 1e-8
     assert (rough["mode"] == fine["mode"]).all()
@@ -94,7 +92,7 @@ def test_a_tighter_tolerance_agrees_to_1e_8():
 
 def test_samples_lie_on_one_course():
     scenes = random_scenes(20, 5)
-    last, path = simulate_batch(**scenes), simulate_batch(**scenes, samples=7)
+    last, path = batch(scenes), batch(scenes, samples=7)
     assert path.sizes == {"scene": 20, "part": 7, "xy": 2}
     assert path.rod_angle.isel(part=0).values == pytest.approx(np.rad2deg(scenes["rod_angle"]))
     assert np.abs(path.rod_angle.isel(part=-1) - last.rod_angle).max() < 1e-6
@@ -107,7 +105,7 @@ def test_samples_lie_on_one_course():
 
 
 def test_the_contact_stays_on_the_fence_or_above():
-    path = simulate_batch(**random_scenes(20, 6), samples=6)
+    path = batch(random_scenes(20, 6), samples=6)
     assert (path.gap >= 0).all()
     fence = path.velocity.sel(xy="y") * path.time
     contact = path.position.sel(xy="y") - path.rod_length * np.sin(np.deg2rad(path.rod_angle))
@@ -115,43 +113,62 @@ def test_the_contact_stays_on_the_fence_or_above():
 
 
 def test_hard_scenes_give_numbers_without_warnings():
-    names = ("rod_length", "rod_angle", "friction_coefficient", "fence", "speed")
+    names = ("rod_length", "rod_angle", "friction_coefficient", "angle", "speed")
     grid = np.meshgrid(
         [0, 1e-8, 1, 100], [1e-3, np.pi / 4, 3], [0, 1, np.inf],
         np.deg2rad([-90, -10, 0, 45, 90, 180]), [0, 1e-6, 10], indexing="ij",
     )  # fmt: skip
     flat = dict(zip(names, (part.ravel() for part in grid), strict=True))
-    velocity = flat.pop("speed")[:, None] * direction(flat.pop("fence"))
-    found = simulate_batch(**flat, velocity=velocity, duration=1.0)
+    velocity = flat.pop("speed")[:, None] * direction(flat.pop("angle"))
+    found = batch(flat | {"velocity": velocity, "duration": 1.0})
     for name, variable in found.data_vars.items():
         assert np.isfinite(variable).all(), name
     still = np.hypot(*velocity.T) == 0
     assert (found.slip.values[still] == 0).all()
-    assert (found["mode"].values[still] == ContactMode.SEPARATE).all()
+    assert (found["mode"].values[still] == pp.ContactMode.SEPARATE).all()
 
 
 def test_large_friction_converges_to_infinite_friction():
-    found = simulate_batch(
-        rod_length=5, rod_angle=np.pi / 4, friction_coefficient=[1e5, 1e6, np.inf],
-        velocity=direction(np.deg2rad(165)), duration=3,
-    )  # fmt: skip
+    laws = np.array([pp.Coulomb(1e5), pp.Coulomb(1e6), pp.InfiniteFriction()])
+    pusher = pp.Pusher(velocity=tuple(direction(np.deg2rad(165))))
+    found = pp.simulate_batch(make_scene(5, laws), pusher, duration=3)
     large, larger = np.abs(found.rod_angle.values[:2] - found.rod_angle.values[2])
     assert larger < 0.11 * large
     assert large < 1e-2
 
 
+def values(rod_length=1.0, rod_angle=1.0, friction_coefficient=1.0, **given):
+    """Arguments of `simulate_batch`."""
+    slider = {"rod_length": rod_length, "rod_angle": rod_angle, "radius": given.pop("radius", 1.0)}
+    effects, velocity = given.pop("effects", (FRICTION,)), given.pop("velocity", (0.0, 1.0))
+    return {
+        "scene": pp.Scene(
+            slider=pp.Slider(**slider), contact=pp.Coulomb(friction_coefficient), effects=effects
+        ),
+        "pusher": pp.Pusher(velocity=velocity), "duration": 1.0,
+    } | given  # fmt: skip
+
+
 @pytest.mark.parametrize(
     ("wrong", "message"),
     [
-        ({"rod_length": [1, -1]}, "rod_length: -1.0 given"),
-        ({"rod_angle": [1.0, np.pi]}, r"rod_angle: 3\.14159.* given"),
+        ({"rod_length": np.array([1, -1])}, "rod_length: -1.0 given"),
+        ({"rod_angle": np.array([1.0, np.pi])}, r"rod_angle: 3\.14159.* given"),
         ({"friction_coefficient": np.nan}, "friction_coefficient: nan given"),
+        ({"friction_coefficient": np.array([1.0, np.inf])}, "friction_coefficient: inf given"),
         ({"friction_coefficient": "rough"}, "friction_coefficient: 'rough' given"),
-        ({"duration": 0}, "duration: 0.0 given"),
-        ({"velocity": [np.inf, 0]}, "velocity: inf given"),
-        ({"velocity": [1, 0, 0]}, r"velocity: \(3,\) given"),
-        ({"rod_length": [1, 2], "rod_angle": [1, 1, 1]}, "shapes: .* given"),
-        ({"rod_length": []}, "shapes: .* given"),
+        ({"duration": 0}, "duration: 0 given"),
+        ({"duration": np.array([1, 0])}, "duration: 0.0 given"),
+        (
+            {"velocity": (np.array([1.0, np.inf]), 0)},
+            "velocity: inf given; allowed: finite numbers",
+        ),
+        ({"velocity": (np.array(["a"]), 0)}, "velocity: .*'a'.* given; allowed: finite numbers"),
+        ({"velocity": (np.array([1, 0]), 0, 0)}, "velocity: .* given"),
+        ({"rod_length": np.ones(2), "rod_angle": np.ones(3)}, "shapes: .* given"),
+        ({"rod_length": np.ones(2), "velocity": (np.ones(3), 0)}, "shapes: .* given"),
+        ({"rod_length": np.ones((2, 2))}, "shapes: .* given"),
+        ({"rod_length": np.ones(0)}, "shapes: .* given"),
         ({"radius": 0}, "radius: 0 given"),
         ({"rtol": 1}, "rtol: 1 given"),
         ({"samples": 1}, "samples: 1 given"),
@@ -159,25 +176,24 @@ def test_large_friction_converges_to_infinite_friction():
         ({"effects": ()}, "effects: .* given"),
         ({"twist": (1, 0, 0)}, r"twist: .* given; allowed: \(0, 0, 0\)"),
         ({"gap": -1}, "gap: -1 given"),
-        ({"contact": Coulomb(1)}, "friction_coefficient: 1 given; allowed: .* law as contact"),
+        ({"scene": 3}, "scene: 3 given"),
+        ({"pusher": (0, 1)}, r"pusher: \(0, 1\) given; allowed: a Pusher"),
     ],
 )
 def test_what_is_not_allowed_is_refused(wrong, message):
-    given = {
-        "rod_length": 1, "rod_angle": 1, "friction_coefficient": 1, "velocity": (0, 1), "duration": 1,
-    }  # fmt: skip
-    with pytest.raises(InvalidValue, match=message):
-        simulate_batch(**(given | wrong))
+    with pytest.raises(pp.InvalidValue, match=message):
+        pp.simulate_batch(**values(**wrong))
 
 
-FRICTION, INERTIA = RingFriction(weight=0.7), Inertia(mass=1.3, gyration_radius=0.8)
+FRICTION, INERTIA = pp.RingFriction(weight=0.7), pp.Inertia(mass=1.3, gyration_radius=0.8)
 LAWS = (
-    Coulomb(0.4), InfiniteFriction(), InfiniteFriction(at_zero_normal="none"), PerfectlyRough(),
+    pp.Coulomb(0.4), pp.InfiniteFriction(), pp.InfiniteFriction(at_zero_normal="none"),
+    pp.PerfectlyRough(),
 )  # fmt: skip
 PIECES = [(0, (0.5, 1)), (0.5, (0, 0)), (0.8, (0.3, -1)), (1.1, (0, 2))]
-
-
 OVER_TIME = [(0, "slip-left"), (0.3, "stay-in-mode"), (0.9, "slip-right"), (1.2, "stick")]
+#: Variables that the log of a scene shares with its part of a batch.
+SHARED = ("time", "rod_angle", "slip", "gap", "mode", "pivot", "solutions", "position")
 
 
 @pytest.mark.parametrize("policy", ["keep-contact", "separate", "stay-in-mode", OVER_TIME], ids=str)
@@ -187,43 +203,103 @@ OVER_TIME = [(0, "slip-left"), (0.3, "stay-in-mode"), (0.9, "slip-right"), (1.2,
 def test_a_batch_gives_the_numbers_of_simulate(effects, policy):
     """Every law, under a fence that starts, stops and turns, over a gap; bit for bit, samples included."""
     twist = (0.2, -0.3, 0.4) if INERTIA in effects else (0.0, 0.0, 0.0)
-    pusher, gaps = Pusher(velocity=PIECES), np.array([0.0, 0.0, 0.1, 0.2])
-    options = {"twist": twist, "on_ambiguity": policy, "samples": 9}
-    batch = simulate_batch(
-        **SLIDER, contact=np.array(LAWS), effects=effects, velocity=pusher, duration=1.5, gap=gaps,
-        **options,
-    )  # fmt: skip
-    for index, law in enumerate(LAWS):
-        scene = Scene(slider=Slider(**SLIDER), contact=law, effects=effects)
-        log = simulate(scene, pusher=pusher, duration=1.5, gap=gaps[index], **options)
-        here = batch.isel(scene=index)
+    pusher, gaps = pp.Pusher(velocity=PIECES), np.array([0.0, 0.0, 0.1, 0.2])
+    options = {"duration": 1.5, "twist": twist, "on_ambiguity": policy, "samples": 9}
+    scenes = make_scene(2.0, np.array(LAWS), effects, psi=1.0, radius=0.7)
+    found = pp.simulate_batch(scenes, pusher, gap=gaps, **options)
+    assert found.friction_coefficient.values.tolist() == [0.4, np.inf, np.inf, np.inf]
+    for index, each in enumerate(LAWS):
+        scene = make_scene(2.0, each, effects, psi=1.0, radius=0.7)
+        log, here = (
+            pp.simulate(scene, pusher=pusher, gap=gaps[index], **options),
+            found.isel(scene=index),
+        )
         assert (here.stopped != 0).any() == bool(log.attrs["stopped"])
         for part in range(9):
             until = log.isel(time=np.flatnonzero(log.time <= here.time[part])[-1])
-            for name in ("time", "rod_angle", "slip", "gap", "mode", "solutions", "position"):
-                assert (here[name][part] == until[name]).all(), (law, part, name)
+            for name in SHARED:
+                assert (here[name][part] == until[name]).all(), (each, part, name)
 
 
-def test_fences_that_are_functions_of_time_run_one_by_one():
-    pusher = Pusher(velocity=lambda t: (0.3 * np.sin(3 * t), np.sin(2 * t)))
-    durations = [0.5, 1.0]
-    batch = simulate_batch(**SLIDER, contact=Coulomb(0.5), velocity=pusher, duration=durations)
+def last(scene, pusher, **options):
+    return pp.simulate(scene, pusher=pusher, samples=2, **options).isel(time=-1)
+
+
+def same(one, other):
+    """Whether two ends of a motion are the same numbers, bit for bit."""
+    return all(np.array_equal(one[name], other[name]) for name in SHARED)
+
+
+@pytest.mark.parametrize("shape", ["fence", "finger"])
+def test_one_scene_is_a_batch_of_one(shape):
+    scene, pusher = make_scene(2.0, 0.5), pp.Pusher(velocity=(0.2, 1.0), shape=shape)
+    found = pp.simulate_batch(scene, pusher, duration=0.5)
+    assert found.sizes == {"scene": 1, "xy": 2}
+    assert same(found.isel(scene=0), last(scene, pusher, duration=0.5))
+
+
+def test_labelled_arrays_are_broadcast_by_name():
+    length = xr.DataArray([1.0, 2.0], dims="length", coords={"length": [1.0, 2.0]})
+    mu = xr.DataArray([0.2, 0.5, 1.0], dims="law", coords={"law": list("abc")})
+    along, duration = length.copy(data=[0.3, -0.1]), mu.copy(data=[0.2, 0.4, 0.3])
+    scenes, pusher = make_scene(length, pp.Coulomb(mu)), pp.Pusher(velocity=(along, 1.0))
+    found = pp.simulate_batch(scenes, pusher, duration=duration, samples=3)
+    assert found.rod_angle.dims == ("length", "law", "part")
+    assert found.velocity.dims == ("length", "law", "xy")
+    assert found.sizes == {"length": 2, "law": 3, "part": 3, "xy": 2}
+    assert found.length.equals(length.length)
+    assert found.law.values.tolist() == list("abc")
+    for i, j in np.ndindex(2, 3):
+        one = last(
+            make_scene(float(length[i]), float(mu[j])),
+            pp.Pusher(velocity=(float(along[i]), 1.0)), duration=float(duration[j]),
+        )  # fmt: skip
+        here = found.isel(length=i, law=j)
+        assert same(here.isel(part=-1), one)
+        assert here.friction_coefficient == mu[j]
+        assert here.rod_length == length[i]
+        assert here.duration == duration[j]
+        assert here.velocity.values.tolist() == [along[i], 1.0]
+
+
+def test_labelled_laws_and_gaps():
+    laws = xr.DataArray(np.array(LAWS), dims="law")
+    gap = xr.DataArray([0.0, 0.1], dims="height")
+    found = pp.simulate_batch(make_scene(2.0, laws), AHEAD, duration=0.4, gap=gap)
+    assert found.rod_angle.dims == ("law", "height")
+    for i, j in np.ndindex(4, 2):
+        one = last(make_scene(2.0, LAWS[i]), AHEAD, duration=0.4, gap=float(gap[j]))
+        assert same(found.isel(law=i, height=j), one)
+
+
+def test_loose_arrays_beside_labelled_ones_are_refused():
+    length = xr.DataArray([1.0, 2.0], dims="length")
+    with pytest.raises(pp.InvalidValue, match=r"shapes: .* as an xarray\.DataArray too"):
+        pp.simulate_batch(make_scene(length, 0.5), AHEAD, duration=np.array([1.0, 2.0]))
+
+
+def test_simulate_refuses_arrays_of_velocities():
+    pusher = pp.Pusher(velocity=(np.array([0.1, 0.2]), 1.0))
+    with pytest.raises(pp.InvalidValue, match=r"velocity: .* or call simulate_batch"):
+        pp.simulate(make_scene(2.0, 0.5), pusher=pusher, duration=1.0)
+
+
+def test_pushers_that_are_functions_of_time_run_one_by_one():
+    pusher = pp.Pusher(velocity=lambda t: (0.3 * np.sin(3 * t), np.sin(2 * t)))
+    scene, durations = make_scene(2.0, 0.5, psi=1.0, radius=0.7), np.array([0.5, 1.0])
+    found = pp.simulate_batch(scene, pusher, duration=durations)
     for index, duration in enumerate(durations):
-        scene = Scene(slider=Slider(**SLIDER), contact=Coulomb(0.5), effects=(RingFriction(),))
-        log = simulate(scene, pusher=pusher, duration=duration, samples=2)
-        assert batch.rod_angle[index] == log.rod_angle[-1]
-        assert batch.slip[index] == log.slip[-1]
+        assert same(found.isel(scene=index), last(scene, pusher, duration=duration))
 
 
 def test_parameters_of_the_effects_may_be_arrays():
     masses = np.array([0.5, 1.0, 2.0])
-    given = SLIDER | {"contact": Coulomb(0.5), "velocity": (0.2, 1.0), "duration": 1.0}
-    batch = simulate_batch(**given, effects=(FRICTION, Inertia(mass=masses)))
-    single = [
-        simulate_batch(**given, effects=(FRICTION, Inertia(mass=m))).rod_angle[0] for m in masses
-    ]
-    assert (batch.rod_angle == np.array(single)).all()
-    assert len(set(batch.rod_angle.values)) == 3
+    scenes = make_scene(2.0, 0.5, (FRICTION, pp.Inertia(mass=masses)), psi=1.0, radius=0.7)
+    found = pp.simulate_batch(scenes, AHEAD, duration=1.0)
+    for index, mass in enumerate(masses):
+        scene = make_scene(2.0, 0.5, (FRICTION, pp.Inertia(mass=mass)), psi=1.0, radius=0.7)
+        assert same(found.isel(scene=index), last(scene, AHEAD, duration=1.0))
+    assert len(set(found.rod_angle.values)) == 3
 
 
 def test_results_do_not_depend_on_the_threads(monkeypatch):
@@ -231,18 +307,18 @@ def test_results_do_not_depend_on_the_threads(monkeypatch):
     found = []
     for threads in (1, 2):
         monkeypatch.setattr("numba.config.NUMBA_NUM_THREADS", threads)
-        found.append(simulate_batch(**scenes))
+        found.append(batch(scenes))
     xr.testing.assert_identical(*found)
 
 
 def test_every_variable_has_a_unit_and_a_name():
-    found = simulate_batch(**REFERENCES, samples=2)
+    found = batch(REFERENCES, samples=2)
     assert all({"units", "long_name"} <= set(v.attrs) for v in found.variables.values())
 
 
 def test_a_batch_shows_progress_on_demand(capsys):
-    given = {"rod_length": [2.0, 3.0], "rod_angle": 1.0, "friction_coefficient": 1.0}
-    simulate_batch(**given, velocity=(0.0, 1.0), duration=0.1, progress=True)
+    scenes = make_scene(np.array([2.0, 3.0]), 1.0)
+    pp.simulate_batch(scenes, AHEAD, duration=0.1, progress=True)
     assert "scene" in capsys.readouterr().err
-    simulate_batch(**given, velocity=(0.0, 1.0), duration=0.1)
+    pp.simulate_batch(scenes, AHEAD, duration=0.1)
     assert capsys.readouterr().err == ""

@@ -106,31 +106,42 @@ def test_a_billion_steps_are_allowed():
 
 
 @pytest.mark.parametrize(("name", "given"), [
-    ("rod_length", ["1", "2"]), ("rod_length", [Decimal(1)]), ("rod_angle", None),
-    ("velocity", (0.0, Decimal(1))), ("velocity", None), ("velocity", (0.0, 1e200)),
-    ("velocity", [[0.0, 1.0], [1e-200, 0.0]]), ("duration", "1"), ("duration", [True]),
-    ("friction_coefficient", Decimal(1)), ("friction_coefficient", [[1], [1, 2]]), ("twist", "abc"),
-    ("twist", (0.0, 1.0)), ("twist", 5), ("effects", 5), ("samples", 10**12),
+    ("scene", 5), ("scene", pp.Scene), ("pusher", (0.0, 1.0)), ("pusher", None), ("duration", "1"),
+    ("duration", [True]), ("duration", None), ("gap", np.array(["0"])), ("twist", "abc"),
+    ("twist", (0.0, 1.0)), ("twist", 5), ("samples", 10**12), ("rtol", "1e-8"),
 ], ids=str)  # fmt: skip
 def test_values_of_a_batch(name, given):
-    values = {
-        "rod_length": [1.0, 2.0], "rod_angle": 1.0, "friction_coefficient": 1.0, "velocity": (0.0, 1.0),
-        "duration": 1.0,
-    } | {name: given}  # fmt: skip
-    refused(lambda: pp.simulate_batch(**values), name)
+    values = {"scene": make_scene(np.array([1.0, 2.0]), 1.0), "pusher": AHEAD, "duration": 1.0}
+    refused(lambda: pp.simulate_batch(**(values | {name: given})), name)
 
 
-def test_a_batch_of_labelled_and_of_whole_numbers():
-    found = pp.simulate_batch(
-        rod_length=[1, 2],
-        rod_angle=1,
-        friction_coefficient=1,
-        velocity=(0, 1),
-        duration=1,
-        rtol=1e-6,
-    )
-    same = pp.simulate_batch(
-        rod_length=np.array([1.0, 2.0]), rod_angle=1.0, friction_coefficient=1.0, velocity=(0.0, 1.0),
-        duration=1.0, rtol=1e-6,
+@pytest.mark.parametrize(("name", "given"), [
+    ("rod_length", ["1", "2"]), ("rod_length", [Decimal(1)]), ("rod_angle", None),
+], ids=str)  # fmt: skip
+def test_values_of_arrays_of_sliders(name, given):
+    values = {"rod_length": [1.0, 2.0], "rod_angle": 1.0} | {name: given}
+    refused(lambda: pp.Slider(**values), name)
+
+
+@pytest.mark.parametrize("given", [Decimal(1), [[1], [1, 2]]], ids=str)
+def test_values_of_arrays_of_coefficients(given):
+    refused(lambda: pp.Coulomb(given), "friction_coefficient")
+
+
+@pytest.mark.parametrize("velocity", [
+    (0.0, Decimal(1)), None, (0.0, 1e200), (np.array([0.0, 1e-200]), 0.0), (np.ones(2), None),
+    (np.ones(2), Decimal(1)), (np.ones(2), np.ones(3)),
+], ids=str)  # fmt: skip
+def test_velocities_of_a_batch(velocity):
+    refused(lambda: pp.Pusher(velocity=velocity), "velocity")
+
+
+def test_a_batch_of_whole_numbers():
+    whole, real = (
+        pp.simulate_batch(
+            make_scene(np.array([1, 2], dtype), pp.Coulomb(one), psi=one),
+            pp.Pusher(velocity=(0 * one, one)), duration=one, rtol=1e-6,
+        )
+        for dtype, one in ((int, 1), (float, 1.0))
     )  # fmt: skip
-    assert found.identical(same)
+    assert whole.identical(real)

@@ -39,11 +39,11 @@ def moved(parameters, pushes):
     rod = -contact / normal * 1j  # from the contact to the centre, the normal upwards
     supports = np.empty(PUSHES, object)
     supports[:] = [support(parameters, -each / abs(each)) for each in contact]
-    found = pp.simulate_batch(
-        rod_length=abs(rod), rod_angle=np.angle(rod), friction_coefficient=parameters[3],
-        velocity=np.column_stack([np.sin(angle), np.cos(angle)]), duration=LENGTH, shape="finger",
-        effects=(pp.SupportFriction(support=supports),),
-    )  # fmt: skip
+    slider = pp.Slider(rod_length=abs(rod), rod_angle=np.angle(rod))
+    box = pp.SupportFriction(support=supports)
+    scenes = pp.Scene(slider=slider, contact=pp.Coulomb(parameters[3]), effects=(box,))
+    finger = pp.Pusher(velocity=(np.sin(angle), np.cos(angle)), shape="finger")
+    found = pp.simulate_batch(scenes, finger, duration=LENGTH)
     step = found.position.values - np.column_stack([rod.real, rod.imag])
     return np.append(step, np.deg2rad(found.rod_angle - found.initial_rod_angle))
 

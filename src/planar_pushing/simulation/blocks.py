@@ -91,7 +91,11 @@ def _quasi_static(
     done = 0
     while at.scene < len(scenes) and done < STEPS:
         i = at.scene
-        row, fence, numbers = scenes[i], fences[i, : counts[i]], scenes[i, len(scenes[i]) - NUMBERS :]
+        row, fence, numbers = (
+            scenes[i],
+            fences[i, : counts[i]],
+            scenes[i, len(scenes[i]) - NUMBERS :],
+        )
         effects, friction, films = parts_of(kinds, row)
         own = shape_of(shape, numbers)
         system = QuasiStatic(effects, friction, films, kinds.loads, body, fence, own, room)
@@ -108,7 +112,11 @@ def _inertial(
     done = 0
     while at.scene < len(scenes) and done < STEPS:
         i = at.scene
-        row, fence, numbers = scenes[i], fences[i, : counts[i]], scenes[i, len(scenes[i]) - NUMBERS :]
+        row, fence, numbers = (
+            scenes[i],
+            fences[i, : counts[i]],
+            scenes[i, len(scenes[i]) - NUMBERS :],
+        )
         effects, friction, films = parts_of(kinds, row)
         own = shape_of(shape, numbers)
         system = Inertial(effects, friction, films, kinds.loads, body, fence, own, room)

@@ -97,7 +97,10 @@ def simulate(
     required_single(required_scene(scene))
     if require_kind("pusher", pusher, Pusher).arrays is not None:
         raise InvalidValue(
-            "velocity", "arrays", "one velocity", "take the pushers one by one, or call simulate_batch"
+            "velocity",
+            "arrays",
+            "one velocity",
+            "take the pushers one by one, or call simulate_batch",
         )
     for name, given in (("duration", duration), ("gap", gap)):
         require_number(name, required(name, given), math.isfinite, "one number", "give one")

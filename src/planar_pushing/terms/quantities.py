@@ -140,7 +140,10 @@ LOG: Quantities = {
     "slip": ("length", "slip of the contact along the fence, accumulated"),
     "solutions": ("1", "number of consistent solutions"),
     "time": ("time", "time"),
-    "twist": ("length/time", "twist of the slider at the ring centre, rotation in radians per time"),
+    "twist": (
+        "length/time",
+        "twist of the slider at the ring centre, rotation in radians per time",
+    ),
     "work": ("force length", "work of the fence on the slider, accumulated"),
 }
 #: What the log of a motion under a finger holds.

@@ -182,8 +182,13 @@ def _gets_on(system, run):
 def _move_on(system, run):
     """Go to the end of a step."""
     step.move_on(run)
-    base.remember(system, run.time, run.vectors[at.STATE], at.candidate(system, run, run.chosen),
-                  run.starts[run.chosen])
+    base.remember(
+        system,
+        run.time,
+        run.vectors[at.STATE],
+        at.candidate(system, run, run.chosen),
+        run.starts[run.chosen],
+    )
     run.phase, during = STEPS, span(system.fence, run.span)
     if run.time >= during.end:
         _count(system, run, during)

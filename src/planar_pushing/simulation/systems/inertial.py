@@ -69,7 +69,9 @@ def modes(system, during, time, state, kinds, feet, hinged, starts):
             return rest.clear(system, state, kinds, feet, hinged, starts)
         return _in_motion(system, during, time, state, 1, kinds, feet, hinged)
     if rests:
-        return rest.starting(system.friction, system, during, time, state, kinds, feet, hinged, starts)
+        return rest.starting(
+            system.friction, system, during, time, state, kinds, feet, hinged, starts
+        )
     return _in_motion(system, during, time, state, contact.MODES, kinds, feet, hinged)
 
 

@@ -77,7 +77,9 @@ def motion(system, mode, time, state):
         f_x, f_y = to_contact(now.frame, found.f_x, found.f_y)
         spin, slip, lift, pivot = found.spin, 0.0, 0.0, found.point
     else:
-        moved, size, lift = slipping(with_kinds(system), system, effects, now, mode, fence_x, fence_y)
+        moved, size, lift = slipping(
+            with_kinds(system), system, effects, now, mode, fence_x, fence_y
+        )
         u_x, _ = to_contact(now.frame, moved.u_x, moved.u_y)
         v_x, v_y = to_contact(now.frame, size * moved.v_x, size * moved.v_y)
         f_x, f_y = to_contact(now.frame, moved.f_x, moved.f_y)

@@ -165,8 +165,14 @@ def stopped(system, mode, time, state):
     base.rates(system, mode, time, state, found)
     now = base.pose(system, state)
     fence_x, fence_y = base.velocity(system, during, time, state)
-    v_x, v_y = center_motion(now, fence_x + state[base.OVER], fence_y + state[base.RISE], state[base.SPIN])
-    lost = found[base.LOST] - found[base.WORK] - base.load_power(system, now, state, v_x, v_y, state[base.SPIN])
+    v_x, v_y = center_motion(
+        now, fence_x + state[base.OVER], fence_y + state[base.RISE], state[base.SPIN]
+    )
+    lost = (
+        found[base.LOST]
+        - found[base.WORK]
+        - base.load_power(system, now, state, v_x, v_y, state[base.SPIN])
+    )
     for i in range(len(state) - len(system.effects), len(state)):
         lost += found[i]
     if lost <= 0.0:

@@ -35,7 +35,7 @@ class Log(NamedTuple):
     position, velocity : ndarray, shape (n, 2)
         Of the ring center.
     spin : ndarray
-        R omega.
+        omega, in radians per time.
     fence, fence_velocity : ndarray, shape (n, 2)
     force : ndarray, shape (n, 2)
     """
@@ -81,7 +81,7 @@ def read(dataset: xr.Dataset) -> tuple[Log, float]:
         *_effects(scene["effects"], radius), length / radius,
         scene["contact"].get("friction_coefficient", math.inf), dataset["mode"].values,
         length / radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1),
-        dataset["position"].values / radius, twist[:, :2] / radius, twist[:, 2] / radius,
+        dataset["position"].values / radius, twist[:, :2] / radius, twist[:, 2],
         fence / radius, velocity / radius, dataset["force"].values,
     )  # fmt: skip
     return log, radius
