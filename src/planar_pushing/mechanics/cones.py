@@ -177,7 +177,7 @@ def spin_ratio(
     force_angle : float or array
         phi, radians.
     inertia_share : float or array, optional
-        s / (1 + s) in [0, 1] with s = m a / W and a the acceleration of the slider's center, for a scene with
+        s / (1 + s) in [0, 1], s = m a / W and a the acceleration of the slider's center, for a scene with
         friction and inertia that is isotropic about that center: only there does it determine the motion.
     force_ratio : float or array, optional
         |f| / W > 0, for any scene with effects of both degrees; NaN where friction holds such a force.

@@ -1,4 +1,4 @@
-"""Whether friction holds the loads of a slider without inertia, which else has no motion that balances them."""
+"""Whether friction holds the loads of a slider without inertia; otherwise no motion balances them."""
 
 from __future__ import annotations
 

@@ -47,8 +47,8 @@ class Solution:
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
-        Whether every motion from this one to the other end of a continuum is a solution too: to another slip,
-        to the sticking motion, or to rest.
+        Whether each motion from this one to the other end of a continuum is a solution too: to another
+        slip, to the sticking motion, or to rest.
     """
 
     mode: ContactMode

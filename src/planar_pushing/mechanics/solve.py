@@ -199,7 +199,7 @@ def solve_arrays(entries: Sequence[Entry], *given: npt.ArrayLike) -> list[npt.ND
     entries : sequence of Entry
         The effects.
     *given : array_like
-        The columns of the entries; length and angle of the rod, radius; the five entries of `Law`; angle and
+        Columns of the entries; length and angle of the rod, radius; the five entries of `Law`; angle and
         magnitude of the pusher's motion.
 
     Returns

@@ -61,7 +61,7 @@ def _begin(system, numbers, run, at):
 
 @inlined
 def _follow(system, task, run, rows, found, changes, at):
-    """Go on with one scene; `found` takes its row at each of the task's times, the last where it ends before.
+    """Go on with one scene; `found` takes its row at each of the task's times, the last where it ends.
 
     Returns the number of steps.
     """
@@ -81,13 +81,13 @@ def _follow(system, task, run, rows, found, changes, at):
     return 1 + run.steps - before
 
 
-# Two kernels, and nothing between them and what they call: a system holds a record, which no function returns.
+# Two kernels, and no function that makes a system: it holds a record, which no function returns.
 @kernel
 @owning
 def _quasi_static(
     kinds, shape, scenes, fences, counts, times, rtol, body, room, run, rows, found, changes, at
 ):
-    """Go on with a block of scenes without inertia, from where it is, until it ends or many steps are done."""
+    """Go on with a block of scenes without inertia, until it ends or many steps are done."""
     done = 0
     while at.scene < len(scenes) and done < STEPS:
         i = at.scene

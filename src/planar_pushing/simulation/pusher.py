@@ -172,8 +172,16 @@ def _required_arrays(given: Any) -> tuple[Any, Any]:
     for each in given:
         numbers = np.asarray(each)
         if numbers.dtype.kind not in "iuf" or not np.isfinite(numbers).all():
-            raise InvalidValue("velocity", np.ravel(each)[0], "finite numbers", REMEDY)
-    required("velocity", np.hypot(x, y))
+            wrong = (
+                numbers[~np.isfinite(numbers)] if numbers.dtype.kind in "iuf" else np.ravel(numbers)
+            )
+            raise InvalidValue("velocity", wrong[0].item(), "finite numbers", REMEDY)
+    try:
+        speeds = np.hypot(x, y)
+    except ValueError:
+        shapes = np.shape(x), np.shape(y)
+        raise InvalidValue("velocity", shapes, "two arrays of one shape", REMEDY) from None
+    required("velocity", speeds)
     return x, y
 
 

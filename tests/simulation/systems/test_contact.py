@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from planar_pushing.simulation.systems.motion import rod_of
 
 from planar_pushing.mechanics.plane import contact_motion
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.systems import base, contact
-from planar_pushing.simulation.systems.motion import rod_of
 
 VECTORS = [(1.0, 0.0), (0.0, 1.0), (-0.6, 0.8)]
 

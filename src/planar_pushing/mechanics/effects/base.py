@@ -1,6 +1,6 @@
 """The interface of an effect: a convex potential of the twist, whose gradient is the wrench.
 
-Formulas work without dimensions: lengths in units of the slider's radius, twists ``(x, y, spin)`` of the body
+Formulas have no dimensions: lengths are in the slider's radii, twists ``(x, y, spin)`` those of the body
 frame's origin in the body frame. A member of the family is a module: a named tuple of numbers, and compiled
 functions of it by the names below. Effects add, so a scene holds a tuple of those that it has, in any order
 and number.
@@ -41,7 +41,7 @@ class Resistance(NamedTuple):
     point : int
         Number of the first of these points, -1 without one.
     gross : float
-        Magnitude of what the force is a sum of: its rounding error is a few units in the last place of this.
+        Magnitude of the terms of the force: its rounding error is a few units in the last place of this.
     """
 
     f_x: float
@@ -199,7 +199,7 @@ def _scaled_all(effects, one, two):
     return (scaled(effects[0], one, two), *scaled(effects[1:], one, two))
 
 
-#: Effects whose forces are multiplied by a factor: by the first where the potential has degree 1, by the second
+#: Effects whose forces are multiplied by a factor: the first where the potential has degree 1, the second
 #: where it has degree 2: effect or effects, and the factors.
 scaled = generic_owning(_summed("scaled", _scaled, _scaled_all))
 

@@ -91,7 +91,7 @@ def dip(function, arguments, low, middle, high, at_middle, bound=0.0):
 
 @compiled
 def increasing_root(function, arguments, start, step):
-    """Root of a function that increases, from a first guess and the size of a first step to its other side."""
+    """Root of a function that increases, from a first guess and the size of a first step across it."""
     low, at_low = start, function(arguments, start)
     sense = -1.0 if at_low > 0.0 else 1.0
     for _ in range(DOUBLINGS):

@@ -2,14 +2,14 @@
 
 A step of length h minimizes ``|v+ - v|_M^2 / 2 + h D(v+)`` over the twist v+ at its end, subject to the
 contact: it is the push from rest whose motion is a velocity, with inertia ``M / h`` about the twist before.
-A step sees the rod angle of its start, and the contact's frame there. The contact's normal motion is at least
-``w_n - gap / h``, so that the gap never closes past zero; a contact mode takes it for equal.
+A step sees the rod angle of its start, and the contact's frame there. The contact's normal motion is at
+least ``w_n - gap / h``, so that the gap never closes past zero; a contact mode takes it for equal.
 
 While the contact lasts, the contact point itself is moved by its own motion and the slider's center follows
 from the rod: a stick is then a stick and the gap is closed to rounding, whatever the step. In flight the
-slider's center is moved; over a fence the contact's path is then above its tangent, so the step's condition on
-the gap keeps the true gap open as well. Over a finger a flight may end below zero by the square of a step; the
-next step lifts it.
+slider's center is moved; over a fence the contact's path is then above its tangent, so the step's condition
+on the gap keeps the true gap open as well. Over a finger a flight may end below zero by the square of a
+step; the next step lifts it.
 """
 
 from __future__ import annotations
@@ -56,9 +56,10 @@ def clock_type(entries: int) -> np.dtype[Any]:
     """A run whose state has so many entries, of which those of inertia are not used.
 
     Its time and the end of the step; `mark` and `step` count the intervals between the times that are
-    recorded, from `start` on, and the steps in one; position of the pusher, and its displacement in the step;
-    twist, and mean force and pivot of the last step; work of the loads, and energy lost at the contact. Displacement, twist and force are along the axes of the
-    world; trials, each a twist, a force and a pivot, along those of the contact's frame.
+    recorded, from `start` on, and the steps in one; position of the pusher, and its displacement in the
+    step; twist, and mean force and pivot of the last step; work of the loads, and energy lost at the
+    contact. Displacement, twist and force are along the axes of the world; trials, each a twist, a force
+    and a pivot, along those of the contact's frame.
     """
     return np.dtype(
         [
@@ -168,7 +169,7 @@ def _try(system, run):
 
 @inlined
 def _kept(run, found, count, unit, far):
-    """Write down the solutions as trials, in the units of the scene; of a contact that is open, the flight."""
+    """Write down the solutions as trials, in the scene's units; of a contact that is open, the flight."""
     for i in range(count):
         run.kinds[i] = found[i].mode
         for k in range(3):
@@ -182,7 +183,7 @@ def _kept(run, found, count, unit, far):
 
 @compiled
 def _quasi_static_step(system, run, now, h, size, before):
-    """Effects of a step without inertia, which has no memory of the twist before, and its unit of motion."""
+    """Effects of a step without inertia, which does not remember the twist before, and its unit."""
     effects = (*system.friction, *scaled_films(system.films, size))
     return with_loads(system.loads, effects, system.body, run.state[base.ANGLE]), size
 
@@ -205,7 +206,7 @@ def _inertial_step(system, run, now, h, size, before):
 
 @generic
 def stepped(kind: Any) -> Callable[..., Any]:
-    """Effects of a step and their unit of motion: system, run, pose, length, speeds of pusher and contact."""
+    """Effects of a step and their unit: system, run, pose, length, speeds of pusher and contact."""
     return _inertial_step if kind is base.Inertial else _quasi_static_step
 
 

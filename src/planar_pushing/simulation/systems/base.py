@@ -13,7 +13,6 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import by_kind, compiled
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.modes import MOST
 from planar_pushing.simulation import fence
 from planar_pushing.simulation.fence import Span
 from planar_pushing.simulation.rows import Event
@@ -93,7 +92,7 @@ class QuasiStatic(NamedTuple):
     """The system of a scene without inertia; `body` is a record of `BODY`.
 
     `effects` are friction and viscous friction, `friction` and `films` the one and the other, and `loads` a
-    wrench where the scene has loads. `fence` is the pusher's motion, of a fence or of a finger, of which kind `shape` says.
+    wrench where the scene has loads. `fence` is the motion of the pusher, whose kind is that of `shape`.
     """
 
     effects: tuple[Any, ...]

@@ -1,8 +1,8 @@
 """What the contact transmits: the friction cone, and forces and impulses on a slider with inertia.
 
 With r from the contact to the center of mass, a force f at the contact accelerates it by
-``f / m + (r_y f_x - r_x f_y) (r_y, -r_x) / J``. Impacts are inelastic; friction of the support is finite and has no
-part in them.
+``f / m + (r_y f_x - r_x f_y) (r_y, -r_x) / J``. Impacts are inelastic; friction of
+the support is finite and has no part in them.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ from planar_pushing.mechanics.effects.base import (
 from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.effects.load import Wrench
 from planar_pushing.mechanics.effects.ring import RingSupport
-from planar_pushing.mechanics.reduced.psi import ROUNDING
+from planar_pushing.mechanics.reduced.motion import ROUNDING
 
 
 @generic_owning
@@ -59,7 +59,7 @@ def _no_columns(kinds):
 
 @generic
 def drag(kinds: Any) -> Callable[..., Any]:
-    """`Resistance` to a twist, zero at rest: effects, x, y, spin. Points at the center count for nothing."""
+    """`Resistance` to a twist, zero at rest, without points at the center: effects, x, y, spin."""
     return _drag if kinds else _no_drag
 
 
@@ -77,7 +77,7 @@ def _drag(effects, x, y, spin):
 
 @generic
 def powers(kinds: Any) -> Callable[..., Any]:
-    """Write down the power that each effect dissipates: effects, x, y, spin, their sum, found, first index."""
+    """Write down the power that each effect dissipates: effects, x, y, spin, sum, found, first index."""
     return (_no_powers, _last_power)[len(kinds)] if len(kinds) < 2 else _powers
 
 
@@ -108,14 +108,14 @@ def load_at(body, angle):
 
 @compiled
 def load_work(body, angle, x, y):
-    """Work of the loads since time 0, at a displacement of the slider's center along the first body axes."""
+    """Work of the loads since time 0, at a displacement of the center along the first body axes."""
     (g_x, g_y, cross, dot), turn = body.load, angle - body.start_angle
     return g_x * x + g_y * y + dot * (cos(turn) - 1.0) + cross * sin(turn)
 
 
 @generic
 def with_loads(kinds: Any) -> Callable[..., Any]:
-    """Effects, and the wrench of the loads at an angle where there are some: loads, effects, body, angle."""
+    """Effects, and the wrench of the loads, if any, at an angle: loads, effects, body, angle."""
     return _with_loads if kinds else _without_loads
 
 

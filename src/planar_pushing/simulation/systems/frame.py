@@ -1,4 +1,4 @@
-"""The contact's frame: +y is the normal there; the body frame, whose x is along the rod, is at an angle in it."""
+"""The contact's frame, whose +y is the normal there, and in it the body frame, whose x is along the rod."""
 
 from __future__ import annotations
 

@@ -73,7 +73,7 @@ def passing_friction(system, now, q_x, q_y, free, fence, velocity, share):
     q_x, q_y : float
         From the center of mass to the point.
     free : (a_x, a_y, turn)
-        Accelerations of the center of mass and of the rotation without the point's friction and the contact.
+        Accelerations of the center of mass and of the rotation without point and contact.
     fence : (a_x, a_y)
     velocity : (w_x, w_y)
         Of the point.

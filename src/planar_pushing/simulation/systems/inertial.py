@@ -32,7 +32,7 @@ NO_FORCE = 1e-9
 STOPPED = 2e-9
 #: Below this fraction of the typical speed a slider that starts has no direction but the impending one.
 NO_DIRECTION = 1e-13
-#: A support point slower than this fraction of the slider's speed has arrived at the center of rotation; one
+#: A support point slower than this fraction of the slider's speed has arrived at the center of motion; one
 #: that leaves it has left above the second; and one below the third may be a pivot.
 ARRIVED, LEFT, NEAR = 1e-10, 1e-5, 1e-9
 
@@ -187,7 +187,7 @@ def motion(system, mode, time, state):
         carried = sqrt(p_x * p_x + p_y * p_y)
         hold = (found.most - carried) / (found.most + carried)
         if not mode.hinged:
-            # Friction at a point that begins to move is all of its share, against the force that would hold it.
+            # Friction at a point that begins to move is all of its share, along the force that held it.
             part = found.most / carried if carried > 0.0 else 0.0
             p_x, p_y = part * p_x, part * p_y
             a_x, a_y = a_x + p_x / body.mass, a_y + p_y / body.mass

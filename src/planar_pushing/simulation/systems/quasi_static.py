@@ -98,7 +98,7 @@ def _is_plain(kinds: tuple[Any, ...]) -> bool:
 
 @generic
 def candidates(kinds: Any) -> Callable[..., Any]:
-    """Write down slips that may be: kinds, system, state, contact mode, velocity of the fence, kinds, starts."""
+    """Write down slips that may be: kinds, system, state, mode, velocity of the fence, kinds, starts."""
     return _one if _is_plain(kinds) else _several
 
 

@@ -37,7 +37,7 @@ PUSHERS = {Shape.FENCE: fences.Fence(), Shape.FINGER: finger.Finger(1.0, 1.0, 1.
 
 
 class Kinds(NamedTuple):
-    """Kinds of the effects that resist a motion, of friction and of viscous friction alone, and of loads."""
+    """Kinds of the effects that resist a motion, of friction, of viscous friction, and of loads."""
 
     effects: tuple[Any, ...]
     friction: tuple[Any, ...]
@@ -178,8 +178,10 @@ def system_of(problem: Problem, row: Array, fence: Any) -> Any:
     body, scene = records(base.BODY, 1)[0], problem.scene
     kinds, numbers = kinds_of(scene), row[-NUMBERS:]
     fill(numbers, fence, body)
-    return KINDS[scene.stores_energy](
-        *parts_of(kinds, row), kinds.loads, body, fence,
+    system: Any = KINDS[scene.stores_energy]
+    effects, friction, films = parts_of(kinds, row)
+    return system(
+        effects, friction, films, kinds.loads, body, fence,
         shape_of(PUSHERS[problem.shape], numbers), new_room(size_of(scene)),
     )  # fmt: skip
 

@@ -27,8 +27,8 @@ shown = by_kind(SHAPES, "shown")
 relative = by_kind(SHAPES, "relative")
 #: Position of the slider's center: shape, rod angle, pose, contact along and across, pusher's position.
 center = by_kind(SHAPES, "center")
-#: Where a flight takes the contact, along and across: shape, pose, its position before, displacements of the
-#: slider's center and of the pusher, and the turn.
+#: Where a flight takes the contact, along and across: shape, pose, its position before, displacements of
+#: the slider's center and of the pusher, and the turn.
 flown = by_kind(SHAPES, "flown")
 #: Whether the pusher's motion is constant in the contact's frame while the slider moves: shape, span.
 steady = by_kind(SHAPES, "steady")
@@ -36,5 +36,5 @@ steady = by_kind(SHAPES, "steady")
 clearance = by_kind(SHAPES, "clearance")
 #: Margin of a slider that does not lie on the pusher, NaN where it never does: shape, body, angle, gap.
 upright = by_kind(SHAPES, "upright")
-#: Distance from the contact to the nearer end of the side, negative beyond it, NaN without one: shape, along.
+#: Distance from the contact to the nearer end of the side, negative beyond it, NaN without one.
 room = by_kind(SHAPES, "room")
