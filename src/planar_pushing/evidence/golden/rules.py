@@ -74,7 +74,7 @@ RULES: dict[str, dict[str, Rule]] = {
         "motion_cone_right motion_cone_left cone_force_angle cone_motion_angle cone_center force "
         "contact_motion slip twist spin_ratio center support_motion support_force",
     ),
-    "simulations": _by(Rule.EXACT, "mode outcome solutions adhesive evaluations")
+    "simulations": _by(Rule.EXACT, "mode outcome solutions adhesive pivot event evaluations")
     | _by(
         Rule.RESIDUAL,
         "position rod_angle twist fence slip gap force spin_ratio dissipated contact_dissipated work "

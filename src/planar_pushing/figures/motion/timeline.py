@@ -64,7 +64,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
             "name another file"
         )
     data = log[list(PATH)].rename({name: f"path_{name}" for name in PATH})
-    data["path_center"] = motion_center(log, slider["radius"])
+    data["path_center"] = motion_center(log)
     for name in ("radius", "rod_length"):
         data[name] = ((), float(slider[name]), described("length", name))
     data["radius"].attrs["long_name"] = "radius of the ring"
@@ -78,11 +78,11 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     return data.assign_attrs(scene=log.attrs["scene"])
 
 
-def motion_center(log: xr.Dataset, radius: float) -> xr.DataArray:
+def motion_center(log: xr.Dataset) -> xr.DataArray:
     """Place of the motion center; NaN for a slider that does not turn."""
     v_x, v_y, spin = np.moveaxis(log["twist"].values, -1, 0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        offset = np.stack([-v_y, v_x], axis=-1) * (radius / spin)[:, None]
+        offset = np.stack([-v_y, v_x], axis=-1) / spin[:, None]
     place = log["position"] + np.where(spin[:, None] == 0, np.nan, offset)
     place.attrs = described("length", "motion centre, from the contact at time 0")
     return place
@@ -119,8 +119,7 @@ def impacts(log: xr.Dataset) -> list[int]:
 
 def _of_mass(log: xr.Dataset, inertia: dict[str, Any]) -> Array:
     """Velocity of the center of mass."""
-    radius = json.loads(log.attrs["scene"])["slider"]["radius"]
-    arm = np.asarray(inertia.get("center", (0.0, 0.0))) / radius
+    arm = np.asarray(inertia.get("center", (0.0, 0.0)))
     turned = np.array([Pose((0.0, 0.0), each).at(arm) for each in np.deg2rad(log["rod_angle"])])
     v_x, v_y, spin = log["twist"].values.T
     return np.stack([v_x - spin * turned[:, 1], v_y + spin * turned[:, 0]], axis=-1)

@@ -26,7 +26,7 @@ SHOWN = ("position", "fence", "rod_angle")
 def motion(log: xr.Dataset, points: Points, radius: float) -> xr.Dataset:
     """Select the motion, its motion center, and how far that is from the point that it comes to."""
     data = log[list(SHOWN)].rename({name: f"path_{name}" for name in SHOWN}).drop_attrs(deep=False)
-    data["path_center"] = motion_center(log, radius)
+    data["path_center"] = motion_center(log)
     data["support_point"] = named(
         ("point", "xy"), points.positions, "length", "support point in the body frame"
     )
