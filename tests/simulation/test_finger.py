@@ -216,21 +216,17 @@ def check_energy(log):
 def test_a_batch_has_the_numbers_of_simulate(name):
     effects = EFFECTS[name]
     angles, ends = np.array([60.0, 68.0, 120.0]), np.array([0.1, 0.3, np.inf])
-    velocity = np.stack([np.cos(np.deg2rad(angles)), np.sin(np.deg2rad(angles))], axis=-1)
-    batch = pp.simulate_batch(
-        rod_length=2.0, rod_angle=1.2, radius=1.0, velocity=velocity, duration=0.5, effects=effects,
-        friction_coefficient=0.1, shape="finger", side=(-1.0, ends), samples=3,
-    )  # fmt: skip
+    finger = pp.Pusher(velocity=heading(angles), shape="finger")
+    scenes = scene(effects, side=(-1.0, ends))
+    batch = pp.simulate_batch(scenes, finger, duration=0.5, samples=3)
     for row, (angle, end) in enumerate(zip(angles, ends, strict=True)):
         log = pushed(scene(effects, side=(-1.0, end)), heading(angle), 0.5, samples=3)
         log = log.sel(time=[0.0, 0.25, 0.5])
         for name in ("rod_angle", "slip", "contact_position", "position", "parted", "mode"):
             assert np.array_equal(batch[name][row], log[name]), (angle, name)
     assert batch.parted[:, -1].values.tolist() == [True, True, False]
-    assert "contact_position" not in pp.simulate_batch(
-        rod_length=2.0, rod_angle=1.2, velocity=(0.0, 1.0), duration=0.1, effects=effects,
-        friction_coefficient=0.1,
-    )  # fmt: skip
+    fence = pp.Pusher(velocity=(0.0, 1.0))
+    assert "contact_position" not in pp.simulate_batch(scene(effects), fence, duration=0.1)
 
 
 def test_a_log_on_disk_is_that_in_memory(tmp_path):

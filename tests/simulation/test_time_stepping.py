@@ -21,7 +21,7 @@ from planar_pushing import (
 from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.rows import NO_MODE, ROW, reason
+from planar_pushing.simulation.rows import NO_MODE, reason
 from planar_pushing.simulation.steps.integrate import TimeStepping
 
 FRICTION, INERTIA = RingFriction(weight=0.7), Inertia(mass=1.3, gyration_radius=0.8)
@@ -52,13 +52,14 @@ def records(task, steps, samples=2):
 
 def recorded(run):
     """Every row of a run, its vectors as tuples."""
-    rows = [dict(zip(ROW.names, row.tolist(), strict=True)) for batch in run for row in batch]
+    rows = [dict(zip(row.dtype.names, row.tolist(), strict=True)) for batch in run for row in batch]
     found = [
         SimpleNamespace(**{k: tuple(v) if np.ndim(v) else v for k, v in row.items()})
         for row in rows
     ]
     for each in found:
         each.stopped = reason(each.stopped)
+        each.dissipated = sum(each.dissipated)
     return found
 
 
