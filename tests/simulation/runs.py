@@ -45,10 +45,11 @@ def final(log, name):
 
 
 def imbalance(log):
-    """Work of the fence less the energy gained and dissipated, at every instant."""
+    """Work of the fence and of loads less the energy gained and dissipated, at every instant."""
     lost = log.dissipated.sum("effect") + log.contact_dissipated
     gained = log.kinetic_energy - log.kinetic_energy[0]
-    return np.abs((log.work - log.work[0] - gained - (lost - lost[0])).values)
+    work = log.work + log.load_work if "load_work" in log else log.work
+    return np.abs((work - work[0] - gained - (lost - lost[0])).values)
 
 
 def check(log, tolerance=1e-9):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from planar_pushing.mechanics.reduced.psi import Contact
+from planar_pushing.mechanics.reduced.psi import contact_at
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.frame import contact_motion, frame_of, pose_at
@@ -22,7 +22,7 @@ def slider(length, mu=0.5):
 
 def pose(length):
     """The slider at an angle, its center of mass at its center."""
-    return pose_at(frame_of(0.7), Contact(-length, 0.0), (0.0, 0.0))
+    return pose_at(frame_of(0.7), contact_at(-length, 0.0), (0.0, 0.0))
 
 
 @pytest.mark.parametrize("vector", VECTORS, ids=str)
