@@ -7,7 +7,7 @@ the support is finite and has no part in them.
 
 from __future__ import annotations
 
-from math import atan2
+from math import atan2, sqrt
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
@@ -79,11 +79,14 @@ def pushed(body, arm_x, arm_y, f_x, f_y):
 @compiled
 def pushing(body, arm_x, arm_y, a_x, a_y):
     """Force at a point that accelerates it."""
-    turn = moment_of(arm_x, arm_y, a_x, a_y)
-    square = arm_x * arm_x + arm_y * arm_y
-    # The mass counts along the arm, and less across it, by the part that turns the slider.
-    lost = body.mass * body.mass * turn / (body.moment + body.mass * square)
-    return body.mass * a_x - lost * arm_y, body.mass * a_y + lost * arm_x
+    reach = sqrt(arm_x * arm_x + arm_y * arm_y)
+    if reach == 0.0:
+        return body.mass * a_x, body.mass * a_y
+    # The mass counts along the arm, and less across it; a long arm would cancel in their difference.
+    x, y = arm_x / reach, arm_y / reach
+    along = body.mass * (a_x * x + a_y * y)
+    aside = (a_x * y - a_y * x) / (1.0 / body.mass + reach * reach / body.moment)
+    return along * x + aside * y, along * y - aside * x
 
 
 @compiled
