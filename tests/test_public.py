@@ -58,7 +58,7 @@ def test_the_angles_are_found():
     names = {each.id for each in parameters_that_are_angles()}
     assert names > {
         "Slider(rod_angle)", "solve(pusher_angle)", "limit_curve(force_angle)", "simulate(twist)",
-        "motion_angle(force_angle)", "simulate_batch(rod_angle)", "AngleInterval.contains(angle)",
+        "motion_angle(force_angle)", "simulate_batch(twist)", "AngleInterval.contains(angle)",
         "motion_centers(force_angle)", "spin_ratio(force_angle)", "AngleInterval(right)", "wrench(twist)",
     }  # fmt: skip
 

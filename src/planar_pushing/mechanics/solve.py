@@ -165,7 +165,8 @@ def _in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tu
 
     A pusher at rest takes no force, in any unit.
     """
-    size = np.where(np.asarray(size) > 0, size, 1.0)
+    moves = np.asarray(size) > 0
+    size = np.where(moves, size, 1.0)
     left, strengths, found = list(columns), [], []
     for entry in entries:
         own = [left.pop(0) * size ** (entry.degree - 1) for _ in entry.forces]
@@ -174,21 +175,21 @@ def _in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tu
     unit = strengths[0]
     for strength in strengths[1:]:
         unit = np.maximum(unit, strength)
-    _require_ratio(entries, strengths)
+    _require_ratio(entries, strengths, moves)
     for entry, numbers in zip(entries, found, strict=True):
         for i in range(len(entry.forces)):
             numbers[i] = numbers[i] / unit
     return unit, [each for numbers in found for each in numbers]
 
 
-def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any]) -> None:
-    """Refuse forces out of proportion to one another; loads may be any."""
+def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any], moves: Any) -> None:
+    """Refuse forces of moving pushers out of proportion to one another; loads may be any."""
     by_degree: dict[int, Any] = {}
     for entry, strength in zip(entries, strengths, strict=True):
         if len(entry.forces) == 1:
             by_degree[entry.degree] = by_degree.get(entry.degree, 0.0) + strength
     if len(by_degree) == 2:
-        required_ratio("force_ratio", by_degree[2] / by_degree[1])
+        required_ratio("force_ratio", np.where(moves, by_degree[2] / by_degree[1], 1.0)[()])
 
 
 def solve_arrays(entries: Sequence[Entry], *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
