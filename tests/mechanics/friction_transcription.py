@@ -1,4 +1,4 @@
-"""Friction of every support by PHYSICS 7, straight from its formulas, for arrays of twists.
+"""Friction of every support, straight from its formulas, for arrays of twists.
 
 Nothing of the package is used but the fields of its public dataclasses. An even piece of pressure has a
 closed form about a centre of rotation that is near it; farther away, where the closed forms cancel, and

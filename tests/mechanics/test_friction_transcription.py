@@ -10,7 +10,7 @@ import planar_pushing as pp
 from mechanics.degenerate import RANDOM, SQUARE, random_support
 from mechanics.friction_transcription import of_area, pressure_of
 
-#: Center of rotation, G_x, G_y and the torque about the origin, from PHYSICS 7.
+#: Center of rotation, G_x, G_y and the torque about the origin, by quadrature.
 SQUARES = [
     ((0.3, 0.2), -0.260676603222042, -0.172647824905904, 0.709291095663460),
     ((1.0, 1.0), -0.647793574696319, -0.647793574696319, 0.234804283535787),

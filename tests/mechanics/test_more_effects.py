@@ -98,3 +98,29 @@ def test_with_inertia_a_load_moves_a_slider_that_nothing_pushes():
         assert found[0].contact_motion == pytest.approx([0.0, fall], abs=1e-12)
         faster = pp.solve(scene(*effects, load), np.pi / 2, 3.0)
         assert pp.ContactMode.SEPARATE not in faster.modes
+
+
+def test_a_load_has_a_direction_in_the_world():
+    """Beside a slider its wrench is turned into the body frame; alone it is refused."""
+    slider = pp.Slider(rod_length=1.0, rod_angle=np.pi / 2)
+    pull = pp.Load(force=(0.3, -0.2))
+    for twist in ([0.0, 0.0, 0.0], [1.0, 2.0, 0.5]):
+        assert pp.wrench(pull, twist, slider) == pytest.approx([0.2, 0.3, 0.0], abs=1e-15)
+    with pytest.raises(
+        pp.InvalidValue, match="slider: None given; allowed: a Slider beside a Load"
+    ):
+        pp.wrench(pull, [1.0, 0.0, 0.0])
+
+
+@pytest.mark.parametrize(
+    "function", [pp.motion_cone, lambda scene: pp.motion_angle(scene, 1.0, force_ratio=1.0)]
+)
+def test_directions_under_a_load_without_friction_are_refused(function):
+    scene = pp.Scene(
+        slider=pp.Slider(rod_length=1.0, rod_angle=1.0), contact=pp.Coulomb(0.5),
+        effects=(pp.Inertia(), pp.Load(force=(0.1, 0.0))),
+    )  # fmt: skip
+    with pytest.raises(
+        pp.InvalidValue, match=r"effects: .* allowed: friction beside a load; use solve"
+    ):
+        function(scene)

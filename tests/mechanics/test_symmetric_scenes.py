@@ -1,4 +1,4 @@
-"""Symmetric scenes with their literal answers: the table of PHYSICS 7, and defects that were found once."""
+"""Symmetric scenes with their literal answers, and defects that were found once."""
 
 from __future__ import annotations
 
@@ -181,7 +181,7 @@ def test_collinear_feet_on_a_flat_rod_have_no_slip_twice():
 
 
 def test_a_tripod_pivots_about_a_foot_for_pushes_across_its_radius():
-    """PHYSICS 7: exactly, beyond the center, at an offset in [2 - sqrt 3, 2 + sqrt 3]."""
+    """Exactly, beyond the center, at an offset in [2 - sqrt 3, 2 + sqrt 3]."""
     tripod = pp.Points(regular(3), [1, 1, 1])
     for offset, pivots in ((0.26, False), (0.28, True), (3.7, True), (3.75, False)):
         scene = scene_of(tripod, offset, UPRIGHT, pp.PerfectlyRough())

@@ -1,4 +1,4 @@
-"""The conditions of every contact mode by PHYSICS 2, 3, 5 and 7, checked for whole arrays of scenes.
+"""The conditions of every contact mode, checked for whole arrays of scenes.
 
 Nothing of the package is used but the fields of its public dataclasses. A solution is judged by backward
 error: its own force and twist have to meet the conditions of its mode for some twist within `TOLERANCE` of

@@ -46,8 +46,10 @@ def test_both_effects_join_the_outer_edges():
     for length, mu, _, right, left in TABLE[::2]:
         cone = pp.motion_cone(make_scene(length, mu, FRICTION + INERTIA))
         pure = [pp.motion_cone(make_scene(length, mu, kind)) for kind in (FRICTION, INERTIA)]
-        assert cone.right == min(each.right for each in pure) <= np.deg2rad(right) + 1e-13
-        assert cone.left == max(each.left for each in pure) >= np.deg2rad(left) - 1e-13
+        ends = min(each.right for each in pure), max(each.left for each in pure)
+        assert (cone.right, cone.left) == pytest.approx(ends, rel=1e-15, abs=1e-15)
+        assert ends[0] <= np.deg2rad(right) + 1e-13
+        assert ends[1] >= np.deg2rad(left) - 1e-13
 
 
 def test_force_on_the_ring_center_line_has_the_ring_constants():

@@ -1,5 +1,9 @@
 """Many scenes at once, against the simulation of each."""
 
+import signal
+import threading
+import time
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -7,6 +11,7 @@ import xarray as xr
 import planar_pushing as pp
 from mechanics.builders import make_scene
 from planar_pushing.mechanics.plane import direction
+from signals import interruptible
 
 AHEAD = pp.Pusher(velocity=(0.2, 1.0))
 REFERENCES = {
@@ -278,6 +283,12 @@ def test_loose_arrays_beside_labelled_ones_are_refused():
         pp.simulate_batch(make_scene(length, 0.5), AHEAD, duration=np.array([1.0, 2.0]))
 
 
+def test_a_dimension_named_like_a_result_is_refused():
+    gap = xr.DataArray([0.0, 0.1], dims="gap", coords={"gap": [0.0, 0.1]})
+    with pytest.raises(pp.InvalidValue, match=r"dimensions: 'gap' given; allowed: names .* rename"):
+        pp.simulate_batch(make_scene(2.0, 0.5), AHEAD, duration=0.4, gap=gap)
+
+
 def test_simulate_refuses_arrays_of_velocities():
     pusher = pp.Pusher(velocity=(np.array([0.1, 0.2]), 1.0))
     with pytest.raises(pp.InvalidValue, match=r"velocity: .* or call simulate_batch"):
@@ -309,6 +320,24 @@ def test_results_do_not_depend_on_the_threads(monkeypatch):
         monkeypatch.setattr("numba.config.NUMBA_NUM_THREADS", threads)
         found.append(batch(scenes))
     xr.testing.assert_identical(*found)
+
+
+def test_ctrl_c_ends_a_batch():
+    """Within a part of a second of the minutes that this batch would take."""
+    scenes = make_scene(np.linspace(0.5, 4.0, 300_000), 0.5)
+    pp.simulate_batch(make_scene(2.0, 0.5), AHEAD, duration=0.1)
+    before = signal.getsignal(signal.SIGINT)
+    interruptible()
+    timer = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    start = time.perf_counter()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            pp.simulate_batch(scenes, AHEAD, duration=2.0)
+    finally:
+        timer.cancel()
+        signal.signal(signal.SIGINT, before)
+    assert time.perf_counter() - start < 10.0
 
 
 def test_every_variable_has_a_unit_and_a_name():

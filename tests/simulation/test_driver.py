@@ -15,7 +15,7 @@ from planar_pushing.simulation.events.run import run_type
 from planar_pushing.simulation.fence import PIECE
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import records, row_type
-from planar_pushing.simulation.steps.driver import clock_type
+from planar_pushing.simulation.steps.clock import clock_type
 from planar_pushing.simulation.systems.base import BODY
 from simulation.runs import final, heading, run
 

@@ -57,7 +57,7 @@ def test_hundreds_of_runs(block, inertia):
 @pytest.mark.slow
 @pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
 def test_a_slider_pivots_about_a_foot_for_a_while_and_rests(method):
-    """PHYSICS 7: about foot 0 from 0.934 on, at rest from 1.093 on, by an integration of its own."""
+    """About foot 0 from 0.934 on, at rest from 1.093 on, by an integration of its own."""
     feet = [(1.0, 0.0), (-0.5, 0.75**0.5), (-0.5, -(0.75**0.5))]
     scene = pp.Scene(
         slider=pp.Slider(rod_length=1.0, rod_angle=np.pi / 2), contact=pp.Coulomb(0.5),

@@ -59,6 +59,11 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number
     found: list[Any] = []
     entries = scene.from_rest
     degrees = {entry.degree for entry in entries}
+    if not any(entry.degree == 1 and len(entry.forces) == 1 for entry in entries) and scene.loads:
+        raise InvalidValue(
+            "effects", scene.effects, "friction beside a load", "use solve: under a load without "
+            "friction the motion depends on the magnitude of the force",
+        )  # fmt: skip
     for degree in sorted(degrees, reverse=True):
         share = 1.0 if len(degrees) == 1 else inertia_share if degree == 2 else 1.0 - inertia_share
         unit = sum(

@@ -10,8 +10,8 @@ import numpy.typing as npt
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.core import entries
-from planar_pushing.mechanics.effects import Effect
-from planar_pushing.mechanics.effects.base import count_fields, made, resistance
+from planar_pushing.mechanics.effects import Effect, Load
+from planar_pushing.mechanics.effects.base import count_fields, made, pull, resistance
 from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
@@ -25,13 +25,15 @@ WRENCH = (Output("wrench", (("wrench_component", 3),)),)
 @kernel
 @owning
 def _wrenches(kinds, rows, wrenches):
-    """The subgradient nearest zero at rest."""
+    """The subgradient nearest zero at rest, but for loads."""
     first = count_fields(kinds)
     for i in range(len(rows)):
         v_x, v_y, spin = rows[i, first], rows[i, first + 1], rows[i, first + 2]
-        wrenches[i] = 0.0
+        effects = made(kinds, rows[i], 0)
+        x, y, torque = pull(effects)
+        wrenches[i, 0], wrenches[i, 1], wrenches[i, 2] = -x, -y, -torque
         if v_x != 0.0 or v_y != 0.0 or spin != 0.0:
-            now = resistance(made(kinds, rows[i], 0), v_x, v_y, spin, 0.0)
+            now = resistance(effects, v_x, v_y, spin, 0.0)
             wrenches[i, 0], wrenches[i, 1], wrenches[i, 2] = now.f_x, now.f_y, now.torque
 
 
@@ -40,17 +42,24 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
 
     Parameters
     ----------
-    effect : SupportFriction, RingFriction or Inertia
+    effect : SupportFriction, RingFriction, Viscous, Inertia or Load
     twist : array_like, shape S + (3,)
         (v_x, v_y, omega) at the slider's centre, in the body frame, omega in radians per unit of time.
     slider : Slider, optional
-        Gives the ring its radius, 1 without.
+        Gives the ring its radius, 1 without, and loads the angle of the body frame.
 
     Returns
     -------
     ndarray, shape S + (3,)
         (f_x, f_y, tau); at rest, where friction takes any wrench inside the limit surface, zero.
+
+    Raises
+    ------
+    InvalidValue
+        Where a twist has no three numbers, or a load comes without a slider.
     """
+    if slider is None and isinstance(effect, Load):
+        raise InvalidValue("slider", None, "a Slider beside a Load", "give the angle of the rod")
     own = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
     scene = Scene(slider=own, contact=PerfectlyRough(), effects=(effect,))
     radius = scene.slider.radius
@@ -74,7 +83,7 @@ def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None
 
     Parameters
     ----------
-    effect : RingFriction or Inertia
+    effect : SupportFriction, RingFriction, Viscous, Inertia or Load
     twist : array_like, shape S + (3,)
         (v_x, v_y, omega) at the ring centre, omega in radians per unit of time.
     slider : Slider, optional

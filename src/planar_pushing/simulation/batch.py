@@ -81,6 +81,7 @@ def simulate_batch(
         rtol=rtol, on_ambiguity=on_ambiguity,
     )  # fmt: skip
     given = _given(problem)
+    _require_free(given)
     parts = np.ones(1) if samples is None else np.linspace(0.0, 1.0, sample_count(samples))
     ends = given.scenes.ends
     # As `simulate` has them, bit for bit.
@@ -119,6 +120,16 @@ def _given(problem: Problem) -> Given:
     moves = np.stack([v_x, v_y], axis=-1) if pusher.arrays else None
     fences = _fences(problem, ends, radius, moves)
     return Given(Scenes(np.stack(rows, axis=-1), ends, radius, fences), dims, shape, own)
+
+
+def _require_free(given: Given) -> None:
+    """Refuse dimensions and coordinates with the names of results."""
+    taken = {*SAMPLED, *FINGER, "mode_changes", "evaluations", "part", "xy"}
+    for name in (*given.dims, *map(str, given.own)):
+        if name in taken:
+            raise InvalidValue(
+                "dimensions", name, "names that no result has", "rename it, or drop the coordinate"
+            )
 
 
 def _broadcast(

@@ -127,7 +127,7 @@ LOG: Quantities = {
     "contact_dissipated": ("force length", "energy dissipated at the contact, accumulated"),
     "dissipated": ("force length", "energy dissipated by each effect, accumulated"),
     "effect": ("1", "effect that resists the motion"),
-    "evaluations": ("1", "how often each effect was evaluated, accumulated"),
+    "evaluations": ("1", "how often the motion under each effect was evaluated, accumulated"),
     "event": ("1", "why the contact mode was chosen anew"),
     "fence": ("length", "displacement of the fence"),
     "force": ("force", "force of the fence on the slider"),

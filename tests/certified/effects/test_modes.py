@@ -44,7 +44,7 @@ def feet(places, weights=(2, 1, 1)):
     return {"shape": "points", "positions": places, "weights": weights}
 
 
-# --- The table of PHYSICS 7 ----------------------------------------------------------------------
+# --- Symmetric scenes with their literal answers -------------------------------------------------
 
 
 @pytest.mark.parametrize("support", [TABLE, SQUARE, RING], ids=["feet", "square", "ring"])
@@ -125,7 +125,7 @@ def test_an_edge_of_the_cone_along_the_rod(psi, mass):
 
 @pytest.mark.slow
 def test_fast_pulling_has_two_slips_and_no_stick():
-    """PHYSICS 5, mu = 1.4: n . u falls to -0.0400296 at |f| = 1.40897 and is back at 0 at 2.22518."""
+    """For mu = 1.4 n . u falls to -0.0400296 at |f| = 1.40897 and is back at 0 at 2.22518."""
     _, slow, fast = found(scene(RING, 2, 45), Law(1.4), -1, 2.0)
     assert (slow.mode, fast.mode) == (Mode.SLIP_LEFT, Mode.SLIP_LEFT)
     sizes = sorted(math.hypot(*map(float, each.force)) for each in (slow, fast))

@@ -11,7 +11,7 @@ EPSILON = 2.220446049250313e-16
 #: the next one is the cube of this one over the square of the last. Where that is below rounding, or two
 #: steps in a row are this small relative to the root, the iteration ends. Beside an infinite slope steps
 #: shrink slowly.
-NEAR, QUADRATIC, SETTLED = 0.1, 0.02, 1e-12
+NEAR, QUADRATIC, SETTLED = 0.1, 0.02, 1e-13
 #: Relative resolution of a root, some units in the last place.
 RESOLUTION = 1e-15
 #: More than bisection needs to come to zero through all the exponents.

@@ -92,15 +92,17 @@ def about(effects, at, x, y, spin, blur):
 
 
 @compiled
-def settled(now, at, v_x, v_y, spin, step, x, y, found):
-    """Psi from what is felt one last Newton step before the root."""
+def settled(now, at, v_x, v_y, spin, step, x, y, size, found):
+    """Psi from what is felt one last Newton step before the root, of an unknown of this size."""
     turn_x, turn_y = (-now.xs / now.ss, -now.ys / now.ss) if now.ss > 0.0 else (0.0, 0.0)
     xx, xy, yy = now.xx + turn_x * now.xs, now.xy + turn_x * now.ys, now.yy + turn_y * now.ys
     f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
-    # The torque is known up to its parts' rounding, and so is the rotation.
+    # The torque is known up to its parts' rounding, and so is the rotation, whose unknown is rounded too.
     lever = (1.0 + at.reach) * (abs(at.a_x * f_x) + abs(at.a_y * f_y))
-    noise_x = now.gross + abs(f_x) + abs(xx * x) + abs(xy * y) + lever * abs(turn_x)
-    noise_y = now.gross + abs(f_y) + abs(xy * x) + abs(yy * y) + lever * abs(turn_y)
+    noise_x = now.gross + abs(f_x) + abs(xx * x) + abs(xy * y)
+    noise_y = now.gross + abs(f_y) + abs(xy * x) + abs(yy * y)
+    noise_x += lever * abs(turn_x) + (size + abs(step)) * abs(now.xs)
+    noise_y += lever * abs(turn_y) + (size + abs(step)) * abs(now.ys)
     carried = step * at.reach
     return Psi(
         v_x + carried * at.a_x, v_y + carried * at.a_y, spin + step, f_x, f_y, xx, xy, yy,

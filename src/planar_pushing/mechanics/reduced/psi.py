@@ -98,21 +98,21 @@ def _at_rest(effects, at):
     contact.
     """
     spin, now = turning(effects, at)
-    return settled(now, at, spin * at.y, -spin * at.x, spin, 0.0, 0.0, 0.0, spin == spin)
+    return settled(now, at, spin * at.y, -spin * at.x, spin, 0.0, 0.0, 0.0, 0.0, spin == spin)
 
 
 @compiled
-def psi(effects, at, x, y, guess, point=NOWHERE):
+def psi(effects, at, x, y, guess, point=NOWHERE, across=0.0):
     """Psi at a motion (x, y) of the contact, from a guess of the rotation.
 
     Of a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; of a
     short one the rotation. A support point with a number is taken to be across the motion from the contact,
-    and others to rounding.
+    and then others to rounding; without, those that are `across` within this part of the motion's size.
     """
     if x == 0.0 and y == 0.0:
         return _at_rest(effects, at)
     along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
-    blurred = DIRECTION if point >= 0 else 0.0
+    blurred = DIRECTION if point >= 0 else across
     if point >= 0:
         spin = pivot_spin(effects, at, x, y, point)
         there = about_point(effects, at, x, y, point, spin, inf)
@@ -139,7 +139,8 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
         scale = (abs(v_x) + abs(v_y) + abs(spin)) / (1.0 + at.reach)
         size = abs(step) / scale if value != 0.0 else 0.0
         if is_last(size, last):
-            found = settled(now, at, v_x, v_y, spin, step if value != 0.0 else 0.0, x, y, True)
+            step = step if value != 0.0 else 0.0
+            found = settled(now, at, v_x, v_y, spin, step, x, y, abs(q), True)
             found = refined(effects, at, x, y, found, blurred)
             if found.found:
                 return found
@@ -151,7 +152,7 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
         new = q + step
         if not (low < new < high) or size > last / 2.0:
             if high - low <= ROUNDING * scale:
-                found = settled(now, at, v_x, v_y, spin, 0.0, x, y, True)
+                found = settled(now, at, v_x, v_y, spin, 0.0, x, y, abs(q), True)
                 return refined(effects, at, x, y, found, blurred)
             last, new = inf, _next(effects, at, x, y, low, high, start, q, scale)
         elif not abs(step) < 8.0 * (abs(q) + scale):
@@ -159,7 +160,7 @@ def psi(effects, at, x, y, guess, point=NOWHERE):
         else:
             last = size
         q = new
-    return settled(now, at, v_x, v_y, spin, 0.0, x, y, False)
+    return settled(now, at, v_x, v_y, spin, 0.0, x, y, abs(q), False)
 
 
 @compiled

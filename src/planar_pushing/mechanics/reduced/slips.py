@@ -80,28 +80,43 @@ def slips_along(way, unit, first, last, found):
     straight, unit = unit == 0.0, unit if unit > 0.0 else SLOWEST
     cells = _cells(way.effects, unit, first, last)
     start, end = asinh(first / unit), asinh(last / unit)
-    here, count, run = first_node(way, first), 0, REST
+    flat = _may_be_flat(way.effects, straight)
+    here, count, run, place = first_node(way, first), 0, REST, first
     for i in range(1, cells + 1):
         s = last if i == cells else unit * sinh(start + (end - start) * i / cells)
-        kink = kink_near(way, here.s, s, here.s)
-        while kink.s == kink.s:
-            there = node(way, kink.s, kink.spin, kink.point)
-            count, run = _between(way, unit, straight, here, there, found, count, run)
-            if there.before * there.after < 0.0 and not (
-                _is_zero(there, there.before) or _is_zero(there, there.after)
-            ):
-                count = _write(unit, there, False, found, count)
-            here = there
-            kink = kink_near(way, here.s, s, here.s)
-        there = beside(way, here, s)
-        count, run = _between(way, unit, straight, here, there, found, count, run)
-        here = there
+        while place < s:
+            kink = kink_near(way, place, s, place)
+            if kink.s == kink.s:
+                place, there = kink.s, node(way, kink.s, kink.spin, kink.point)
+            else:
+                place, there = s, beside(way, here, s)
+            # The sign of a rounding error says nothing: the next place decides.
+            if flat or not there.found or not _vanishes(there):
+                count, run = _between(way, unit, straight, here, there, found, count, run)
+                if _steps_across(flat, here, there):
+                    count = _write(unit, there, False, found, count)
+                here = there
     return count, run == INSIDE
 
 
 @compiled
 def _is_zero(at, value):
     return abs(value) <= at.noise
+
+
+@compiled
+def _vanishes(at):
+    return _is_zero(at, at.before) and _is_zero(at, at.after)
+
+
+@compiled
+def _steps_across(flat, here, kink):
+    """Whether the force steps across the edge at a kink, or up to it; a flat part counts for itself."""
+    from_zero, to_zero = _is_zero(kink, kink.before), _is_zero(kink, kink.after)
+    if flat:
+        return kink.before * kink.after < 0.0 and not (from_zero or to_zero)
+    before = here.after if from_zero else kink.before
+    return not from_zero if to_zero else before * kink.after < 0.0
 
 
 @compiled
@@ -124,10 +139,10 @@ def _between(way, unit, straight, low, high, found, count, run):
     """Write down the slips between two motions; their number then, and whether they end in a continuum."""
     if count < 0 or not (low.found and high.found):
         return -1, run
-    if _may_be_flat(way.effects, straight) and (
-        _is_zero(low, low.after) or _is_zero(high, high.before)
-    ):
-        return _touching(way, unit, straight, low, high, found, count, run)
+    if _is_zero(low, low.after) or _is_zero(high, high.before):
+        if _may_be_flat(way.effects, straight):
+            return _touching(way, unit, straight, low, high, found, count, run)
+        return count, OUTSIDE
     if (low.after > 0.0) != (high.before > 0.0):
         return _write_root(way, unit, low, high, found, count), OUTSIDE
     bottom = _dip(way, low, high)

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import moment
-from planar_pushing.mechanics.numerics.root import SETTLED
-from planar_pushing.mechanics.reduced.psi import NOWHERE, psi
+from planar_pushing.mechanics.reduced.motion import NOWHERE, ROUNDING
+from planar_pushing.mechanics.reduced.psi import psi
 from planar_pushing.mechanics.reduced.way import (
     Way,
     at_infinity,
@@ -25,8 +25,8 @@ from planar_pushing.mechanics.reduced.way import (
     node,
 )
 
-#: Newton steps of a root within the rounding of its motion.
-POLISHES = 2
+#: Newton steps of a root within the rounding of its motion, and their size relative to it.
+POLISHES, POLISHED = 2, 1e-12
 
 
 class Moved(NamedTuple):
@@ -88,8 +88,8 @@ def not_found(moved):
 
 @compiled
 def sticking(effects, at, x, y, guess):
-    """The motion of a contact that moves by (x, y), from a guess of the rotation."""
-    now = psi(effects, at, x, y, guess)
+    """The motion of a contact that moves by (x, y), rounded, from a guess of the rotation."""
+    now = psi(effects, at, x, y, guess, NOWHERE, ROUNDING)
     return Moved(
         x, y, now.v_x, now.v_y, now.spin, now.f_x, now.f_y, now.free_x, now.free_y,
         now.point, False, now.noise_x, now.noise_y, now.found,
@@ -106,7 +106,7 @@ def _polished(way, s, spin, point):
     for _ in range(POLISHES if point < 0 else 0):
         here = node(Way(way.effects, way.at, way.e_x, way.e_y, x, y, way.d_x, way.d_y), 0.0, spin)
         step = -here.before / here.slope if here.slope != 0.0 else 0.0
-        small = abs(step) * (abs(way.d_x) + abs(way.d_y)) <= SETTLED * (abs(x) + abs(y))
+        small = abs(step) * (abs(way.d_x) + abs(way.d_y)) <= POLISHED * (abs(x) + abs(y))
         if here.before != here.after or not small:
             break
         x, y, spin = x + step * way.d_x, y + step * way.d_y, here.spin + step * here.swing

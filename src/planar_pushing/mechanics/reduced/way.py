@@ -26,6 +26,11 @@ DIRECTION = 16.0 * EPSILON
 STEPS = 200
 #: A step goes no further than this many sizes of a motion.
 FARTHEST = 8.0
+#: Forces are in units of the largest one: one this small has underflowed.
+UNDERFLOW = 1e-200
+#: Along a way that only lengthens the motion the direction of a force may hardly change; a force that is
+#: this many rounding errors is none there, so that rounding does not end a continuum.
+LENGTHENS = 8.0
 #: Part of a motion over which a force that is constant to rounding is a continuum.
 FLAT = 1e-3
 
@@ -114,7 +119,9 @@ def _node(way, s, now):
             # The whole way is across the line to the point, whose friction may take the force to the edge.
             before = copysign(max(abs(across) - abs(half), 0.0), across)
             after, slope = before, 0.0
-    noise = abs(e_x) * now.noise_y + abs(e_y) * now.noise_x
+    noise = abs(e_x) * now.noise_y + abs(e_y) * now.noise_x + UNDERFLOW
+    if way.p_x == 0.0 and way.p_y == 0.0:
+        noise *= LENGTHENS
     return Node(s, before, after, slope, noise, now.spin, swing, now.point, now.found)
 
 

@@ -55,8 +55,9 @@ TORQUE_REST = (
     -0.0016242979642924528, -0.0009004133240894815, -0.0005468326506166093, -0.0003826524849336343,
     -0.00015523762071687332, -0.0003810325862280515,
 )  # fmt: skip
-#: Complement of k^2 on the ring, where K is infinite and its part in the wrench is zero.
-LEAST = 1e-300
+#: Complement of k^2 on the ring, where K is infinite and its part in the wrench is zero; and its logarithm
+#: where it is a rounding error, which bounds the slope: a Newton step from the ring is not zero.
+LEAST, STEEPEST = 1e-300, 18.0
 #: First guess of the inverse, least squares to 2e-6: below NEAR_ARM = H(NEAR_RING) ``k / (2 h)`` in powers
 #: of h^2, above it ``(1 - k) / (1 - h)`` in powers of ``1 - h`` (rows) and of ``1 / (3 - log(1 - h))``.
 NEAR_ARM = 0.7
@@ -106,12 +107,13 @@ def _far(m, x):
 
 @compiled
 def _near(m, x):
-    """`curves` for m from NEAR_RING squared to 1; at 1, where t' is infinite, it is large."""
+    """`curves` for m from NEAR_RING squared to 1, where t' is that beside the ring, not infinite."""
     half_log = -log(x) / 2
     first = half_log * polynomial(FORCE_LOG, x) + polynomial(FORCE_REST, x)
     second = half_log * polynomial(TORQUE_LOG, x) + polynomial(TORQUE_REST, x)
     force, part = 1.0 + x * first, 2 / pi / m
     slope = first - second - force  # K - E; 1 / x would carry the rounding of force and torque
+    slope -= max(half_log - STEEPEST, 0.0)
     return 2 / pi * force, part * (1.0 + x * second), part * slope
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.fence import span
-from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems import base, equations
 
 #: A margin this near to zero is judged by where it goes from there.
 NEAR = 1e-10
@@ -20,7 +20,7 @@ NO_KIND = -1
 def holds(system, mode, time, state, run):
     """Whether the margins of a mode are positive, or zero and not about to fall."""
     now, later, trial = run.guards[at.NOW], run.guards[at.LATER], run.vectors[at.TRIAL]
-    base.guards(system, mode, time, state, now)
+    equations.guards(system, mode, time, state, now)
     near = False
     for cause in range(base.CAUSES):
         if not base.WATCHES[cause]:
@@ -31,10 +31,10 @@ def holds(system, mode, time, state, run):
         return True
     during = mode.during
     ahead = AHEAD * min(during.end - during.start, base.pace(system, during, time))
-    base.rates(system, mode, time, state, trial)
+    equations.rates(system, mode, time, state, trial)
     for k in range(len(state)):
         trial[k] = state[k] + ahead * trial[k]
-    base.guards(system, mode, time + ahead, trial, later)
+    equations.guards(system, mode, time + ahead, trial, later)
     for cause in range(base.CAUSES):
         margin = not base.WATCHES[cause] and now[cause] <= NEAR
         if margin and not later[cause] >= now[cause] - TREND:

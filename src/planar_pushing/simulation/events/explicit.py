@@ -8,7 +8,7 @@ from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.sizes import norm
 from planar_pushing.simulation.events.tableau import ERRORS, STAGES, STEP, WEIGHTS, A, C
-from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems import equations
 
 #: Order of the error of a step.
 ORDER = 8.0
@@ -62,9 +62,9 @@ def _stage(system, mode, run, i):
     for k in range(len(state)):
         trial[k] += state[k]
     if i == MIDDLE:
-        base.rates_and_guards(system, mode, time, trial, slopes[i], run.guards[at.ABOUT])
+        equations.rates_and_guards(system, mode, time, trial, slopes[i], run.guards[at.ABOUT])
     else:
-        base.rates(system, mode, time, trial, slopes[i])
+        equations.rates(system, mode, time, trial, slopes[i])
     for k in range(len(state)):
         slopes[i, k] *= rate
 
@@ -86,7 +86,7 @@ def attempt(system, mode, run, rtol):
     for k in range(len(state)):
         reached[k] += state[k]
     last, end = run.vectors[at.LAST], run.guards[at.END]
-    base.rates_and_guards(system, mode, run.until, reached, last, end)
+    equations.rates_and_guards(system, mode, run.until, reached, last, end)
     rate = clock(run, 1.0)[1]
     for k in range(len(state)):
         slopes[STEP, k] = rate * last[k]

@@ -8,7 +8,7 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events import run as at
-from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems import equations
 
 #: Limits of the change of a step's size, and the part of it that is taken.
 SAFETY, SHRINK, GROW = 0.9, 0.1, 10.0
@@ -46,7 +46,7 @@ def first_size(system, mode, run, end, rtol, order):
     size = min(1e-6 if small else 0.01 * state_size / slope_size, end - run.time)
     for k in range(len(state)):
         trial[k] = state[k] + size * slope[k]
-    base.rates(system, mode, run.time + size, trial, other)
+    equations.rates(system, mode, run.time + size, trial, other)
     for k in range(len(state)):
         trial[k] = other[k] - slope[k]
     bend = max(slope_size, norm(trial, state, state, rtol, scales) / size)

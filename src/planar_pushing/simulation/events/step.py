@@ -6,7 +6,7 @@ from planar_pushing.mechanics.compiled import inlined
 from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.events import explicit, sizes, watch
 from planar_pushing.simulation.events import run as at
-from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems import base, equations
 
 #: Above this error, in units of the tolerance, a step that was tried says nothing.
 WILD = 1e5
@@ -23,7 +23,7 @@ def begin(run):
 def _first_slope(system, mode, run, end, rtol):
     """Slope at the start of a step, and the size of a first one."""
     if run.fresh:
-        base.rates(system, mode, run.time, run.vectors[at.STATE], run.vectors[at.FIRST])
+        equations.rates(system, mode, run.time, run.vectors[at.STATE], run.vectors[at.FIRST])
         run.planned = sizes.first_size(system, mode, run, end, rtol, explicit.ORDER)
         run.last_size, run.fresh = 0.0, False
     else:

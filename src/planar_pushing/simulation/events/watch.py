@@ -10,7 +10,7 @@ from planar_pushing.mechanics.numerics.root import RESOLUTION, dip, root
 from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.explicit import PART, interpolate
-from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems import base, equations
 
 #: Halvings that look for the moment in which a margin that starts at zero is positive.
 HALVINGS = 20
@@ -37,14 +37,14 @@ def _value(of, time):
     """A guard at a time of the step, positive before its event."""
     run, trial, found = of.run, of.run.vectors[at.TRIAL], of.run.guards[at.NOW]
     interpolate(of.system, of.mode, run, time, trial)
-    base.guards(of.system, of.mode, time, trial, found)
+    equations.guards(of.system, of.mode, time, trial, found)
     return -found[of.cause] if run.guards[at.SIGNS, of.cause] < 0.0 else found[of.cause]
 
 
 @inlined
 def start_watch(system, mode, run):
     """Look at the guards at the start of a mode."""
-    base.guards(system, mode, run.time, run.vectors[at.STATE], run.guards[at.VALUES])
+    equations.guards(system, mode, run.time, run.vectors[at.STATE], run.guards[at.VALUES])
     for cause in range(base.CAUSES):
         run.guards[at.SIGNS, cause] = _sign(cause, run.guards[at.VALUES, cause])
 
@@ -110,7 +110,7 @@ def _search(system, mode, run):
     """As `first_event`, by the guards at the nodes of the dense output."""
     for j in range(len(at.NODES) - 1):
         interpolate(system, mode, run, _node(run, j + 1), run.vectors[at.TRIAL])
-        base.guards(
+        equations.guards(
             system, mode, _node(run, j + 1), run.vectors[at.TRIAL], run.guards[at.VALUES + j + 1]
         )
     first, found = inf, NOTHING

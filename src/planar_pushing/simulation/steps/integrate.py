@@ -11,7 +11,8 @@ import numpy.typing as npt
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import NO_MODE, in_units, reason, records, row_type
-from planar_pushing.simulation.steps.driver import Plan, advance, clock_type, ended
+from planar_pushing.simulation.steps.clock import clock_type
+from planar_pushing.simulation.steps.driver import Plan, advance, ended
 from planar_pushing.simulation.systems import setup
 from planar_pushing.terms.errors import InvalidValue, require_positive
 from planar_pushing.terms.options import MOST_STEPS

@@ -6,7 +6,7 @@ that what a scene does not list is not compiled into its integrators.
 
 from __future__ import annotations
 
-from math import inf, nan, sqrt
+from math import inf, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +16,7 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation import fence
 from planar_pushing.simulation.fence import Span
 from planar_pushing.simulation.rows import Event
-from planar_pushing.simulation.systems.drag import load_at, powers
+from planar_pushing.simulation.systems.drag import load_at
 from planar_pushing.simulation.systems.frame import (
     center_motion,
     contact_motion,
@@ -249,57 +249,6 @@ def rank(policy, previous, kind):
     if kind == (previous if preferred == SO_FAR else preferred):
         return SEPARATE
     return SLIP_LEFT + 1 if kind == SEPARATE else kind
-
-
-@compiled
-def rates(system, mode, time, state, found):
-    """Write down the derivative of the state."""
-    _rates(system, mode, state, motion(system, mode, time, state), found)
-
-
-@compiled
-def guards(system, mode, time, state, found):
-    """Write down margins and watches by cause, NaN where there is none."""
-    _guards(system, mode, state, motion(system, mode, time, state), found)
-
-
-@compiled
-def rates_and_guards(system, mode, time, state, found, guarded):
-    """Write down both, of one motion."""
-    now = motion(system, mode, time, state)
-    _rates(system, mode, state, now, found)
-    _guards(system, mode, state, now, guarded)
-
-
-@compiled
-def _rates(system, mode, state, now, found):
-    found[ALONG], found[GAP], found[ANGLE] = now.slip, now.rise, now.spin
-    # The contact does not slip while the slider rests or flies over the fence.
-    found[SLIP] = now.slip if contact_mode(mode.kind) != SEPARATE else 0.0
-    found[LOST] = -now.f_x * now.slip - now.f_y * now.rise
-    found[WORK] = now.f_x * now.fence_x + now.f_y * now.fence_y
-    count = len(system.effects)
-    if len(found) >= MOVING + count:
-        found[OVER], found[RISE], found[SPIN] = now.a_x, now.a_y, now.turn
-    angle = shapes.frame_angle(system.shape, state[ANGLE])
-    x, y = to_body(frame_of(angle), now.v_x, now.v_y)
-    powers(system.effects, x, y, now.spin, now.rubbed, found, len(found) - count)
-
-
-@compiled
-def _guards(system, mode, state, now, found):
-    body = system.body
-    found[:] = nan
-    if mode.kind == HELD or mode.kind == PROPPED:
-        found[STARTS] = PUSHES - now.fence_y / body.speed
-    elif contact_mode(mode.kind) == SEPARATE:
-        height = clearance(system, state)
-        found[TOUCHES] = height if height < inf else nan
-    if mode.kind < CLEAR:
-        found[LIES] = shapes.upright(system.shape, body, state[ANGLE], state[GAP])
-    if mode.kind != SEPARATE and mode.kind != CLEAR and state[GAP] <= SLACK:
-        found[END_OF_SIDE] = shapes.room(system.shape, state[ALONG])
-    guard_contact(system, mode, state, now, found)
 
 
 @compiled

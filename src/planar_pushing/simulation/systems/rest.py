@@ -11,7 +11,7 @@ from planar_pushing.mechanics.effects.inertia import Mass
 from planar_pushing.mechanics.modes import Push, contact_modes
 from planar_pushing.mechanics.plane import Direction, rod, toward
 from planar_pushing.mechanics.reduced.free import free
-from planar_pushing.simulation.systems import base, contact
+from planar_pushing.simulation.systems import base, contact, equations
 from planar_pushing.simulation.systems.drag import with_loads
 from planar_pushing.simulation.systems.frame import (
     center_motion,
@@ -162,7 +162,7 @@ def stopped(system, mode, time, state):
     The energy then falls with its square, and everything moves on at half its present rate.
     """
     during, body, found = mode.during, system.body, system.room.rates
-    base.rates(system, mode, time, state, found)
+    equations.rates(system, mode, time, state, found)
     now = base.pose(system, state)
     fence_x, fence_y = base.velocity(system, during, time, state)
     v_x, v_y = center_motion(

@@ -1,0 +1,62 @@
+"""The equations of a system in a mode: the derivative of its state, and what ends the mode."""
+
+from __future__ import annotations
+
+from math import inf, nan
+
+from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.simulation.systems import base
+from planar_pushing.simulation.systems.drag import powers
+from planar_pushing.simulation.systems.frame import frame_of, to_body
+from planar_pushing.simulation.systems.shapes import base as shapes
+
+
+@compiled
+def rates(system, mode, time, state, found):
+    """Write down the derivative of the state."""
+    _rates(system, mode, state, base.motion(system, mode, time, state), found)
+
+
+@compiled
+def guards(system, mode, time, state, found):
+    """Write down margins and watches by cause, NaN where there is none."""
+    _guards(system, mode, state, base.motion(system, mode, time, state), found)
+
+
+@compiled
+def rates_and_guards(system, mode, time, state, found, guarded):
+    """Write down both, of one motion."""
+    now = base.motion(system, mode, time, state)
+    _rates(system, mode, state, now, found)
+    _guards(system, mode, state, now, guarded)
+
+
+@compiled
+def _rates(system, mode, state, now, found):
+    found[base.ALONG], found[base.GAP], found[base.ANGLE] = now.slip, now.rise, now.spin
+    # The contact does not slip while the slider rests or flies over the fence.
+    found[base.SLIP] = now.slip if base.contact_mode(mode.kind) != base.SEPARATE else 0.0
+    found[base.LOST] = -now.f_x * now.slip - now.f_y * now.rise
+    found[base.WORK] = now.f_x * now.fence_x + now.f_y * now.fence_y
+    count = len(system.effects)
+    if len(found) >= base.MOVING + count:
+        found[base.OVER], found[base.RISE], found[base.SPIN] = now.a_x, now.a_y, now.turn
+    angle = shapes.frame_angle(system.shape, state[base.ANGLE])
+    x, y = to_body(frame_of(angle), now.v_x, now.v_y)
+    powers(system.effects, x, y, now.spin, now.rubbed, found, len(found) - count)
+
+
+@compiled
+def _guards(system, mode, state, now, found):
+    body = system.body
+    found[:] = nan
+    if mode.kind == base.HELD or mode.kind == base.PROPPED:
+        found[base.STARTS] = base.PUSHES - now.fence_y / body.speed
+    elif base.contact_mode(mode.kind) == base.SEPARATE:
+        height = base.clearance(system, state)
+        found[base.TOUCHES] = height if height < inf else nan
+    if mode.kind < base.CLEAR:
+        found[base.LIES] = shapes.upright(system.shape, body, state[base.ANGLE], state[base.GAP])
+    if mode.kind != base.SEPARATE and mode.kind != base.CLEAR and state[base.GAP] <= base.SLACK:
+        found[base.END_OF_SIDE] = shapes.room(system.shape, state[base.ALONG])
+    base.guard_contact(system, mode, state, now, found)
