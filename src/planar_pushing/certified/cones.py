@@ -76,7 +76,7 @@ def slips_while_pushing(slider: Slider, effects: Effects, friction_coefficient: 
 def conservative_cone(slider: Slider, friction_coefficient: float = math.inf) -> Cone:
     """Contact motions that the paper's seven cases allow with both effects (Sec. 4, Fig. 12).
 
-    Between two neighbouring tangents of the ring the case is one and the same: |k| in [0, 1] where the
+    Between two neighboring tangents of the ring the case is one and the same: |k| in [0, 1] where the
     lines of force meet the ring, [1, inf] where they miss it. At a fixed spin ratio the angle of the
     motion increases with the force angle, at a fixed force angle it is monotone in the spin ratio, so
     each sector is bounded at its ends.
@@ -111,7 +111,7 @@ def _arm_between(slider: Slider, first: Heading, last: Heading) -> arb:
 
 
 def _angle(slider: Slider, force: Heading, size: arb) -> arb:
-    """Angle of the motion at a spin ratio of the given size; rotation about the ring centre at infinity."""
+    """Angle of the motion at a spin ratio of the given size; rotation about the ring center at infinity."""
     _, sine = lean(slider, force)
     side = 0 if slider.rod_length == 0 else sign(sine)
     if size.is_finite():

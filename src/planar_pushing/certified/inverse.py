@@ -70,7 +70,7 @@ def sticking_rotation(
         friction = moment - length * across / speed * force
         return friction + ratio * (gyration * omega - length * across)
 
-    # The arm of every such force is at least min(1/2, g) k: it leaves the centre a part of `aside`.
+    # The arm of every such force is at least min(1/2, g) k: it leaves the center a part of `aside`.
     least = min(arb(0.5), arb(gyration), key=float) / 2
     high = size / (length * (1 + least / length**2))
     return aside.sgn() * increasing_root(torque, arb(0), high.upper(), width)

@@ -1,4 +1,4 @@
-"""Motion of the slider under one line of force, enclosed: spin ratio, motion, limit force, centre.
+"""Motion of the slider under one line of force, enclosed: spin ratio, motion, limit force, center.
 
 `share` is the share of inertia, as in `inverse`.
 """
@@ -47,7 +47,7 @@ def spin_ratio(slider: Slider, force: Heading, share: fmpq) -> arb:
 
 @precise
 def contact_motion(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]:
-    """Motion of the contact per speed of the centre."""
+    """Motion of the contact per speed of the center."""
     c, s = cosine_sine(slider.rod_angle)
     pull = spin * slider.rod_length
     return force.x + pull * s, force.y - pull * c
@@ -142,7 +142,7 @@ def _limit_spin_of_arm(slider: Slider, arm: arb) -> arb:
 
 @precise
 def motion_center(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]:
-    """Motion centre relative to the ring centre in units of R, at -1/k along x'.
+    """Motion center relative to the ring center in units of R, at -1/k along x'.
 
     A translation is taken as the limit k -> 0+: infinite coordinates where x' has a component.
     """

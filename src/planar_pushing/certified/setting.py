@@ -1,4 +1,4 @@
-"""What a golden number is a function of: slider, effects, and the line of force, all exact.
+"""The arguments of a golden number: slider, effects, and the line of force, all exact.
 
 Lengths are in units of R and angles in exact degrees. A double stands for exactly its value; a Coulomb
 cone's edge is the direction (mu, 1), so that no angle is rounded.

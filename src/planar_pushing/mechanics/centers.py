@@ -1,4 +1,4 @@
-"""Motion centres: where the slider can turn about, exactly and by the paper's seven cases (Sec. 4)."""
+"""Motion centers: where the slider can turn about, exactly and by the paper's seven cases (Sec. 4)."""
 
 from __future__ import annotations
 
@@ -66,9 +66,9 @@ def motion_centers(
     origin: Origin = Origin.CONTACT,
     force_ratio: npt.ArrayLike | None = None,
 ) -> Number:
-    """Motion centres, shape S + (2,), in the unit of the slider's lengths.
+    """Motion centers, shape S + (2,), in the unit of the slider's lengths.
 
-    A translation has its centre at infinity. For inertia alone the centres lie on one line, the dual of
+    A translation has its center at infinity. For inertia alone the centers lie on one line, the dual of
     the contact (Fig. 9).
 
     Parameters
@@ -79,7 +79,7 @@ def motion_centers(
     inertia_share, force_ratio : float or array, optional
         As in `spin_ratio`, whose errors are those of this function.
     origin : {"contact", "ring-center"}
-        The point to which the centres are relative.
+        The point to which the centers are relative.
     """
     origin = require_option("origin", origin, Origin, "name one of these points")
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
@@ -91,9 +91,9 @@ def motion_centers(
 def conservative_spin_ratios(arm):
     """Ends of the spin ratios that the paper's seven cases allow, for a moment arm in units of R.
 
-    A line of force outside the ring puts the centre inside it (1 .. inf), a tangent line on it, a line
-    through the ring outside it (0 .. 1), and a line through the ring centre at infinity (0);
-    the centre lies opposite, so the cases mirror for negative arms.
+    A line of force outside the ring puts the center inside it (1 .. inf), a tangent line on it, a line
+    through the ring outside it (0 .. 1), and a line through the ring center at infinity (0);
+    the center lies opposite, so the cases mirror for negative arms.
     """
     size = abs(arm)
     near = 1.0 if size >= 1.0 else 0.0
@@ -154,7 +154,7 @@ def conservative_motion_cone(scene: Scene) -> Any:
     """
     if not required_scene(scene).isotropic:
         raise InvalidValue(
-            "effects", scene.effects, "effects that are isotropic about the slider's centre",
+            "effects", scene.effects, "effects that are isotropic about the slider's center",
             "use motion_cone, which is exact for every support",
         )  # fmt: skip
     if scene.stores_energy:

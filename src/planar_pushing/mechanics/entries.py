@@ -50,7 +50,7 @@ def versions() -> str:
 
 
 def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
-    """What a scene file of this scene holds; errors as in `save_scene`."""
+    """The content of a scene file of this scene; errors as in `save_scene`."""
     slider = scene.slider
     return {
         "title": title,

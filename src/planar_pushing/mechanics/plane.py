@@ -2,9 +2,9 @@ r"""Geometry of the plane: frame, signs and the kinematics of a pushed slider.
 
 ::
 
-                       ring (radius R, centre c)
+                       ring (radius R, center c)
              y'  y   .-'''-.            psi   rod angle
-               \ |  /   c   \           l     rod length, from the contact to the ring centre
+               \ |  /   c   \           l     rod length, from the contact to the ring center
                 \|  \  /    /           phi   force angle: f points along (cos phi, sin phi)
                  |   `/....'            n     outward normal of the fence = +y
                  |   / rod              theta angle of a velocity or an acceleration
@@ -12,10 +12,10 @@ r"""Geometry of the plane: frame, signs and the kinematics of a pushed slider.
    --------------+-*----------- x
          fence     contact = free end of the rod, origin of all positions; slider above the fence
 
-A twist is ``(v_x, v_y, omega)`` at the ring centre, a wrench ``(f_x, f_y, tau)`` at the ring
-centre. `f` is the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` is the
-signed distance of the line of force from the ring centre, and the spin ratio ``k = R omega / v``
-compares the rotation with the centre's speed `v` along `f`. "Motion" is velocity in a quasi-static
+A twist is ``(v_x, v_y, omega)`` at the ring center, a wrench ``(f_x, f_y, tau)`` at the ring
+center. `f` is the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` is the
+signed distance of the line of force from the ring center, and the spin ratio ``k = R omega / v``
+compares the rotation with the center's speed `v` along `f`. "Motion" is velocity in a quasi-static
 scene and initial acceleration from rest otherwise. Angles are radians. The compiled core has lengths in
 units of R.
 """
@@ -38,7 +38,7 @@ ALONG = 1e-15
 
 
 class Rod(NamedTuple):
-    """Length in radii, angle, and unit vector from the contact to the ring centre."""
+    """Length in radii, angle, and unit vector from the contact to the ring center."""
 
     length: float
     angle: float
@@ -117,7 +117,7 @@ def toward(own, angle):
 
 @compiled
 def moment_arm(own, force):
-    """Moment arm of a line of force about the ring centre, Eq. (10): ``l sin(psi - phi)``."""
+    """Moment arm of a line of force about the ring center, Eq. (10): ``l sin(psi - phi)``."""
     return own.length * force.aside
 
 

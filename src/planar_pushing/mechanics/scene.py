@@ -29,12 +29,12 @@ class Slider:
     Parameters
     ----------
     rod_length : float or array
-        l >= 0, from the contact to the slider's centre, at most a million radii.
+        l >= 0, from the contact to the slider's center, at most a million radii.
     rod_angle : float or array
         psi between the fence and the rod, radians, in (0, pi).
     radius : float or array, optional
         R > 0; all lengths are in any one unit. Without one a scene takes the largest distance of its
-        support from the centre of pressure, 1 for a ring.
+        support from the center of pressure, 1 for a ring.
     side : (start, end), of floats or arrays
         Ends of the flat side that a finger pushes, along the side from the contact: along the fence, at
         time 0. A fence takes no notice of it.
@@ -69,7 +69,7 @@ class Slider:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scene:
-    """What is pushed, through which contact, against which effects.
+    """A slider, the contact through which it is pushed, and the effects that resist.
 
     Parameters
     ----------
@@ -191,7 +191,7 @@ class Scene:
 
     @property
     def mass_center(self) -> tuple[Number, Number]:
-        """Centre of mass in the body frame, in radii."""
+        """Center of mass in the body frame, in radii."""
         if not self.masses:
             return 0.0, 0.0
         whole = self.slider.radius * sum(each.mass for each in self.masses)

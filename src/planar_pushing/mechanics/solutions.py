@@ -39,11 +39,11 @@ class Solution:
     contact_motion : ndarray, shape (2,)
         Velocity or initial acceleration of the slider at the contact.
     twist : ndarray, shape (3,)
-        (v_x, v_y, omega) at the ring centre, omega in radians per unit of time.
+        (v_x, v_y, omega) at the ring center, omega in radians per unit of time.
     spin_ratio : float
         k = R omega / v; 0 at rest.
     center : ndarray, shape (2,)
-        Motion centre relative to the contact; infinite for a translation and at rest.
+        Motion center relative to the contact; infinite for a translation and at rest.
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool

@@ -58,7 +58,7 @@ class Given(NamedTuple):
 
 @cache
 def outputs(steady: bool) -> tuple[Output, ...]:
-    """What is found of each scene; `steady` where all potentials have one degree."""
+    """The results of each scene; `steady` where all potentials have one degree."""
     many = ("solution", SOLUTIONS[steady])
     return (
         Output("solutions", (), "i1"),

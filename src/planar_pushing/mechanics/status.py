@@ -1,4 +1,4 @@
-"""What is known of solutions, and how the members of enumerations are printed."""
+"""The status of solutions, and how the members of enumerations are printed."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from enum import IntEnum
 
 
 def name_of(member: IntEnum) -> str:
-    """What is printed for a member: its name; `int` gives its number."""
+    """The printed form of a member, its name; `int` gives its number."""
     return member.name
 
 
@@ -17,7 +17,7 @@ def formatted(member: IntEnum, format_spec: str) -> str:
 
 
 class Status(IntEnum):
-    """What is known of the solutions of one push, or of a curve at one angle.
+    """The status of the solutions of one push, or of a curve at one angle.
 
     `NONE`: no mode is consistent. `CONSISTENT`: every solution is a motion of its own. `PIVOTS`: one of
     them is a rotation about a support point, which belongs to an interval of forces. `CONTINUUM`: one of

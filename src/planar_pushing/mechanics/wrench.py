@@ -38,13 +38,13 @@ def _wrenches(kinds, rows, wrenches):
 
 
 def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
-    """Wrench at the slider's centre that sustains twists, the gradient of the effect's potential.
+    """Wrench at the slider's center that sustains twists, the gradient of the effect's potential.
 
     Parameters
     ----------
     effect : SupportFriction, RingFriction, Viscous, Inertia or Load
     twist : array_like, shape S + (3,)
-        (v_x, v_y, omega) at the slider's centre, in the body frame, omega in radians per unit of time.
+        (v_x, v_y, omega) at the slider's center, in the body frame, omega in radians per unit of time.
     slider : Slider, optional
         Gives the ring its radius, 1 without, and loads the angle of the body frame.
 
@@ -85,7 +85,7 @@ def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None
     ----------
     effect : SupportFriction, RingFriction, Viscous, Inertia or Load
     twist : array_like, shape S + (3,)
-        (v_x, v_y, omega) at the ring centre, omega in radians per unit of time.
+        (v_x, v_y, omega) at the ring center, omega in radians per unit of time.
     slider : Slider, optional
         As in `wrench`.
     """

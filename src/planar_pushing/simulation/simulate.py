@@ -67,7 +67,7 @@ def simulate(
         of (start_time, policy), which begins at 0: each policy holds until the next starts, and at these
         times the mode is chosen anew.
     twist : (v_x, v_y, omega)
-        Initial twist at the ring centre, omega in radians per time, for a scene with inertia.
+        Initial twist at the ring center, omega in radians per time, for a scene with inertia.
     gap : float
         Initial height of the contact above the fence.
     samples : int

@@ -187,7 +187,7 @@ def _turn(slider: Slider, force: Heading, spin: arb, share: fmpq, pusher: Headin
 def cover(
     slider: Slider, friction_coefficient: float, side: int
 ) -> tuple[slips.Edge, list[slips.Part]]:
-    """Motions under a force on an edge off the ring centre, cut into certified monotone parts."""
+    """Motions under a force on an edge off the ring center, cut into certified monotone parts."""
     force = edge(friction_coefficient, side)
     _, sine = lean(slider, force)
     exact = exact_contact_motion(slider, force, INERTIA)

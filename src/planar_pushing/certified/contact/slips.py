@@ -55,7 +55,7 @@ class Edge:
     stays: bool
 
     def advance(self, k: arb) -> arb:
-        """Return A, the normal part of the contact's motion per speed of the centre."""
+        """Return A, the normal part of the contact's motion per speed of the center."""
         return self.normal - self.lever * k
 
     def surplus(self, k: arb) -> arb:
@@ -69,7 +69,7 @@ class Edge:
         return self.slider.gyration * k - self.arm
 
     def speed(self, k: arb) -> arb:
-        """Speed of the centre."""
+        """Speed of the center."""
         return self.slider.weight / self.slider.mass * self.surplus(k) / self.lag(k)
 
     def normal_motion(self, k: arb) -> arb:
@@ -110,7 +110,7 @@ def parts(edge: Edge) -> list[Part]:
     low, high = (friction, inertia) if friction < inertia else (inertia, friction)
     if not low < high:
         raise Undecided(
-            "friction and inertia agree on the spin ratio of a line of force off the centre"
+            "friction and inertia agree on the spin ratio of a line of force off the center"
         )
     cuts = [low.lower(), high.upper()]
     if low < 1 < high:

@@ -45,7 +45,7 @@ def sticking(slider: Slider, effects: Effects, magnitude: fmpq, pusher_angle: fm
     """Motion whose contact moves as the pusher does.
 
     In the frame of the rod the contact moves by (along, aside); the rotation takes a part of `aside`,
-    the centre the rest, and the force is along the motion of the centre.
+    the center the rest, and the force is along the motion of the center.
     """
     cosine, sine = cosine_sine(slider.rod_angle - pusher_angle)
     along, aside = magnitude * cosine, magnitude * sine

@@ -77,7 +77,7 @@ def stick_time(length: fmpq, start: arb, end: arb) -> arb:
 
 
 def slide_path(length: fmpq, start: arb, end: arb) -> arb:
-    """Path of the ring centre under a force along the fence, while 1 / |k| goes between two values.
+    """Path of the ring center under a force along the fence, while 1 / |k| goes between two values.
 
     It is the integral of ``d psi / k`` with ``l sin psi = H(|k|) = 1 / H(1 / |k|)``, a rod angle below
     90 degrees.

@@ -157,7 +157,7 @@ class _Stick:
 def slipping(file: File, times: Sequence[fmpq]) -> list[Instant]:
     """Slip to the right under infinite friction: the force is along the fence, to its left.
 
-    The ring's centre keeps its height, so ``l sin psi`` falls as the fence rises. The slip is shown to go
+    The ring's center keeps its height, so ``l sin psi`` falls as the fence rises. The slip is shown to go
     to the right, between the instants too.
     """
     length, ((_, degrees),) = rod_length(file), _pieces(file)

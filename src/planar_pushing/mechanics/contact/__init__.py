@@ -1,4 +1,4 @@
-"""What the contact between fence and rod can transmit."""
+"""Contact laws, contact modes, and outcomes."""
 
 from planar_pushing.mechanics.contact.laws import (
     ContactLaw,

@@ -15,7 +15,7 @@ from planar_pushing.terms.errors import InvalidValue
 
 @runtime_checkable
 class ContactLaw(Protocol):
-    """What a contact transmits: an interval of force angles, and what happens at its edges."""
+    """The forces that a contact transmits: an interval of angles, and the law at its edges."""
 
     @property
     def force_angles(self) -> AngleInterval:

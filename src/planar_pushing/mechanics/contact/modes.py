@@ -8,7 +8,7 @@ from planar_pushing.mechanics.status import formatted, name_of
 
 
 class ContactMode(IntEnum):
-    """What the contact does; the slider slips over the fence to the right or to the left."""
+    """The motion at the contact; the slider slips over the fence to the right or to the left."""
 
     SEPARATE = 0
     STICK = 1

@@ -26,15 +26,15 @@ class Inertia:
     mass : float or array
         m > 0.
     gyration_radius : float or array
-        rho > 0 about the centre of mass, in the unit of the slider's lengths.
+        rho > 0 about the center of mass, in the unit of the slider's lengths.
     center : (x, y), of floats or arrays
-        Centre of mass in the body frame: origin at the slider's centre, x along the rod and away from the
+        Center of mass in the body frame: origin at the slider's center, x along the rod and away from the
         contact.
 
     Raises
     ------
     InvalidValue
-        Where a parameter is not a positive finite number, or the centre not two finite ones.
+        Where a parameter is not a positive finite number, or the center not two finite ones.
     """
 
     mass: Number = 1.0

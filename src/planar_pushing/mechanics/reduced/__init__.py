@@ -1,1 +1,1 @@
-"""What the contact feels of the slider: the effects with the rotation eliminated."""
+"""The effects as a function of the motion of the contact: the rotation is eliminated."""

@@ -10,7 +10,7 @@ from planar_pushing.mechanics.reduced.motion import NOWHERE, ROUNDING, Psi, abou
 
 #: A support point slower than this, relative to the slider, barely moves.
 NEAR = 1e-5
-#: Least part of a share that is told from none beside the rest of it: the root of a rounding error.
+#: Smallest fraction of a share that can be resolved beside the rest of it: the root of a rounding error.
 SHORT = 1e-8
 #: A point that barely moves carries at most its share, but for this part of it.
 BALANCED = 1e-9

@@ -79,7 +79,7 @@ def with_force(moved, f_x, f_y, free_x, free_y):
 
 @compiled
 def not_found(moved):
-    """A motion that is none."""
+    """A motion that was not found."""
     return Moved(
         moved.u_x, moved.u_y, moved.v_x, moved.v_y, moved.spin, moved.f_x, moved.f_y, 0.0, 0.0,
         moved.point, moved.continuum, moved.noise_x, moved.noise_y, False,

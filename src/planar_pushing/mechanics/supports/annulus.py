@@ -14,7 +14,7 @@ from planar_pushing.terms.errors import InvalidValue, require_positive
 
 @dataclass(frozen=True, slots=True)
 class Annulus:
-    """Support between two circles about one centre, its pressure even.
+    """Support between two circles about one center, its pressure even.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ class Annulus:
     Raises
     ------
     InvalidValue
-        Where a radius is not positive, the inner is not the smaller, or the centre is not a pair of
+        Where a radius is not positive, the inner is not the smaller, or the center is not a pair of
         finite numbers.
 
     Notes

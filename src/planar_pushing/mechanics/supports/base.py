@@ -11,7 +11,7 @@ import numpy as np
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
-#: A position in the body frame: origin at the slider's centre, x along the rod and away from the contact.
+#: A position in the body frame: origin at the slider's center, x along the rod and away from the contact.
 Position = tuple[float, float]
 
 
@@ -26,7 +26,7 @@ class Support(Protocol):
 
     @property
     def extent(self) -> float:
-        """Largest distance of the support from its centre of pressure."""
+        """Largest distance of the support from its center of pressure."""
         ...
 
     def pieces(self) -> Pieces:

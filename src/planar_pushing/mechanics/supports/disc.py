@@ -39,7 +39,7 @@ class Disc:
     Raises
     ------
     InvalidValue
-        Where the radius is not positive, or the centre not a pair of finite numbers.
+        Where the radius is not positive, or the center not a pair of finite numbers.
     """
 
     radius: float

@@ -37,11 +37,11 @@ class EllipsoidFit:
     Parameters
     ----------
     center : pair of float
-        Centre of pressure, in the body frame, about which torques are taken.
+        Center of pressure, in the body frame, about which torques are taken.
     extent : float
         Largest distance a of the support from it.
     integration_constant : float
-        c, the torque of spinning about the centre of pressure over weight and extent.
+        c, the torque of spinning about the center of pressure over weight and extent.
     matrix : array, shape (3, 3)
         M: wrenches (f_x, f_y, tau) that slide satisfy ``w . M w = 1``, per unit weight, and the motion
         (v_x, v_y, omega) is along M w. Diagonal: 1, 1, ``1 / (c a)^2``.
@@ -71,7 +71,7 @@ class EllipsoidFit:
 
 
 def fit_ellipsoid(support: Support) -> EllipsoidFit:
-    """Ellipsoid with the support's friction in translation and in spinning about the centre of pressure.
+    """Ellipsoid with the support's friction in translation and in spinning about the center of pressure.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ from planar_pushing.terms.errors import require_positive
 
 @dataclass(frozen=True, slots=True)
 class Ring:
-    """Support on a ring about the slider's centre, its pressure even: the paper's.
+    """Support on a ring about the slider's center, its pressure even: the paper's.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What friction needs of a pressure at a centre of rotation (manual: theory, any support)."""
+"""What friction needs of a pressure at a center of rotation (manual: theory, any support)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from planar_pushing.mechanics.supports.segment import of_segments
 
 
 class Moments(NamedTuple):
-    """Mean distance to a centre of rotation c, its gradient, the torque, and second derivatives.
+    """Mean distance to a center of rotation c, its gradient, the torque, and second derivatives.
 
     Parameters
     ----------
@@ -22,7 +22,7 @@ class Moments(NamedTuple):
     unit_x, unit_y : float
         G, the mean of (r - c) / rho; minus the gradient of D by c.
     torque : float
-        T, about the centre of pressure p of a slider that turns counter-clockwise: ``D + (c - p) . G``.
+        T, about the center of pressure p of a slider that turns counter-clockwise: ``D + (c - p) . G``.
     xx, xy, yy : float
         Second derivatives of D by c.
     atom : int
@@ -43,7 +43,7 @@ class Moments(NamedTuple):
 @kernel
 @compiled
 def moments(pressure, c_x, c_y):
-    """Moments of a pressure at a centre of rotation in the body frame, per unit weight.
+    """Moments of a pressure at a center of rotation in the body frame, per unit weight.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def moments(pressure, c_x, c_y):
     Notes
     -----
     A slider that turns about c at omega meets the force ``sgn(omega) J G`` (J turns by +90 degrees: x, y to
-    -y, x) and the torque ``sgn(omega) T`` about the centre of pressure, and its potential is |omega| D. In
+    -y, x) and the torque ``sgn(omega) T`` about the center of pressure, and its potential is |omega| D. In
     the limit of a translation v the potential is |v|, the force v / |v|, and the torque zero.
     """
     return moments_within(pressure, c_x, c_y, 0.0)

@@ -19,7 +19,7 @@ NODES = (0.25, 0.5, 0.75, 1.0)
 
 
 class Task(NamedTuple):
-    """What is asked of a run: a relative tolerance, and samples at these times."""
+    """The task of a run: a relative tolerance, and samples at these times."""
 
     rtol: float
     times: Array

@@ -1,4 +1,4 @@
-"""What the contact transmits: the friction cone, and forces and impulses on a slider with inertia.
+"""The contact: its friction cone, and forces and impulses on a slider with inertia.
 
 With r from the contact to the center of mass, a force f at the contact accelerates it by
 ``f / m + (r_y f_x - r_x f_y) (r_y, -r_x) / J``. Impacts are inelastic; friction of

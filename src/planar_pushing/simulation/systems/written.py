@@ -1,4 +1,4 @@
-"""What is written down of an instant: position, twist, force and energies, along the axes of the world."""
+"""The row of an instant: position, twist, force and energies, along the axes of the world."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ NEAR = fmpq(1, 2), fmpq(2)
 
 
 def ring(distance: arb, radius: fmpq) -> Radial:
-    """A ring at a distance from its centre, by Eqs. (2)-(3) at the spin ratio R / c."""
+    """A ring at a distance from its center, by Eqs. (2)-(3) at the spin ratio R / c."""
     c = distance / radius
     if c.is_zero():
         return arb(radius), arb(0), arb(fmpq(1, 2)) / radius, arb(fmpq(1, 2)) / radius
@@ -31,7 +31,7 @@ def _rise(k: arb) -> arb:
 
 
 def disc(distance: arb, radius: fmpq) -> Radial:
-    """An even disc at a distance from its centre."""
+    """An even disc at a distance from its center."""
     c = distance / radius
     if c.is_zero():
         return arb(radius) * 2 / 3, arb(0), 1 / arb(radius), 1 / arb(radius)

@@ -1,6 +1,6 @@
 """Moments of a support by their defining integrals, rigorously: `acb.integral`.
 
-It shares nothing with the closed forms. An even plate is integrated in polar coordinates about the centre
+It shares nothing with the closed forms. An even plate is integrated in polar coordinates about the center
 of rotation: along the radius its integrands are powers, and ``R^2 dtheta`` is ``r' x dr'`` on its border.
 """
 
@@ -17,17 +17,17 @@ Vector = tuple[arb, arb]
 Means = tuple[arb, arb, arb]
 #: r' at a parameter of a curve.
 Curve = Callable[[acb], tuple[acb, acb]]
-#: Area swept about the centre of rotation, twice, per parameter; 1 for means along the curve.
+#: Area swept about the center of rotation, twice, per parameter; 1 for means along the curve.
 Swept = Callable[[acb, acb], acb]
 
 
 def printed(support: Pieces, c: Vector) -> Means:
-    """D and G at an exact centre of rotation.
+    """D and G at an exact center of rotation.
 
     Raises
     ------
     Undecided
-        Where the centre is on a line or a rim of the support.
+        Where the center is on a line or a rim of the support.
     """
     total = [arb(0)] * 3
     for part in _parts(support, c):
@@ -51,7 +51,7 @@ def _parts(support: Pieces, c: Vector) -> Iterable[Means]:
 
 
 def _along_line(line: Line, c: Vector) -> Means:
-    """A segment: means over its length; from a centre on its line the integrands are |s| and its sign."""
+    """A segment: means over its length; from a center on its line the integrands are |s| and its sign."""
     d_x, d_y = line.along
     x, y = line.start[0] - c[0], line.start[1] - c[1]
     if (x * d_y - y * d_x).is_zero():
@@ -66,7 +66,7 @@ def _along_line(line: Line, c: Vector) -> Means:
 
 
 def _under_line(line: Line, c: Vector) -> Means:
-    """What an edge adds to a plate: the triangle from the centre of rotation to it."""
+    """Integrals over the triangle between the center of rotation and an edge of a plate."""
     d_x, d_y = line.along
     swept = (line.start[0] - c[0]) * d_y - (line.start[1] - c[1]) * d_x
     if swept.is_zero():

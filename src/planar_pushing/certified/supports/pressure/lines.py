@@ -14,7 +14,7 @@ Part = tuple[arb, arb, arb, arb, arb, arb]
 
 
 class Seen(NamedTuple):
-    """A line seen from a centre of rotation.
+    """A line seen from a center of rotation.
 
     Attributes
     ----------
@@ -46,13 +46,13 @@ class Seen(NamedTuple):
 
 
 def seen(line: Line, c: Vector) -> Seen:
-    """A line seen from a centre of rotation, exact or a ball."""
+    """A line seen from a center of rotation, exact or a ball."""
     d_x, d_y = map(arb, line.along)
     length = (d_x * d_x + d_y * d_y).sqrt()
     ends = [(x - c[0], y - c[1]) for x, y in (line.start, line.end)]
     s_1, s_2 = ((x * d_x + y * d_y) / length for x, y in ends)
     rho_1, rho_2 = (norm(x, y) for x, y in ends)
-    # The product of exact places is exact, so that a centre on the line is seen to be on it.
+    # The product of exact places is exact, so that a center on the line is seen to be on it.
     h = (ends[0][0] * d_y - ends[0][1] * d_x) / length
     log = _log(length, (s_1, s_2), (rho_1, rho_2), h)
     return Seen(length, d_x / length, d_y / length, (s_1, s_2), h, (rho_1, rho_2), log)
@@ -81,7 +81,7 @@ def _next_to_line(size: arb, scale: arb) -> arb:
     """
     bound = scale.upper()
     if not (bound.is_finite() and size * size * 8 < scale.lower()):
-        raise Undecided("a centre next to the end of a line")
+        raise Undecided("a center next to the end of a line")
     most = (size * (bound / (size * size)).log()).upper()
     return (-most).union(most)
 
@@ -105,7 +105,7 @@ def segment(line: Line, c: Vector) -> Part:
 
 
 def _inverse(at: Seen) -> arb:
-    """Integral of 1 / rho along a line, infinite where it holds the centre."""
+    """Integral of 1 / rho along a line, infinite where it holds the center."""
     if not at.h.is_zero():
         return at.log / at.h
     return arb.pos_inf() if at.s[0] < 0 < at.s[1] else abs((at.rho[1] / at.rho[0]).log())

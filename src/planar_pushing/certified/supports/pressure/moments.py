@@ -1,6 +1,6 @@
 """Mean distance, mean unit vector, torque and second derivatives of a support, enclosed.
 
-With r' = r - c from a centre of rotation c and rho = |r'|: D is the mean of rho, G that of r' / rho, and
+With r' = r - c from a center of rotation c and rho = |r'|: D is the mean of rho, G that of r' / rho, and
 the second derivatives of D by c those of ``(1 - r' r'^T / rho^2) / rho``.
 """
 
@@ -26,16 +26,16 @@ _route: Route | None = None
 
 
 class Moments(NamedTuple):
-    """What friction needs of a support at a centre of rotation.
+    """What friction needs of a support at a center of rotation.
 
     Attributes
     ----------
     distance : arb
         D.
     x, y : arb
-        G. A point at the centre counts as zero here and in the second derivatives.
+        G. A point at the center counts as zero here and in the second derivatives.
     xx, xy, yy : arb
-        Second derivatives of D by the centre; infinite or NaN where D has none.
+        Second derivatives of D by the center; infinite or NaN where D has none.
     """
 
     distance: arb
@@ -51,7 +51,7 @@ class Moments(NamedTuple):
 
 
 def moments(support: Pieces, c: Vector) -> Moments:
-    """Moments at a centre of rotation, exact or a ball.
+    """Moments at a center of rotation, exact or a ball.
 
     Raises
     ------
@@ -84,7 +84,7 @@ def _by(route: Route, support: Pieces, c: Vector, known: Moments) -> Moments:
 
 
 def use(route: Route) -> None:
-    """Evaluate D and G at exact centres by this route from now on: call it before anything else."""
+    """Evaluate D and G at exact centers by this route from now on: call it before anything else."""
     global _route
     _route = lru_cache(maxsize=16)(
         route
@@ -110,7 +110,7 @@ def _point(point: Point, c: Vector) -> Part:
 
 
 def distance(circle: Circle, c: Vector) -> arb:
-    """Distance of a centre of rotation from that of a circle."""
+    """Distance of a center of rotation from that of a circle."""
     x, y = c[0] - circle.center[0], c[1] - circle.center[1]
     return norm(x, y)
 

@@ -1,7 +1,7 @@
 """A support as exact pieces: points, lines, rings, discs, and plates bounded by lines.
 
 The entries are those of a scene file as plain values. Doubles are taken as exact, so that shares, areas
-and the centre of pressure are rational.
+and the center of pressure are rational.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Pieces:
 
     @cached_property
     def center(self) -> Place:
-        """Centre of pressure."""
+        """Center of pressure."""
         loads = [(each.share, each.place) for each in self.points]
         loads += [(each.share, _middle(each)) for each in self.segments]
         loads += [(each.share, each.center) for each in (*self.rings, *self.discs)]
@@ -91,13 +91,13 @@ class Pieces:
 
     @property
     def spread(self) -> fmpq:
-        """Mean square distance from the centre of pressure."""
+        """Mean square distance from the center of pressure."""
         (x, y), (xx, _, yy) = self.center, self.second
         return xx + yy - x * x - y * y
 
     @property
     def extent(self) -> arb:
-        """Largest distance from the centre of pressure."""
+        """Largest distance from the center of pressure."""
         lines = (*self.segments, *self.edges)
         places = [(each.place, fmpq(0)) for each in self.points]
         places += [(end, fmpq(0)) for each in lines for end in (each.start, each.end)]
@@ -114,7 +114,7 @@ def _middle(line: Line) -> Place:
 
 
 def _wedge(line: Line) -> tuple[fmpq, Place]:
-    """Load and centre of the triangle from the origin to an edge."""
+    """Load and center of the triangle from the origin to an edge."""
     (a, b), (c, d) = line.start, line.end
     return line.share * (a * d - b * c) / 2, ((a + c) / 3, (b + d) / 3)
 

@@ -1,4 +1,4 @@
-"""From the pieces of supports, one or many, to centres, extents, and the rows of the compiled core."""
+"""From the pieces of supports, one or many, to centers, extents, and the rows of the compiled core."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from planar_pushing.mechanics.supports.pressure.record import (
 )
 from planar_pushing.mechanics.supports.pressure.spread import spreads
 
-#: A centre of rotation this close to an atom, over the size of the numbers it was computed from, is on it.
+#: A center of rotation this close to an atom, over the size of the numbers it was computed from, is on it.
 ROUNDING = 1e-15
 
 
@@ -32,12 +32,12 @@ class Gathered(NamedTuple):
     Attributes
     ----------
     rows, owners : list of ndarray
-        By kind: rows as in `Pieces`, those of the plates their centre, extent and share; and the number of
+        By kind: rows as in `Pieces`, those of the plates their center, extent and share; and the number of
         the support that each is of.
     first : ndarray of int, shape (plates + 1,)
         Where the edges of each plate begin, and the number of all.
     centers, extents, spreads : ndarray
-        Of the supports: centres of pressure, largest distances of the support from them, second moments.
+        Of the supports: centers of pressure, largest distances of the support from them, second moments.
     """
 
     rows: list[Array]
@@ -69,7 +69,7 @@ def joined(parts: Sequence[Pieces]) -> Pieces:
 
 
 def gathered(supports: Sequence[Pieces]) -> Gathered:
-    """Pieces of supports, with centres and extents."""
+    """Pieces of supports, with centers and extents."""
     rows = [np.concatenate([pieces[kind] for pieces in supports]) for kind in range(PLATES)]
     counts = [[len(pieces[kind]) for pieces in supports] for kind in range(PLATES + 1)]
     owners = [np.repeat(np.arange(len(supports)), count) for count in counts]
@@ -85,7 +85,7 @@ def gathered(supports: Sequence[Pieces]) -> Gathered:
 
 
 def _places(edges: Array, lengths: Any, first: Any) -> Array:
-    """Centre of pressure, largest distance from it and share of plates, from triangles over their edges."""
+    """Center of pressure, largest distance from it and share of plates, from triangles over their edges."""
     if not len(first):
         return np.empty((0, 4))
     ends = edges[:, :2]
@@ -106,7 +106,7 @@ def _distance(points: Array, center: Array) -> Array:
 
 
 def _centers(rows: list[Array], owners: list[Any], count: int) -> Array:
-    """Centres of pressure."""
+    """Centers of pressure."""
     atoms, segments, rings, discs, plates, _ = rows
     lines = np.column_stack([(segments[:, :2] + segments[:, 2:4]) / 2, segments[:, 4]])
     round_ones = [each[:, [0, 1, 3]] for each in (rings, discs, plates)]
@@ -117,7 +117,7 @@ def _centers(rows: list[Array], owners: list[Any], count: int) -> Array:
 
 
 def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
-    """Largest distances of supports from their centres of pressure."""
+    """Largest distances of supports from their centers of pressure."""
     ends = (
         (ATOMS, 0),
         (SEGMENTS, 0),
@@ -137,13 +137,13 @@ def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
 
 
 def center(pieces: Pieces) -> tuple[float, float]:
-    """Centre of pressure."""
+    """Center of pressure."""
     x, y = gathered([pieces]).centers[0]
     return float(x), float(y)
 
 
 def extent(pieces: Pieces) -> float:
-    """Largest distance of the pieces from the centre of pressure."""
+    """Largest distance of the pieces from the center of pressure."""
     return float(gathered([pieces]).extents[0])
 
 

@@ -1,4 +1,4 @@
-"""Means over an even straight line, of any centre of rotation."""
+"""Means over an even straight line, of any center of rotation."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from math import log, sqrt
 
 from planar_pushing.mechanics.compiled import compiled
 
-#: Least product of distances, for a centre of rotation on the line, where second derivatives are infinite.
+#: Least product of distances, for a center of rotation on the line, where second derivatives are infinite.
 LEAST = 1e-300
 
 

@@ -1,7 +1,7 @@
 r"""Distance to a plate from afar, in powers of the plate's size over the distance.
 
-With positions z in the complex plane from the plate's centre of pressure, in units of its radius, and zeta
-the radius over the centre of rotation c likewise,
+With positions z in the complex plane from the plate's center of pressure, in units of its radius, and zeta
+the radius over the center of rotation c likewise,
 
     |r - c| = |c| |1 - z zeta| = |c| sum of a_j a_k (z zeta)^j conj(z zeta)^k
 
@@ -77,7 +77,7 @@ def multipoles(edges, radius, found):
 
 @owning
 def _add_edge(sums, start, end, area):
-    """Add an edge's part of the moments, over the triangle of the edge and the centre.
+    """Add an edge's part of the moments, over the triangle of the edge and the center.
 
     The means of z^j conj(z)^k over the edge follow from those of lower powers by integration by parts.
     """
@@ -108,7 +108,7 @@ def _powers(z):
 
 @compiled
 def _terms(sums, found):
-    """Coefficients of the series from the moments; those of power 1 are zero about the centre."""
+    """Coefficients of the series from the moments; those of power 1 are zero about the center."""
     whole, place = sums[0, 0].real, 0
     sums[1, 0] = 0.0
     for m in range(ORDER + 1):
@@ -125,7 +125,7 @@ def _terms(sums, found):
 
 @compiled
 def far(multipoles, i, x, y, radius):
-    """The piece of plate i for a centre of rotation far from it."""
+    """The piece of plate i for a center of rotation far from it."""
     distance = sqrt(x * x + y * y)
     ratio, u_x, u_y = radius / distance, x / distance, y / distance
     one, n1, bend, m_i, mn_i, turn = _sums(multipoles, i, ratio, u_x, -u_y)

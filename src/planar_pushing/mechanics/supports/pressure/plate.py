@@ -16,7 +16,7 @@ FAR = 1.7
 
 @compiled
 def near(edges, begin, stop, x, y):
-    """The piece of a plate, edges `begin` to `stop`, for a centre of rotation (x, y) from its centre."""
+    """The piece of a plate, edges `begin` to `stop`, for a center of rotation (x, y) from its center."""
     distance, g_x, g_y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(begin, stop):
         m_x, m_y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]

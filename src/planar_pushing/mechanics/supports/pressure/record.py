@@ -25,23 +25,23 @@ class Pressure(NamedTuple):
     Parameters
     ----------
     center_x, center_y : float
-        Centre of pressure.
+        Center of pressure.
     extent : float
-        Largest distance of the support from the centre of pressure.
+        Largest distance of the support from the center of pressure.
     spread : tuple of float
-        Means of x x, x y and y y from the centre of pressure.
+        Means of x x, x y and y y from the center of pressure.
     starts : tuple of int
         Rows in which the pieces of each kind begin: `ATOMS` to `EDGES`.
     series : int
         Number of the first plate's multipoles.
     rows : array, shape (n, COLUMNS)
-        Atoms are points: x, y, share, and the square of the distance below which a centre of rotation is
+        Atoms are points: x, y, share, and the square of the distance below which a center of rotation is
         on the point. No two are at the same place.
         Segments are even lines: x and y of the middle, unit tangent, half the length, share.
-        Rings and discs are even: x and y of the centre, radius, share. A hole has a negative share.
-        Plates are areas whose pressure is even between edges: x and y of the centre of pressure, largest
+        Rings and discs are even: x and y of the center, radius, share. A hole has a negative share.
+        Plates are areas whose pressure is even between edges: x and y of the center of pressure, largest
         distance of an edge from it, share, and the rows in which its edges begin and end.
-        Edges of the plates: x and y of the middle from the plate's centre, unit tangent, half the length,
+        Edges of the plates: x and y of the middle from the plate's center, unit tangent, half the length,
         and the pressure on the left of the tangent less that on the right, per unit share.
     multipoles : array, shape (m, ROWS, 2)
         Moments of the plates as `far` of `multipole` reads them.
@@ -67,7 +67,7 @@ class Pieces(NamedTuple):
     segments : array, shape (n, 5)
         x and y of both ends, share.
     rings, discs : array, shape (n, 4)
-        x and y of the centre, radius, share.
+        x and y of the center, radius, share.
     plates : tuple of arrays, shape (m, 5)
         Edges of each plate: x and y of both ends, and the pressure on the left less that on the right.
     """

@@ -1,4 +1,4 @@
-"""Second moments of supports: how far their pressure is spread about its centre."""
+"""Second moments of supports: how far their pressure is spread about its center."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from planar_pushing.mechanics.supports.pressure.record import (
 
 #: Of each kind of piece, the columns in which its ends, or its one place, begin.
 ENDS = ((ATOMS, 0, 0), (SEGMENTS, 0, 2), (RINGS, 0, 0), (DISCS, 0, 0), (EDGES, 0, 2))
-#: Of round pieces, the mean square of a coordinate from their centre over the square of the radius.
+#: Of round pieces, the mean square of a coordinate from their center over the square of the radius.
 ROUND = {RINGS: 1 / 2, DISCS: 1 / 4}
 
 
 def spreads(rows: list[Array], owners: list[Any], centers: Array) -> Array:
-    """Means of x x, x y and y y from the centres of pressure, shape (supports, 3)."""
+    """Means of x x, x y and y y from the centers of pressure, shape (supports, 3)."""
     found = np.zeros((len(centers), 3))
     for kind, first, last in ENDS:
         pieces, around = rows[kind], centers[owners[kind]]
@@ -31,7 +31,7 @@ def spreads(rows: list[Array], owners: list[Any], centers: Array) -> Array:
         if kind in ROUND:
             means[:, [0, 2]] += ROUND[kind] * pieces[:, 2:3] ** 2
         if kind == EDGES:
-            # Of the triangle from the centre to the edge, with its part of the plate's share.
+            # Of the triangle from the center to the edge, with its part of the plate's share.
             share = share * (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 4
         np.add.at(found, owners[kind], share[:, None] * means)
     return found

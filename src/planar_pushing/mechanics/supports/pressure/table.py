@@ -26,7 +26,7 @@ class Table(NamedTuple):
     Attributes
     ----------
     centers : ndarray, shape (n, 2)
-        Centres of pressure.
+        Centers of pressure.
     spreads : ndarray, shape (n, 3)
         As `spread` in `Pressure`.
     starts : ndarray of int, shape (n, 7)
@@ -55,7 +55,7 @@ def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any
 
 
 def extents_of(supports: Iterable[Any]) -> Array:
-    """Largest distances of supports from their centres of pressure.
+    """Largest distances of supports from their centers of pressure.
 
     Raises
     ------
