@@ -13,9 +13,9 @@ from certified.effects.scenes import faults, push_of
 from mechanics.degenerate import EFFECTS, SYMMETRIC, degenerate
 from planar_pushing.certified.balls import Undecided, rational
 from planar_pushing.certified.contact.modes import INFINITE_FREE, Law, Mode
-from planar_pushing.certified.effects import direction
 from planar_pushing.certified.effects.modes import modes
-from planar_pushing.certified.effects.resistance import Friction, Inertia, Load, Scene
+from planar_pushing.certified.potential import direction
+from planar_pushing.certified.potential.resistance import Friction, Inertia, Load, Scene
 from planar_pushing.certified.supports.pressure.pieces import pieces
 
 TABLE = {

@@ -11,12 +11,12 @@ from planar_pushing.certified import cones, setting
 from planar_pushing.certified.balls import PRECISION, Undecided, in_degrees, rational
 from planar_pushing.certified.contact.modes import INFINITE_FREE
 from planar_pushing.certified.effects.cone_edges import edge, pivot_load
-from planar_pushing.certified.effects.direction import degrees, relative, returned
-from planar_pushing.certified.effects.gradient import Motion, center, response
 from planar_pushing.certified.effects.modes import edge as force_edge
-from planar_pushing.certified.effects.resistance import Friction, Load, Scene, resistance
-from planar_pushing.certified.effects.sticking import stick
 from planar_pushing.certified.effects.under import under
+from planar_pushing.certified.potential.direction import degrees, relative, returned
+from planar_pushing.certified.potential.gradient import Motion, center, response
+from planar_pushing.certified.potential.resistance import Friction, Load, Scene, resistance
+from planar_pushing.certified.potential.sticking import stick
 from planar_pushing.certified.supports.pressure.mirror import is_mirrored
 from planar_pushing.certified.supports.pressure.pieces import pieces
 

@@ -16,8 +16,8 @@ from flint import ctx, fmpq
 from planar_pushing.certified.balls import Undecided, rational
 from planar_pushing.certified.contact.modes import Law
 from planar_pushing.certified.effects.conditions import Claim, Conditions
-from planar_pushing.certified.effects.direction import Direction
-from planar_pushing.certified.effects.resistance import Scene, resistance
+from planar_pushing.certified.potential.direction import Direction
+from planar_pushing.certified.potential.resistance import Scene, resistance
 
 #: Working precision in bits.
 PRECISION = 128

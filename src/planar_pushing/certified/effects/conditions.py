@@ -9,11 +9,11 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import norm, rational
 from planar_pushing.certified.contact.modes import SLIPS, Law, Mode
-from planar_pushing.certified.effects.direction import Direction, returned, turned
-from planar_pushing.certified.effects.gradient import Motion, Response, response
 from planar_pushing.certified.effects.modes import edge
-from planar_pushing.certified.effects.resistance import Resistance
 from planar_pushing.certified.effects.rest import is_held
+from planar_pushing.certified.potential.direction import Direction, returned, turned
+from planar_pushing.certified.potential.gradient import Motion, Response, response
+from planar_pushing.certified.potential.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 

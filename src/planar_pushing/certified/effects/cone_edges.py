@@ -10,14 +10,14 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import in_degrees, precise, rational
 from planar_pushing.certified.contact.modes import Law
-from planar_pushing.certified.effects import collinear
-from planar_pushing.certified.effects.direction import degrees, relative
 from planar_pushing.certified.effects.modes import edge as edge_of
-from planar_pushing.certified.effects.precision import FINE, decided
-from planar_pushing.certified.effects.push import Push
-from planar_pushing.certified.effects.resistance import Friction, Resistance, Scene, resistance
-from planar_pushing.certified.effects.sticking import is_across
 from planar_pushing.certified.effects.under import Moved, about, is_straight, under
+from planar_pushing.certified.potential import collinear
+from planar_pushing.certified.potential.direction import degrees, relative
+from planar_pushing.certified.potential.precision import FINE, decided
+from planar_pushing.certified.potential.push import Push
+from planar_pushing.certified.potential.resistance import Friction, Resistance, Scene, resistance
+from planar_pushing.certified.potential.sticking import is_across
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 
 ONE = fmpq(1)

@@ -16,9 +16,9 @@ from planar_pushing.certified.contact.modes import (
     Law,
     coulomb,
 )
-from planar_pushing.certified.effects import direction
-from planar_pushing.certified.effects.direction import Direction
-from planar_pushing.certified.effects.resistance import (
+from planar_pushing.certified.potential import direction
+from planar_pushing.certified.potential.direction import Direction
+from planar_pushing.certified.potential.resistance import (
     Effect,
     Friction,
     Inertia,

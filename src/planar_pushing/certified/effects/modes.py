@@ -11,18 +11,18 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Exact, Undecided, rational, sign
 from planar_pushing.certified.contact.modes import SLIPS, Law, Mode
-from planar_pushing.certified.effects import collinear
-from planar_pushing.certified.effects import direction as directions
-from planar_pushing.certified.effects.direction import Direction, relative, returned
-from planar_pushing.certified.effects.precision import decided
-from planar_pushing.certified.effects.push import Push
-from planar_pushing.certified.effects.resistance import Resistance, Scene, resistance
 from planar_pushing.certified.effects.rest import free_normal, is_held
 from planar_pushing.certified.effects.slips import Slip, slips
 from planar_pushing.certified.effects.steady import steady_foot, steady_slips
-from planar_pushing.certified.effects.sticking import NOTHING, Stuck, is_across, stick
 from planar_pushing.certified.effects.under import is_straight, under
 from planar_pushing.certified.effects.way import Way, line
+from planar_pushing.certified.potential import collinear
+from planar_pushing.certified.potential import direction as directions
+from planar_pushing.certified.potential.direction import Direction, relative, returned
+from planar_pushing.certified.potential.precision import decided
+from planar_pushing.certified.potential.push import Push
+from planar_pushing.certified.potential.resistance import Resistance, Scene, resistance
+from planar_pushing.certified.potential.sticking import NOTHING, Stuck, is_across, stick
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 ONE = fmpq(1)

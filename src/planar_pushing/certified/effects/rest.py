@@ -8,11 +8,11 @@ from itertools import pairwise
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Undecided, sign
-from planar_pushing.certified.effects.direction import Direction, degrees
-from planar_pushing.certified.effects.gradient import Motion, response
-from planar_pushing.certified.effects.resistance import Resistance
-from planar_pushing.certified.effects.sticking import rotation
 from planar_pushing.certified.effects.under import under
+from planar_pushing.certified.potential.direction import Direction, degrees
+from planar_pushing.certified.potential.gradient import Motion, response
+from planar_pushing.certified.potential.resistance import Resistance
+from planar_pushing.certified.potential.sticking import rotation
 from planar_pushing.certified.supports.pressure.moments import Vector, moments
 
 #: Numbers of directions that are tried in turn; a polygon of forces has a corner at each.

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from flint import arb, ctx
 
 from planar_pushing.certified.balls import Exhausted, Undecided, sign
-from planar_pushing.certified.effects.gradient import Motion, response
-from planar_pushing.certified.effects.sticking import near_root, rising_bounds, rotation, width
 from planar_pushing.certified.effects.way import Cell, Kink, Place, Way, at, kinks, over, rise
+from planar_pushing.certified.potential.gradient import Motion, response
+from planar_pushing.certified.potential.sticking import near_root, rising_bounds, rotation, width
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 #: Cells after which the bisection counts as endless.

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from flint import arb
 
 from planar_pushing.certified.balls import Undecided, sign
-from planar_pushing.certified.effects.gradient import Motion, response
 from planar_pushing.certified.effects.slips import Slip
 from planar_pushing.certified.effects.way import Way
+from planar_pushing.certified.potential.gradient import Motion, response
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 #: Coefficients of a polynomial in the speed.

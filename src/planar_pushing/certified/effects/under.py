@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Undecided, sign
-from planar_pushing.certified.effects.gradient import Motion, response, slopes
-from planar_pushing.certified.effects.newton import Line, least
-from planar_pushing.certified.effects.push import Push
-from planar_pushing.certified.effects.resistance import Resistance
-from planar_pushing.certified.effects.sticking import near_root, rising_bounds, rotations, width
 from planar_pushing.certified.effects.way import Way, at, line
+from planar_pushing.certified.potential.gradient import Motion, response, slopes
+from planar_pushing.certified.potential.newton import Line, least
+from planar_pushing.certified.potential.push import Push
+from planar_pushing.certified.potential.resistance import Resistance
+from planar_pushing.certified.potential.sticking import near_root, rising_bounds, rotations, width
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 ZERO = arb(0)

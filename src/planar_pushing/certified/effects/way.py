@@ -12,16 +12,16 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Undecided
-from planar_pushing.certified.effects.gradient import (
+from planar_pushing.certified.potential.gradient import (
     Motion,
     Response,
     center,
     response,
     slopes,
 )
-from planar_pushing.certified.effects.push import Push
-from planar_pushing.certified.effects.resistance import Resistance
-from planar_pushing.certified.effects.sticking import (
+from planar_pushing.certified.potential.push import Push
+from planar_pushing.certified.potential.resistance import Resistance
+from planar_pushing.certified.potential.sticking import (
     Stuck,
     bounds,
     pivot,

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import (
+    Resistance,
     count_points,
     energy,
     moment,
@@ -50,22 +51,6 @@ class Free(NamedTuple):
 
 
 REST = Free(0.0, 0.0, 0.0)
-
-
-class Local(NamedTuple):
-    """Value, gradient and Hessian, and the most that a support point at rest takes of a force."""
-
-    value: float
-    f_x: float
-    f_y: float
-    torque: float
-    xx: float
-    xy: float
-    yy: float
-    xs: float
-    ys: float
-    ss: float
-    most: float
 
 
 @compiled
@@ -111,27 +96,26 @@ def _moved(at, step, part):
 
 @compiled
 def _local(effects, load, at, square):
-    """`Local` of the potential at a twist, or of half of the square of D less the loads' power."""
+    """Value and derivatives of the potential, or of half of the square of D less the loads' power.
+
+    The derivatives are a `Resistance`, whose `most` is what a support point at rest takes of a force.
+    """
     slow = SLOW if square else 1.0
     x, y, spin = slow * at.x, slow * at.y, slow * at.spin
     now = resistance(effects, x, y, spin, EPSILON * slow * _size(at))
     f_x, f_y, torque, b = now.f_x, now.f_y, now.torque, slow
     power = _power(at, Free(f_x, f_y, torque))
     if not square:
-        return Local(
-            power - energy(effects, x, y, spin), f_x, f_y, torque,
-            now.xx, now.xy, now.yy, now.xs, now.ys, now.ss, now.most,
-        )  # fmt: skip
+        return power - energy(effects, x, y, spin), now
     f_x, f_y, torque = f_x + load.x, f_y + load.y, torque + load.spin
     whole = _power(at, Free(f_x, f_y, torque))
     b *= whole
     xx, yy, ss = f_x * f_x + b * now.xx, f_y * f_y + b * now.yy, torque * torque + b * now.ss
     least = FLAT * (xx + yy + ss)
-    return Local(
-        power + whole * (whole / 2.0 - 1.0),
+    return power + whole * (whole / 2.0 - 1.0), Resistance(
         whole * f_x - load.x, whole * f_y - load.y, whole * torque - load.spin,
         xx + least, f_x * f_y + b * now.xy, yy + least, f_x * torque + b * now.xs,
-        f_y * torque + b * now.ys, ss + least, whole * now.most,
+        f_y * torque + b * now.ys, ss + least, whole * now.most, now.point, now.gross,
     )  # fmt: skip
 
 
@@ -166,7 +150,7 @@ def _lowest(effects, load, ray, square):
 def _least(effects, load, at, square):
     """The twist of the least value, from one that is not above any of those about a support point."""
     for _ in range(STEPS):
-        now = _local(effects, load, at, square)
+        value, now = _local(effects, load, at, square)
         if now.most > 0.0:
             force = sqrt(now.f_x * now.f_x + now.f_y * now.f_y)
             if force <= now.most:
@@ -177,7 +161,7 @@ def _least(effects, load, at, square):
             step = _solved(now.xx, now.xy, now.yy, now.xs, now.ys, now.ss, wrench)
             slope = -_power(wrench, step)
         rounding = ROUNDING * _size(load) * _size(at)
-        part = _descent(effects, load, at, step, now.value + rounding, slope, square)
+        part = _descent(effects, load, at, step, value + rounding, slope, square)
         at = _moved(at, step, part)
         if -slope <= rounding or part == 0.0:
             break
@@ -192,9 +176,9 @@ def _descent(effects, load, at, step, value, slope, square):
         return part
     for _ in range(TRIALS):
         there = _moved(at, step, part)
-        now = _local(effects, load, there, square)
+        reached, now = _local(effects, load, there, square)
         rise = _power(Free(now.f_x, now.f_y, now.torque), step)
-        if abs(rise) <= -SLOPE * slope and now.value <= value:
+        if abs(rise) <= -SLOPE * slope and reached <= value:
             return part
         if rise < 0.0:
             low = part

@@ -12,11 +12,11 @@ from flint import arb, fmpq
 
 from planar_pushing.certified.balls import cosine_sine, in_degrees, rational, sign
 from planar_pushing.certified.effects.cone_edges import Edge, edge
-from planar_pushing.certified.effects.direction import degrees as at_degrees
-from planar_pushing.certified.effects.direction import relative
-from planar_pushing.certified.effects.precision import FINE, decided
-from planar_pushing.certified.effects.resistance import Friction, Scene, resistance
-from planar_pushing.certified.effects.sticking import Stuck, stick
+from planar_pushing.certified.potential.direction import degrees as at_degrees
+from planar_pushing.certified.potential.direction import relative
+from planar_pushing.certified.potential.precision import FINE, decided
+from planar_pushing.certified.potential.resistance import Friction, Scene, resistance
+from planar_pushing.certified.potential.sticking import Stuck, stick
 from planar_pushing.certified.supports.pressure.moments import moments
 from planar_pushing.certified.supports.pressure.pieces import Pieces, pieces
 from planar_pushing.evidence.golden.build.cells import Record

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from flint import arb, ctx
 
 from planar_pushing.certified.balls import Undecided, norm, unit
-from planar_pushing.certified.effects.resistance import Resistance
+from planar_pushing.certified.potential.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Moments, Vector, moments
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 

@@ -12,8 +12,8 @@ from typing import NamedTuple
 from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Undecided
-from planar_pushing.certified.effects.gradient import Motion, response, slopes
-from planar_pushing.certified.effects.resistance import Resistance
+from planar_pushing.certified.potential.gradient import Motion, response, slopes
+from planar_pushing.certified.potential.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 #: Newton steps at most, halvings of one, and of a step away from a foot.

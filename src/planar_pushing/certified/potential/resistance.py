@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import Exact, settle
-from planar_pushing.certified.effects.direction import Direction, exact_turned, turned
-from planar_pushing.certified.effects.push import Push
+from planar_pushing.certified.potential.direction import Direction, exact_turned, turned
+from planar_pushing.certified.potential.push import Push
 from planar_pushing.certified.supports.pressure.mirror import is_mirrored
 from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place, together

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import arb
 
-from planar_pushing.certified.effects.push import Push, ball
+from planar_pushing.certified.potential.push import Push, ball
 from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Undecided, sign
-from planar_pushing.certified.effects import collinear
-from planar_pushing.certified.effects.gradient import Motion, response
-from planar_pushing.certified.effects.push import Push
-from planar_pushing.certified.effects.resistance import Resistance
+from planar_pushing.certified.potential import collinear
+from planar_pushing.certified.potential.gradient import Motion, response
+from planar_pushing.certified.potential.push import Push
+from planar_pushing.certified.potential.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Place
 
