@@ -41,6 +41,9 @@ def refined(effects, at, x, y, now, blur):
     if count_points(effects) > 0:
         i, least, apart = _nearest(effects, at, now.v_x, now.v_y, now.spin)
         if least <= NEAR * (sqrt(x * x + y * y) + at.reach * abs(now.spin)) and least < apart:
+            exact = about_point(effects, at, x, y, i, pivot_spin(effects, at, x, y, i), blur)
+            if exact.found and exact.point >= 0:
+                return exact
             return about_point(effects, at, x, y, i, now.spin, blur)
     return now
 
@@ -98,7 +101,7 @@ def about_point(effects, at, x, y, i, spin, blur):
     # What rounding moves the part across r by, it moves the part along r by more where that is short.
     noise = 4.0 * ROUNDING * (abs(now.f_x) + abs(now.f_y) + now.most + abs(part))
     along = noise * abs(part) / max(free, SHORT * now.most)
-    pivots = 0.0 if ahead != 0.0 or slides else 1.0
+    pivots = 0.0 if ahead != 0.0 or abs(aside) > rounding else 1.0
     return Psi(
         v_x, v_y, spin, f_x, f_y,
         now.xx + (n_x * n_x * now.ss - turns * n_x * now.xs) / whole + turn_x * now.xs,

@@ -80,11 +80,11 @@ def slips_along(way, unit, first, last, found):
     straight, unit = unit == 0.0, unit if unit > 0.0 else SLOWEST
     cells = _cells(way.effects, unit, first, last)
     start, end = asinh(first / unit), asinh(last / unit)
-    flat = _may_be_flat(way.effects, straight)
     here, count, run, place = first_node(way, first), 0, REST, first
     for i in range(1, cells + 1):
         s = last if i == cells else unit * sinh(start + (end - start) * i / cells)
         while place < s:
+            flat = _may_be_flat(way.effects, straight, run)
             kink = kink_near(way, place, s, place)
             if kink.s == kink.s:
                 place, there = kink.s, node(way, kink.s, kink.spin, kink.point)
@@ -92,7 +92,7 @@ def slips_along(way, unit, first, last, found):
                 place, there = s, beside(way, here, s)
             # The sign of a rounding error says nothing: the next place decides.
             if flat or not there.found or not _vanishes(there):
-                count, run = _between(way, unit, straight, here, there, found, count, run)
+                count, run = _between(way, unit, straight, flat, here, there, found, count, run)
                 if _steps_across(flat, here, there):
                     count = _write(unit, there, False, found, count)
                 here = there
@@ -135,12 +135,12 @@ def _write(unit, at, continuum, found, count):
 
 
 @compiled
-def _between(way, unit, straight, low, high, found, count, run):
+def _between(way, unit, straight, flat, low, high, found, count, run):
     """Write down the slips between two motions; their number then, and whether they end in a continuum."""
     if count < 0 or not (low.found and high.found):
         return -1, run
     if _is_zero(low, low.after) or _is_zero(high, high.before):
-        if _may_be_flat(way.effects, straight):
+        if flat:
             return _touching(way, unit, straight, low, high, found, count, run)
         return count, OUTSIDE
     if (low.after > 0.0) != (high.before > 0.0):
@@ -154,18 +154,22 @@ def _between(way, unit, straight, low, high, found, count, run):
 
 @generic
 def _may_be_flat(kinds: Any) -> Callable[..., Any]:
-    """Whether a part of a way may be a continuum: along the fence, or of effects of one degree."""
+    """Whether a part of a way may be a continuum: effects, whether it is along the fence, and where it is.
+
+    Of effects of one degree any part may be. Of others a part along the fence that begins at rest: beyond,
+    inertia adds to the force across the edge in proportion to the motion.
+    """
     return _always if is_steady(kinds) else _along_the_fence
 
 
 @compiled
-def _always(effects, straight):
+def _always(effects, straight, run):
     return True
 
 
 @compiled
-def _along_the_fence(effects, straight):
-    return straight
+def _along_the_fence(effects, straight, run):
+    return straight and run != OUTSIDE
 
 
 @compiled
@@ -236,7 +240,7 @@ def _write_root(way, unit, low, high, found, count):
     """Write down the slip between two motions of other signs; of a continuum both ends."""
     start = low.s + min(max(_part(low, high), 0.05), 0.95) * (high.s - low.s)
     root = crossing(way, low, high, beside(way, low, start))
-    if not (_may_be_flat(way.effects, False) and is_flat(way, root, abs(root.s) + unit)):
+    if not (_may_be_flat(way.effects, False, OUTSIDE) and is_flat(way, root, abs(root.s) + unit)):
         return _write(unit, root, False, found, count)
     first, last = _flat_end(way, False, root, low), _flat_end(way, False, root, high)
     if first.s == root.s and last.s == root.s:

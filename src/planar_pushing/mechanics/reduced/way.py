@@ -28,9 +28,6 @@ STEPS = 200
 FARTHEST = 8.0
 #: Forces are in units of the largest one: one this small has underflowed.
 UNDERFLOW = 1e-200
-#: Along a way that only lengthens the motion the direction of a force may hardly change; a force that is
-#: this many rounding errors is none there, so that rounding does not end a continuum.
-LENGTHENS = 8.0
 #: Part of a motion over which a force that is constant to rounding is a continuum.
 FLAT = 1e-3
 
@@ -120,8 +117,6 @@ def _node(way, s, now):
             before = copysign(max(abs(across) - abs(half), 0.0), across)
             after, slope = before, 0.0
     noise = abs(e_x) * now.noise_y + abs(e_y) * now.noise_x + UNDERFLOW
-    if way.p_x == 0.0 and way.p_y == 0.0:
-        noise *= LENGTHENS
     return Node(s, before, after, slope, noise, now.spin, swing, now.point, now.found)
 
 
@@ -180,7 +175,7 @@ def crossing(way, low, high, here):
     """
     sense, last = 1.0 if high.before > low.after else -1.0, inf
     part, least = abs(way.d_x) + abs(way.d_y), abs(way.p_x) + abs(way.p_y)
-    least = least / part if least > 0.0 else 1.0
+    least = least / part if least > 0.0 else EPSILON
     for _ in range(STEPS):
         before, after = sense * here.before, sense * here.after
         if before <= 0.0 <= after:
