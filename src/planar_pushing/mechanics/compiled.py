@@ -22,8 +22,11 @@ from typing import Any, TypeVar
 
 import llvmlite.binding
 import numba
+from numba import _dynfunc
 from numba.core import event
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, UserProvidedCacheLocator
+from numba.core.codegen import CPUCodeLibrary
+from numba.core.cpu import CPUContext
 from numba.extending import overload
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -34,6 +37,8 @@ SOURCES = ("mechanics", "simulation")
 #: How every function is compiled: to run beside others, to divide as numpy does, exactly, and to count no
 #: references to arrays, which takes longer than many a formula.
 OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
+#: And a function that is a part of kernels alone: Python has no way into it.
+PART = {"no_cpython_wrapper": True}
 LOG = logging.getLogger("planar_pushing")
 #: Kernels that take long to compile: what a user calls, and seconds of one core of a virtual machine, on
 #: average over the kinds of sliders; the longest take twice as long.
@@ -131,22 +136,65 @@ class Cache(FunctionCache):  # type: ignore[misc]
             super().save_overload(sig, data)
 
 
-class Announcer(event.Listener):  # type: ignore[misc]
-    """Says how long a compilation takes before numba, whose cache holds no code, starts it."""
+class UnderWay(event.Listener):  # type: ignore[misc]
+    """The functions that are being compiled; each of those that take long is announced.
+
+    Numba makes machine code of every function by itself, and of all that it calls. Of a part of a kernel,
+    which is a third of the time, nobody needs it: the kernel links the part's intermediate code.
+    """
+
+    def __init__(self) -> None:
+        self.parts: list[bool] = []
 
     def on_start(self, event: Any) -> None:
-        """Announce a kernel that takes long to compile."""
-        function = event.data["dispatcher"].py_func
+        """Announce a kernel that takes long to compile, before numba, whose cache holds no code, starts."""
+        dispatcher = event.data["dispatcher"]
+        function = dispatcher.py_func
         what, seconds = SLOW.get(f"{function.__module__}.{function.__qualname__}", ("", 0))
         if what:
             message = "compiling %s for this kind of slider, once; this takes about %d s"
             LOG.warning(message, what, seconds)
+        self.parts.append(dispatcher.targetoptions.get("no_cpython_wrapper", False))
 
     def on_end(self, event: Any) -> None:
-        """Do nothing: the result is there."""
+        """Go back to the function that calls the one that is done."""
+        self.parts.pop()
+
+    @property
+    def is_part(self) -> bool:
+        """Whether the innermost function is a part of a kernel."""
+        return bool(self.parts) and self.parts[-1]
 
 
-event.register("numba:compile", Announcer())
+UNDER_WAY = UnderWay()
+event.register("numba:compile", UNDER_WAY)
+
+
+def _finalize(
+    library: Any, make: Callable[[Any], None] = CPUCodeLibrary._finalize_final_module
+) -> None:
+    """Make machine code of a library's functions, unless they are a part of others."""
+    if UNDER_WAY.is_part:
+        library._finalize_dynamic_globals()
+        library._verify_declare_only_symbols()
+        library._finalized = True
+    else:
+        make(library)
+
+
+def _executable(
+    context: Any, library: Any, description: Any, environment: Any,
+    make: Callable[..., Any] = CPUContext.get_executable,
+) -> Any:  # fmt: skip
+    """The way from Python into a function, which a part of others has not."""
+    if not UNDER_WAY.is_part:
+        return make(context, library, description, environment)
+    own = description.lookup_module(), description.qualname, "", 1, environment, (library,)
+    return _dynfunc.make_function(*own)
+
+
+CPUCodeLibrary._finalize_final_module = _finalize
+CPUContext.get_executable = _executable
 
 
 def compiled(function: Function, **options: Any) -> Function:
@@ -157,7 +205,7 @@ def compiled(function: Function, **options: Any) -> Function:
     often is a `kernel`.
     """
     _PARTS[function] = OPTIONS | options
-    overload(function, jit_options=_PARTS[function], strict=False)(lambda *args: function)
+    overload(function, jit_options=_PARTS[function] | PART, strict=False)(lambda *args: function)
     return function
 
 
@@ -219,7 +267,7 @@ def generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Call
         body = choose(_kind_of_type(first))
         return getattr(body, "py_func", body)
 
-    overload(function, jit_options=OPTIONS | options, strict=False)(typed)
+    overload(function, jit_options=OPTIONS | options | PART, strict=False)(typed)
     return function
 
 

@@ -172,10 +172,8 @@ def _required_arrays(given: Any) -> tuple[Any, Any]:
     for each in given:
         numbers = np.asarray(each)
         if numbers.dtype.kind not in "iuf" or not np.isfinite(numbers).all():
-            wrong = (
-                numbers[~np.isfinite(numbers)] if numbers.dtype.kind in "iuf" else np.ravel(numbers)
-            )
-            raise InvalidValue("velocity", wrong[0].item(), "finite numbers", REMEDY)
+            wrong = numbers[~np.isfinite(numbers)] if numbers.dtype.kind in "iuf" else numbers
+            raise InvalidValue("velocity", wrong.ravel().tolist()[0], "finite numbers", REMEDY)
     try:
         speeds = np.hypot(x, y)
     except ValueError:

@@ -102,7 +102,7 @@ def _at_rest(effects, at):
 
 
 @compiled
-def psi(effects, at, x, y, guess, point=NOWHERE, across=0.0):
+def psi(effects, at, x, y, guess, point, across):
     """Psi at a motion (x, y) of the contact, from a guess of the rotation.
 
     Of a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; of a

@@ -104,7 +104,8 @@ def _polished(way, s, spin, point):
     """
     x, y = motion(way, s)
     for _ in range(POLISHES if point < 0 else 0):
-        here = node(Way(way.effects, way.at, way.e_x, way.e_y, x, y, way.d_x, way.d_y), 0.0, spin)
+        from_here = Way(way.effects, way.at, way.e_x, way.e_y, x, y, way.d_x, way.d_y)
+        here = node(from_here, 0.0, spin, NOWHERE)
         step = -here.before / here.slope if here.slope != 0.0 else 0.0
         small = abs(step) * (abs(way.d_x) + abs(way.d_y)) <= POLISHED * (abs(x) + abs(y))
         if here.before != here.after or not small:
@@ -114,10 +115,10 @@ def _polished(way, s, spin, point):
 
 
 @compiled
-def moved_at(way, s, spin, continuum, point=NOWHERE):
+def moved_at(way, s, spin, continuum, point):
     """The motion of a root of a way, at a kink of its point, with its force taken to be along the edge."""
     x, y, spin = _polished(way, s, spin, point)
-    now = psi(way.effects, way.at, x, y, spin, point)
+    now = psi(way.effects, way.at, x, y, spin, point, 0.0)
     part = 0.0
     half = way.e_x * now.free_y - way.e_y * now.free_x
     if half != 0.0:

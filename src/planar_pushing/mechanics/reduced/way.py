@@ -90,10 +90,10 @@ def motion(way, s):
 
 
 @compiled
-def node(way, s, spin, point=NOWHERE):
+def node(way, s, spin, point):
     """The motion at s, from a guess of its rotation; at a kink, of its point."""
     x, y = motion(way, s)
-    return _node(way, s, psi(way.effects, way.at, x, y, spin, point))
+    return _node(way, s, psi(way.effects, way.at, x, y, spin, point, 0.0))
 
 
 @compiled
@@ -123,14 +123,14 @@ def _node(way, s, now):
 @compiled
 def beside(way, near, s):
     """The motion at s, from a near one."""
-    return node(way, s, near.spin + near.swing * (s - near.s))
+    return node(way, s, near.spin + near.swing * (s - near.s), NOWHERE)
 
 
 @compiled
 def first_node(way, s):
     """The motion at s, without another one."""
     x, y = motion(way, s)
-    return node(way, s, spin_guess(way.effects, way.at, x, y))
+    return node(way, s, spin_guess(way.effects, way.at, x, y), NOWHERE)
 
 
 @compiled

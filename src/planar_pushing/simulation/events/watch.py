@@ -190,7 +190,7 @@ def _crossing(of, low, high, at_low, at_high):
     """Time at which a guard vanishes between two times; where it jumps, beyond the jump."""
     if at_low <= 0.0:
         return low
-    time = root(_value, of, low, high, at_low, at_high)
+    time = root(_value, of, low, high, at_low, at_high, RESOLUTION)
     step = RESOLUTION * time
     while step > 0.0 and time < high and _value(of, time) > base.SLACK:
         time, step = min(time + step, high), 2.0 * step

@@ -13,7 +13,7 @@ from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import KINDS
 from planar_pushing.mechanics.effects.load import Wrench
 from planar_pushing.mechanics.plane import toward
-from planar_pushing.mechanics.reduced.psi import psi, spin_guess
+from planar_pushing.mechanics.reduced.psi import NOWHERE, psi, spin_guess
 from planar_pushing.mechanics.reduced.slips import slips_along
 from planar_pushing.mechanics.reduced.under import moved_at, pushed
 from planar_pushing.mechanics.reduced.way import Way, at_infinity, crossing, first_node
@@ -72,7 +72,7 @@ def motion(system, mode, time, state):
     effects = with_loads(system.loads, system.effects, system.body, state[base.ANGLE])
     if mode.kind == base.STICK:
         u_x, u_y = to_body(now.frame, fence_x, fence_y)
-        found = psi(effects, now.at, u_x, u_y, spin_guess(effects, now.at, u_x, u_y))
+        found = psi(effects, now.at, u_x, u_y, spin_guess(effects, now.at, u_x, u_y), NOWHERE, 0.0)
         v_x, v_y = to_contact(now.frame, found.v_x, found.v_y)
         f_x, f_y = to_contact(now.frame, found.f_x, found.f_y)
         spin, slip, lift, pivot = found.spin, 0.0, 0.0, found.point
@@ -158,7 +158,7 @@ def _nearest(given, system, effects, now, mode, fence_x, fence_y):
     here = first_node(way, mode.x)
     sense = copysign(1.0, here.slope)
     root = crossing(way, at_infinity(-inf, -sense), at_infinity(inf, sense), here)
-    moved = moved_at(way, root.s, root.spin, False)
+    moved = moved_at(way, root.s, root.spin, False, NOWHERE)
     edge_x, edge_y = way.e_x, way.e_y
     force = edge_x * moved.f_x + edge_y * moved.f_y
     return moved, 1.0 if root.found else nan, force
