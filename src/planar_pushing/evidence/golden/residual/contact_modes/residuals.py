@@ -33,8 +33,6 @@ from planar_pushing.terms.options import EffectSet
 
 #: Roundings of a spin ratio or a balance of torques, and of an angle in radians.
 SPIN, ANGLE = 64, 32
-#: Spin ratio below which the slider translates: the rounding of roots that are zero.
-STILL = 1e-30
 #: Slowest and fastest motion of each mode.
 ENDS = ("", "_fast")
 
@@ -120,8 +118,9 @@ def _slips(effects: str, given: Pushes, counts: Any, tables: dict[str, Table], m
     for end in ENDS:
         table, wanted = tables[f"spin_ratio{end}"], k.value()
         error = np.abs(table.values[..., MODES.index(mode)] - wanted)
-        size = np.abs(wanted) + given.length * (wanted != 0)
-        table.put(mode, here, error, np.maximum(SPIN * EPSILON * size, STILL))
+        table.put(
+            mode, here, error, SPIN * EPSILON * (np.abs(wanted) + given.length * (wanted != 0))
+        )
     decision = steady_slips(given, lines, k, SLIPS[mode])
     return _contradicts(counts[..., MODES.index(mode)], decision)
 
