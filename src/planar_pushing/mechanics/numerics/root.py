@@ -8,9 +8,9 @@ from planar_pushing.mechanics.compiled import compiled
 
 EPSILON = 2.220446049250313e-16
 #: Newton steps below this part of the root that shrink by more than this factor converge quadratically:
-#: the next one is the cube of this one over the square of the last. Where that is below rounding, or two
-#: steps in a row are this small relative to the root, the iteration ends. Beside an infinite slope steps
-#: shrink slowly.
+#: the next one is the cube of this one over the square of the last, or the square of this one, where that
+#: is more: one step may be small by chance. Where the next one is below rounding, or a step is this small
+#: relative to the root, the iteration ends. Beside an infinite slope steps shrink slowly.
 NEAR, QUADRATIC, SETTLED = 0.1, 0.02, 1e-13
 #: Relative resolution of a root, some units in the last place.
 RESOLUTION = 1e-15
@@ -26,7 +26,7 @@ SECTION, SECTIONS = (3.0 - sqrt(5.0)) / 2.0, 34
 @compiled
 def is_last(size, before):
     """Whether only rounding is left after a Newton step of a relative size, and one before."""
-    quadratic = before <= NEAR and size <= QUADRATIC * before
+    quadratic = before <= NEAR and size <= QUADRATIC * before and size * size <= EPSILON
     return size <= SETTLED or (quadratic and size**3 <= EPSILON * before**2)
 
 

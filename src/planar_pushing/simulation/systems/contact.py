@@ -18,6 +18,8 @@ from planar_pushing.simulation.systems import base
 NO_IMPULSE = int(Stop.NO_IMPULSE)
 #: An impulse this near to an edge of the cone is on it, radians.
 ON_EDGE = 1e-12
+#: Effect of a force across itself, relative to its greatest effect, that is a rounding error.
+NO_LEVER = 1e-12
 #: How many contact modes there are.
 MODES = len(ContactMode)
 
@@ -101,7 +103,9 @@ def pushed_in(body, arm_x, arm_y, kind, x, y):
         return 0.0, 0.0, x, y
     e_x, e_y, _ = edge_of(body, kind)
     along, normal = pushed(body, arm_x, arm_y, e_x, e_y)
-    size = -y / normal if normal != 0.0 else 0.0
+    # A force that does not move the contact across the fence cannot keep it there: no slip, by its sign.
+    least = NO_LEVER * (1.0 / body.mass + (arm_x * arm_x + arm_y * arm_y) / body.moment)
+    size = -y / normal if abs(normal) > least else -body.force
     return size * e_x, size * e_y, x + size * along, 0.0
 
 
