@@ -10,7 +10,7 @@ from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import KINDS
 from planar_pushing.mechanics.record import SLIP_RIGHT, STICK, UNSOLVED, write
 from planar_pushing.mechanics.reduced.slips import SLOWEST, slips_along
-from planar_pushing.mechanics.reduced.under import moved_at, pushed
+from planar_pushing.mechanics.reduced.under import Moved, moved_at, pushed
 from planar_pushing.mechanics.reduced.way import Way
 
 #: Motions closer than this, relative to the pusher's and the free one, are one motion: a slip that vanishes
@@ -21,6 +21,8 @@ COINCIDENCE = 9e-13
 BEYOND = 1e-11
 #: A normal motion is not smaller than this, so that squares of it are doubles.
 LEAST = 1e-140
+#: Rotation of a root that is zero, relative to that of a force across the rod: a rounding error's square.
+STILL = 1e-31
 #: A force this far outside the cone, relative to its magnitude, is taken to the edge.
 OUTSIDE = 5e-13
 
@@ -82,12 +84,24 @@ def slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, c
     at_edge = False
     for i in range(number):
         s, spin, continuum, point = scratch[i, 0], scratch[i, 1], scratch[i, 2], scratch[i, 3]
-        slid = moved_at(way, s, spin, continuum != 0.0, int(point))
+        slid = _still(push.at.reach, moved_at(way, s, spin, continuum != 0.0, int(point)))
         count, edge_too, _ = _write_slip(
             push, edge, slid, side, mode, pusher, rest, solutions, place, count
         )
         at_edge |= edge_too
     return count if number >= 0 else UNSOLVED, at_edge, flat
+
+
+@compiled
+def _still(reach, slid):
+    """A slip without the rotation of a force through the center, which is a rounding error."""
+    size = abs(slid.u_x) + abs(slid.u_y)
+    if abs(slid.spin) * (1.0 + reach * reach) > STILL * reach * size:
+        return slid
+    return Moved(
+        slid.u_x, slid.u_y, slid.v_x, slid.v_y, 0.0, slid.f_x, slid.f_y, 0.0, 0.0,
+        slid.point, slid.continuum, slid.noise_x, slid.noise_y, slid.found,
+    )  # fmt: skip
 
 
 @compiled

@@ -27,8 +27,6 @@ from planar_pushing.mechanics.reduced.way import (
 
 #: Newton steps of a root within the rounding of its motion, and their size relative to it.
 POLISHES, POLISHED = 2, 1e-12
-#: Rotation of a root that is zero, relative to that of a force across the rod: a rounding error's square.
-STILL = 1e-31
 
 
 class Moved(NamedTuple):
@@ -127,10 +125,8 @@ def moved_at(way, s, spin, continuum, point):
         part = -(way.e_x * now.f_y - way.e_y * now.f_x) / half
         part = min(max(part, -1.0), 1.0)
     size = way.e_x * (now.f_x + part * now.free_x) + way.e_y * (now.f_y + part * now.free_y)
-    reach = way.at.reach
-    turns = abs(now.spin) * (1.0 + reach * reach) > STILL * reach * (abs(x) + abs(y))
     return Moved(
-        x, y, now.v_x, now.v_y, now.spin if turns else 0.0, size * way.e_x, size * way.e_y, 0.0, 0.0,
+        x, y, now.v_x, now.v_y, now.spin, size * way.e_x, size * way.e_y, 0.0, 0.0,
         now.point, continuum, now.noise_x, now.noise_y, now.found,
     )  # fmt: skip
 
