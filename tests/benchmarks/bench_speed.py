@@ -27,9 +27,7 @@ FRICTION = (pp.RingFriction(),)
 INERTIA = (pp.Inertia(),)
 EFFECT_SETS = {"friction": FRICTION, "inertia": INERTIA, "both": FRICTION + INERTIA}
 #: Ratios that a call may take; beyond twice as much the bench fails.
-WRENCH, INVERSE, SOLVE = 1.2, 3.0, 500.0
-#: An edge of a cone: friction of the ring has a closed inverse, inertia goes the way of every effect.
-EDGE = {"friction": 6.0, "inertia": 18.0}
+WRENCH, INVERSE, EDGE, SOLVE = 1.2, 3.0, 6.0, 500.0
 DIRECTIONS = {"spin_ratio": 6.0, "motion_angle": 8.0}
 #: A simulation with 101 samples, and a scene of a batch of ten thousand, in scalar pairs; the time of
 #: two cores as a part of that of one.
@@ -120,7 +118,7 @@ def test_edge_of_a_motion_cone(ratio, effects):
     """Both edges of half a million cones."""
     every = scenes(EFFECT_SETS[effects], COUNT // 2)
     floor = two_integrals(ARRAYS["even in direction"])
-    ratio(lambda: pp.motion_cone(every), floor, EDGE[effects], rounds=10)
+    ratio(lambda: pp.motion_cone(every), floor, EDGE, rounds=10)
 
 
 @pytest.mark.parametrize("effects", EFFECT_SETS)
