@@ -39,10 +39,10 @@ class Explorer:
     """A server with one page, which shows a first state unless its address says another."""
 
     def __init__(self, file: SceneFile | None = None, port: int = 0) -> None:
-        # Tornado takes the current loop; some versions of Python warn where there is none.
-        asyncio.set_event_loop(asyncio.new_event_loop())
         self.first = preset(FIRST) if file is None else state_of(file)
         _require_free(port)
+        # Tornado takes the current loop; some versions of Python warn where there is none.
+        asyncio.set_event_loop(asyncio.new_event_loop())
         application = Application(FunctionHandler(self._page))
         self.server: Any = Server({"/": application}, address=HOST, port=port)
         for name in (HOST, "localhost"):
