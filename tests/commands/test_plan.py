@@ -10,10 +10,10 @@ from planar_pushing.study.catalog import SPLIT
 
 @pytest.fixture(autouse=True)
 def _rates(monkeypatch):
-    from planar_pushing.study.grids.plan import Rates
+    from planar_pushing.study.plan import Rates
 
     rates = Rates(computed=1e-6, copied=1e-7, stored=5.0)
-    monkeypatch.setattr("planar_pushing.study.grids.plan.measured_rates", lambda *_: rates)
+    monkeypatch.setattr("planar_pushing.study.plan.measured_rates", lambda *_: rates)
 
 
 def test_the_plan_is_a_table(capsys):

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 PULLING = "workflow/scenes/figure_14a.yaml"
 

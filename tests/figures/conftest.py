@@ -9,7 +9,7 @@ import pytest
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import arguments
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 LOGS = ("figure_14a", "figure_14b", "figure_15", "pulling_with_inertia", "impact")
 #: Logs of sliders on other supports.

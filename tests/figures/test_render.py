@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from planar_pushing.figures import render, style
 from planar_pushing.figures.parts import arrows, drawing
 from planar_pushing.study.figures import ALL, FIGURES, GALLERY
-from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.study.files.study_model import FigureEntry
 from planar_pushing.terms.errors import InvalidValue
 
 

@@ -4,8 +4,8 @@ import pytest
 
 from figures.parts.conftest import RING, ROUGH
 from planar_pushing.figures.scene_picture import render_scene
-from planar_pushing.study.files.models import PushEntry
 from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.study_model import PushEntry
 
 
 @pytest.mark.parametrize("kind", ["svg", "pdf", "png"])

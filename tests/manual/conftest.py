@@ -10,11 +10,11 @@ import pytest
 
 from manual.pages import PAGES
 from planar_pushing.report.manual import build_manual
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
+from planar_pushing.study.study_file import load_study
 from report.setting import PICTURE, set_up
 
 #: The datasets that pages read, with the parts of their grids that suffice.
@@ -47,7 +47,7 @@ def filled(tmp_path_factory):
     folder = tmp_path_factory.mktemp("results")
     for file, (study, part) in READ.items():
         name = Path(file).stem
-        values = study_slice(load_any(study), name)
+        values = study_slice(load_study(study), name)
         values["grid"] |= part
         write_dataset(build_dataset(name, values), folder / file)
     return folder

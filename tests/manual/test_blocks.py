@@ -14,7 +14,6 @@ from ruamel.yaml import YAML
 from manual.pages import PAGES, blocks, name
 from planar_pushing.commands import main
 from planar_pushing.study.files.scenes import load_scene
-from planar_pushing.study.sliders_file import load_any
 from shown import FLAGS, Checker, agrees
 
 pytestmark = pytest.mark.slow

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.costs.tables import TIMED
-from planar_pushing.study.storage.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 
 STORED = Path(__file__).parents[1] / "evidence/costs/golden_accuracy.nc"
 #: Machine of the measured times.

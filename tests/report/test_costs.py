@@ -13,7 +13,7 @@ from planar_pushing.report.costs.numbers import absent_evaluations, listed_evalu
 from planar_pushing.report.costs.tables import COST_TABLES, case_text, spin_ratio_text
 from planar_pushing.report.parts.costs import ACCURACY, EFFECTS, HARD_CASES, TIMES
 from planar_pushing.report.results import MEASURED, Results
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 from planar_pushing.terms.errors import InvalidFile
 from report.costs import STORED, evaluations, write_costs, write_times
 

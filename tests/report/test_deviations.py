@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 from planar_pushing.study.study_file import load_study
 
 STUDY = load_study("workflow/config/paper.yaml")

@@ -27,20 +27,19 @@ from planar_pushing.report.tables import (
     provenance_text,
     verdict_text,
 )
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES, GALLERY, OURS
-from planar_pushing.study.files.models import FigureEntry
+from planar_pushing.study.files.study_model import FigureEntry
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from report.costs import write_costs
 from report.setting import claim, claims
 
 STUDY = load_study("workflow/config/paper.yaml")
-SLIDERS = load_any("workflow/config/sliders.yaml")
+SLIDERS = load_study("workflow/config/sliders.yaml")
 #: Axes cut down to what the numbers read.
 GRID = {
     "rod_length": (1.0, 2.0, 5.0, 10.0),

@@ -6,15 +6,14 @@ from pathlib import Path
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import AXES, DATASETS, SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.provenance import provenance
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.storage.store import group_names, write_dataset
+from planar_pushing.study.store import group_names, write_dataset
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -48,7 +47,7 @@ def every(results):
 @pytest.fixture(scope="session")
 def sliders(results):
     """The same folder, with the datasets of the smoke study of sliders beside them."""
-    study = load_sliders(SLIDERS_SMOKE)
+    study = load_study(SLIDERS_SMOKE)
     marks = provenance(study, SLIDERS_SMOKE)
     for name in SLIDERS:
         built = of_study(build_dataset(name, study_slice(study, name)), name, marks(name))

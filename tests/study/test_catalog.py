@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from planar_pushing.study.files.sliders_model import SlidersGrid
 
 from planar_pushing.study.catalog import (
     AXES,
@@ -12,8 +13,7 @@ from planar_pushing.study.catalog import (
     dataset_file,
     number_label,
 )
-from planar_pushing.study.files.models import Grid
-from planar_pushing.study.files.sliders_model import SlidersGrid
+from planar_pushing.study.files.study_model import Grid
 
 
 def test_axes_are_those_of_the_grid():

@@ -6,7 +6,7 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.study.catalog import AXES, DIMS
 from planar_pushing.study.datasets.contact_modes import contacts
-from planar_pushing.study.storage.store import group_names
+from planar_pushing.study.store import group_names
 from planar_pushing.study.study_file import load_study
 
 NAMED = {

@@ -8,7 +8,7 @@ import xarray as xr
 import planar_pushing as pp
 from planar_pushing.study.catalog import AXES, SLIDERS
 from planar_pushing.study.describe import of_study
-from planar_pushing.study.storage.store import read_attributes
+from planar_pushing.study.store import read_attributes
 from planar_pushing.terms import quantities
 from planar_pushing.terms.quantities import DATASET, unit_of
 

@@ -15,19 +15,18 @@ from planar_pushing.figures.render import select
 from planar_pushing.study.catalog import DATASETS, EVIDENCE, SLIDERS, TABLES, TIMES
 from planar_pushing.study.dictionary import dictionary_text
 from planar_pushing.study.figures import FIGURES, GALLERY
-from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.study_model import FigureEntry
 from planar_pushing.study.simulations import simulate_file
-from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
 SLIDERS_SMOKE = "workflow/config/sliders_smoke.yaml"
 COUNT = f"""
 from planar_pushing.evidence.costs.effects import evaluations
-from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.study_file import load_study
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 import sys
 write_dataset(evaluations(load_study("{SMOKE}")), sys.argv[1])
@@ -47,7 +46,7 @@ def whole(results, sliders):
     log = simulate_file(load_scene_file("workflow/scenes/tripod.yaml"))
     own = sliders / "studies/sliders"
     write_dataset(log, own / "data/simulations/tripod.nc")
-    rod = load_sliders(SLIDERS_SMOKE).slider
+    rod = load_study(SLIDERS_SMOKE).slider
     for name in GALLERY:
         write_dataset(select(name, own, rod), own / f"figures/data/{name}.nc")
     errors = {"wrench": wrench_errors(), "cone": cone_errors()}

@@ -4,7 +4,6 @@ import pytest
 
 from planar_pushing.study.figures import ALL, FIGURES, GALLERY, computes, shows
 from planar_pushing.study.figures.base import COLUMN_WIDTH, PAGE_WIDTH
-from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.study_file import load_study
 
 
@@ -38,7 +37,7 @@ def test_a_study_without_simulations_does_not_draw_their_figures():
 
 
 def test_a_study_of_sliders_without_the_tripods_motion_does_not_draw_it():
-    study = load_sliders("workflow/config/sliders_smoke.yaml")
+    study = load_study("workflow/config/sliders_smoke.yaml")
     bare = study.model_copy(update={"simulations": {}})
     assert all(shows(study, name) for name in GALLERY)
     assert [name for name in GALLERY if not shows(bare, name)] == ["figure_19"]

@@ -8,7 +8,7 @@ import pytest
 from planar_pushing.study.catalog import AXES
 from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.provenance import provenance
-from planar_pushing.study.sliders_file import load_any
+from planar_pushing.study.study_file import load_study
 
 CONFIG = "workflow/config"
 RESULTS = [*AXES, "scenes", "simulations/figure_15", *FIGURES, "evaluations", "hard_cases"]
@@ -24,7 +24,7 @@ def digests(tmp_path):
         text = path.read_text(encoding="utf-8")
         assert old in text
         path.write_text(text.replace(old, new), encoding="utf-8")
-        marks = provenance(load_any(study), study)
+        marks = provenance(load_study(study), study)
         path.write_text(text, encoding="utf-8")
         return {name: marks(name)["study_digest"] for name in RESULTS}
 
@@ -56,7 +56,7 @@ def test_a_study_of_sliders_too(tmp_path):
     names = ("supports", "support_cones", "simulations/tripod", "figure_17")
 
     def digests():
-        marks = provenance(load_any(file), file)
+        marks = provenance(load_study(file), file)
         return [marks(name)["study_digest"] for name in names]
 
     before = digests()

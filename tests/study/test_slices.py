@@ -2,14 +2,13 @@
 
 import pytest
 
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.slices import sliced_study, study_slice
-from planar_pushing.study.sliders_file import load_sliders
 from planar_pushing.study.study_file import load_study
 
 
 def test_a_slice_of_a_study_of_sliders_holds_its_supports_and_its_axes():
-    study = load_sliders("workflow/config/sliders_smoke.yaml")
+    study = load_study("workflow/config/sliders_smoke.yaml")
     values = study_slice(study, "supports")
     assert set(values) == {"supports", "grid"}
     assert set(values["grid"]) == {"center_x", "center_y"}

@@ -4,15 +4,15 @@ import json
 
 import numpy as np
 import pytest
+from planar_pushing.study.datasets.sliders import supports
 
 import planar_pushing as pp
 from planar_pushing.study.catalog import DIMS, SLIDERS
-from planar_pushing.study.datasets.sliders import supports
 from planar_pushing.study.files.scene_model import SupportFrictionEntry
-from planar_pushing.study.sliders_file import load_sliders
+from planar_pushing.study.study_file import load_study
 
-GALLERY = load_sliders("workflow/config/sliders.yaml")
-SMOKE = load_sliders("workflow/config/sliders_smoke.yaml")
+GALLERY = load_study("workflow/config/sliders.yaml")
+SMOKE = load_study("workflow/config/sliders_smoke.yaml")
 
 
 def opened(sliders, name):

@@ -3,11 +3,11 @@
 from pathlib import Path
 
 import pytest
+from planar_pushing.study.files.sliders_model import SlidersFile
 
 from planar_pushing import InvalidFile
-from planar_pushing.study.files.models import StudyFile
-from planar_pushing.study.files.sliders_model import SlidersFile
-from planar_pushing.study.sliders_file import load_any
+from planar_pushing.study.files.study_model import StudyFile
+from planar_pushing.study.study_file import load_study
 
 TEXT = Path("workflow/config/sliders_smoke.yaml").read_text(encoding="utf-8")
 TEXT = TEXT.replace("../scenes", str(Path("workflow/scenes").resolve()))
@@ -15,12 +15,12 @@ BOX = "vertices: [[-0.8, -0.6], [0.8, -0.6], [0.8, 0.6], [-0.8, 0.6]]"
 
 
 def test_the_kind_of_a_study_is_that_of_its_keys():
-    assert type(load_any("workflow/config/smoke.yaml")) is StudyFile
-    assert type(load_any("workflow/config/sliders_smoke.yaml")) is SlidersFile
+    assert type(load_study("workflow/config/smoke.yaml")) is StudyFile
+    assert type(load_study("workflow/config/sliders_smoke.yaml")) is SlidersFile
 
 
 def test_paths_are_relative_to_the_file():
-    found = load_any("workflow/config/sliders_smoke.yaml")
+    found = load_study("workflow/config/sliders_smoke.yaml")
     assert found.simulations == {"tripod": "workflow/scenes/tripod.yaml"}
 
 
@@ -69,7 +69,7 @@ def test_study_error(tmp_path, written, instead, said):
     path = tmp_path / "file.yaml"
     path.write_text(TEXT.replace(written, instead, 1), encoding="utf-8")
     with pytest.raises(InvalidFile) as caught:
-        load_any(path)
+        load_study(path)
     assert str(caught.value).startswith(f"{path}: {said}")
     assert "\n" not in str(caught.value)
 
@@ -79,7 +79,7 @@ def test_a_study_without_a_support_is_refused(tmp_path):
     path = tmp_path / "file.yaml"
     path.write_text(TEXT[:start] + "supports: {}\n" + TEXT[end:], encoding="utf-8")
     with pytest.raises(InvalidFile, match="allowed: a mapping of at least one name to a support"):
-        load_any(path)
+        load_study(path)
 
 
 def test_a_grid_of_more_points_than_a_memory_holds_is_refused(tmp_path):
@@ -88,4 +88,4 @@ def test_a_grid_of_more_points_than_a_memory_holds_is_refused(tmp_path):
     text = TEXT.replace("[-1, 0, 1]", fine).replace("[0, 0.5]", fine)
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InvalidFile, match="points of supports given; allowed: 10000000000"):
-        load_any(path)
+        load_study(path)

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.provenance import provenance
 from planar_pushing.study.slices import study_slice

@@ -16,7 +16,7 @@ from planar_pushing.commands import main
 from planar_pushing.report.closing import closing_lines
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import FIGURES
-from planar_pushing.study.storage.store import read_attributes, read_dataset, write_dataset
+from planar_pushing.study.store import read_attributes, read_dataset, write_dataset
 from workflow.conftest import PROJECT, copy_project
 
 

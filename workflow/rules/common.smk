@@ -21,11 +21,11 @@ from planar_pushing.study.figures import (
     computes,
     shows,
 )
-from planar_pushing.study.files.models import FigureEntry, StudyFile
+from planar_pushing.study.files.study_model import FigureEntry, StudyFile
 from planar_pushing.study.storage.parts import points, sizes
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.files.sliders_model import SlidersFile
-from planar_pushing.study.sliders_file import load_any
+from planar_pushing.study.study_file import load_study
 from planar_pushing.study.studies import (
     PAPER_FILE,
     SLIDERS_FILE,
@@ -40,10 +40,10 @@ if any(" " in path for path in (sys.executable, workflow.basedir)):
     )
 
 try:
-    LOADED = {file: load_any(file) for file in chosen_studies(config)}
+    LOADED = {file: load_study(file) for file in chosen_studies(config)}
     # The report of the paper's study shows the study of sliders as well.
     if getattr(LOADED.get(PAPER_FILE), "golden", None):
-        LOADED |= {SLIDERS_FILE: load_any(SLIDERS_FILE)}
+        LOADED |= {SLIDERS_FILE: load_study(SLIDERS_FILE)}
     if any(getattr(study, "chunks", {}) for study in LOADED.values()):
         require_extra("chunks")
     #: Gives the attributes that name each study in a result.

@@ -10,7 +10,7 @@ from typing import Any
 
 from planar_pushing.commands import query
 from planar_pushing.commands.words.arguments import Commands, command
-from planar_pushing.study.catalog import DATASETS, DIMS, SLIDERS
+from planar_pushing.study.catalog import DATASETS
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import Method, Policy
 
@@ -21,8 +21,7 @@ VALUES = {"--method": tuple(Method), "--on-ambiguity": tuple(Policy)}
 WORDS = {
     "query": (
         *DATASETS,
-        *SLIDERS,
-        *sorted({query.option(axis) for dims in DIMS.values() for axis in dims}),
+        *sorted({query.option(axis) for entry in DATASETS.values() for axis in entry.dims}),
     ),
     "completion": tuple(SHELLS),
 }

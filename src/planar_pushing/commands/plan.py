@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from planar_pushing.commands.words.arguments import Commands, command
 
 if TYPE_CHECKING:
-    from planar_pushing.study.grids.plan import Plan
+    from planar_pushing.study.plan import Plan
 
 #: Columns of the table: what each shows of a plan.
 COLUMNS = {
@@ -42,7 +42,7 @@ def planned(args: argparse.Namespace) -> dict[str, Any]:
     """The plan of each dataset, as a table."""
     from dataclasses import asdict
 
-    from planar_pushing.study.grids.plan import study_plan
+    from planar_pushing.study.plan import study_plan
     from planar_pushing.study.study_file import load_study
 
     found = study_plan(load_study(args.study))

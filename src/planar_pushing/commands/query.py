@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.words.arguments import Commands, command
-from planar_pushing.study.catalog import DATASETS, DIMS, EVIDENCE, SLIDERS
+from planar_pushing.study.catalog import DATASETS, EVIDENCE
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.quantities import unit_of
 
@@ -28,7 +28,7 @@ def add(commands: Commands) -> None:
         "[--results FOLDER] [--json]"
     )
     sub.epilog = f"{_axes_of_datasets()}\n\n{sub.epilog}"
-    known = ", ".join([*DATASETS, *SLIDERS, *EVIDENCE])
+    known = ", ".join([*DATASETS, *EVIDENCE])
     sub.add_argument(
         "dataset", metavar="DATASET",
         help=f"{known}; a scene as scenes/NAME, a log as simulations/NAME, "
@@ -48,7 +48,11 @@ def add(commands: Commands) -> None:
 
 def _axes_of_datasets() -> str:
     """A line for each dataset with axes."""
-    lines = (f"  {name}: {' '.join(map(option, dims))}" for name, dims in DIMS.items())
+    lines = (
+        f"  {name}: {' '.join(map(option, entry.dims))}"
+        for name, entry in DATASETS.items()
+        if entry.dims
+    )
     return "\n".join(["axes:", *lines])
 
 
@@ -60,7 +64,7 @@ def option(axis: str) -> str:
 def part(args: argparse.Namespace) -> dict[str, Any]:
     """Part of the dataset where its axes have the given values, or its axes."""
     from planar_pushing.study.query import axis_names, listed, select
-    from planar_pushing.study.storage.store import open_dataset
+    from planar_pushing.study.store import open_dataset
 
     found = open_dataset(args.dataset, args.results, study=args.study)
     found = select(found, _pairs(args.where))

@@ -10,10 +10,10 @@ from planar_pushing.explore.following import followed
 from planar_pushing.explore.python_lines import lines
 from planar_pushing.explore.state import Start, State
 from planar_pushing.figures.scene_picture import render_scene
-from planar_pushing.study.files.models import PushEntry
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import save_scene_file
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.files.study_model import PushEntry
+from planar_pushing.study.store import write_dataset
 
 
 def scene_file(state: State) -> SceneFile:

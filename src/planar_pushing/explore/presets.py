@@ -13,10 +13,9 @@ from typing import Any
 
 from planar_pushing.explore.state import State, state_of
 from planar_pushing.study.datasets.scenes import pusher_angle
-from planar_pushing.study.files.models import PushEntry
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.sliders_file import load_sliders
+from planar_pushing.study.files.study_model import PushEntry
 from planar_pushing.study.study_file import load_study
 
 STORED = Path(__file__).with_name("presets.json")
@@ -88,7 +87,7 @@ def collected(workflow: Path) -> dict[str, Any]:
         found[name] = {"scene": _content(file), "angle": round(_angle(file, push), 6)}
     for name, (source, title, changes, angle) in DERIVED.items():
         found[name] = {"scene": _altered(found[source]["scene"], title, changes), "angle": angle}
-    supports = load_sliders(workflow / "config/sliders.yaml").supports
+    supports = load_study(workflow / "config/sliders.yaml").supports
     shapes = {
         name: each.model_dump(mode="json", exclude_none=True) for name, each in supports.items()
     }

@@ -16,7 +16,7 @@ from planar_pushing.figures.style import paper_style
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.figures import ALL
 from planar_pushing.study.files.replacing import replacing
-from planar_pushing.study.storage.store import open_dataset, read_dataset, write_dataset
+from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
 from planar_pushing.terms.errors import InvalidValue
 
 PathLike = str | os.PathLike[str]

@@ -9,8 +9,8 @@ from planar_pushing.figures.parts.scene import LAYERS, draw_scene
 from planar_pushing.figures.render import PathLike, draw_to_files
 from planar_pushing.study.datasets.scenes import scene_dataset, with_limit_curve
 from planar_pushing.study.figures.base import COLUMN_WIDTH
-from planar_pushing.study.files.models import PushEntry
 from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.study_model import PushEntry
 
 #: A picture is as wide as a column, and square.
 SIZE = COLUMN_WIDTH, COLUMN_WIDTH

@@ -11,7 +11,7 @@ from typing import Any, get_args
 import xarray as xr
 
 from planar_pushing.study.files.fields import EffectsName
-from planar_pushing.study.storage.store import open_dataset, read_attributes, read_dataset
+from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
 from planar_pushing.terms.errors import InvalidFile
 
 #: What resists the motion, as the datasets name it.

@@ -16,12 +16,12 @@ from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from planar_pushing.report.verdict import verdict_rows
-from planar_pushing.study.datasets.sliders.gallery import words
+from planar_pushing.study.datasets.base import words
 from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.study.figures.base import Figure
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.provenance import whole_digest
-from planar_pushing.study.sliders_file import load_any
+from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
 #: Packages that the results and the report are made with.
@@ -148,7 +148,7 @@ def verdict_text(results: Results) -> str:
 
 def provenance_text(results: Results, study: PathLike) -> str:
     """Table of the versions behind the results, with the study and its digest."""
-    rows = [("study", str(study)), ("SHA-256 of the study", whole_digest(load_any(study))[:16])]
+    rows = [("study", str(study)), ("SHA-256 of the study", whole_digest(load_study(study))[:16])]
     rows.append(("Python", platform.python_version()))
     rows += [(name, version(name)) for name in PACKAGES]
     marks = results.golden_marks()[0]

@@ -1,28 +1,144 @@
-"""The datasets: what each holds, which grid axes it reads, and where; read without importing xarray."""
+"""The datasets, one declaration each, and the files of the results; read without importing xarray."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, suggestion
+from planar_pushing.terms.options import EffectSet
 
-#: What each dataset of a study holds.
-DATASETS = {
-    "limit_curves": "force and motion along the limit curves",
-    "motion_cones": "friction cones and motion cones",
-    "contact_modes": "consistent contact modes over the pusher's motion",
-    "acceleration_centers": "motion centres with friction and inertia, exact and conservative",
-    "center_regions": "regions of acceleration centres, the paper's bound and the exact set",
-    "scenes": "the scenes of the figures, one group each",
-}
+#: Solutions of pushes, as `solve` returns them.
+SOLUTIONS = (
+    "solutions", "status", "outcome", "mode", "consistent", "force", "force_end", "twist",
+    "contact_motion", "spin_ratio", "center", "pivot", "continuum",
+)  # fmt: skip
 
-#: What each dataset of a study of sliders holds.
-SLIDERS = {
-    "supports": "wrench over centres of rotation, and the ellipsoid in the place of each support",
-    "support_cones": "motion cones of each support, and what their edges pivot about",
-    "support_modes": "consistent contact modes of each support over the pusher's motion",
-}
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Dataset:
+    """Declaration of a dataset that a study computes.
+
+    Attributes
+    ----------
+    about : str
+        Title; the dictionary's heading.
+    source : str
+        Where the paper has it.
+    dims : tuple of str
+        The axes of the study's grid along which it lies, in order; those of `inner` follow.
+    inner : tuple of str
+        Dimensions that are not on the grid.
+    reads : tuple of str
+        Further axes of the grid.
+    variables : tuple of str
+        Its variables; their units and names are in `terms.quantities`.
+    module : str
+        Module of `study.datasets` that builds it.
+    effects : str, optional
+        Effects that the grid must list.
+    pushes : bool
+        Whether it holds the force angles from 0 to 180 degrees alone.
+    """
+
+    about: str
+    source: str
+    dims: tuple[str, ...] = ()
+    inner: tuple[str, ...] = ()
+    reads: tuple[str, ...] = ()
+    variables: tuple[str, ...] = ()
+    module: str
+    effects: str | None = None
+    pushes: bool = False
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """The axes of the grid that it reads."""
+        return (*self.dims, *self.reads)
+
+
+#: The datasets of a study.
+DATASETS: Mapping[str, Dataset] = {
+    "limit_curves": Dataset(
+        about="limit curves: forces through the contact, and the motions that they cause",
+        source="Eqs. (2)-(7), Sec. 3, Fig. 5, and the ellipses of Sec. 4, Fig. 10",
+        dims=("effects", "rod_length", "rod_angle", "force_angle"),
+        variables=("force", "force_x", "force_y", "spin_ratio", "motion_angle"),
+        module="limit_curves",
+    ),
+    "motion_cones": Dataset(
+        about="friction cones, and the motion cones to which they map",
+        source="Secs. 3.1, 3.2 and 4, Figs. 6, 7 and 9",
+        dims=("effects", "rod_length", "rod_angle", "friction_coefficient"),
+        variables=(
+            "friction_cone_right", "friction_cone_left", "motion_cone_right", "motion_cone_left",
+            "limit_force_right", "limit_force_left", "pulls", "slips_while_pushing",
+        ),
+        module="motion_cones",
+    ),
+    "contact_modes": Dataset(
+        about="consistent solutions for each motion of the pusher: none, one or several",
+        source="Secs. 2, 3.2, 4 and 5",
+        dims=("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle"),
+        inner=("solution", "xy", "twist_component"),
+        variables=SOLUTIONS,
+        module="contact_modes",
+    ),
+    "acceleration_centers": Dataset(
+        about="acceleration centers and cones with support friction and inertia",
+        source="Sec. 4, Fig. 12: the paper's conservative bound and the exact set",
+        dims=("rod_length", "force_angle", "inertia_share"),
+        variables=(
+            "center_x", "center_y", "motion_angle", "conservative_cone_right",
+            "conservative_cone_left", "exact_cone_right", "exact_cone_left",
+        ),
+        module="acceleration_centers",
+        effects=EffectSet.BOTH,
+        pushes=True,
+    ),
+    "center_regions": Dataset(
+        about="regions of possible acceleration centers: the paper's bound and the exact set",
+        source="Sec. 4, Fig. 12: the cases for a line of force outside, on and through the ring",
+        dims=("rod_length", "rod_angle", "force_angle"),
+        inner=("bound_end", "exact_end"),
+        variables=("bound_x", "bound_y", "exact_x", "exact_y"),
+        module="center_regions",
+        effects=EffectSet.BOTH,
+        pushes=True,
+    ),
+    "scenes": Dataset(
+        about="the scenes of the figures, a group for each", source="Secs. 3 and 4", module="scenes"
+    ),
+    "supports": Dataset(
+        about="wrenches of each support over centers of rotation, and the ellipsoid in its place",
+        source="Sec. 3, Eqs. (1)-(3), for any pressure distribution",
+        dims=("support", "center_x", "center_y"),
+        inner=("twist_component", "wrench_component"),
+        variables=(
+            "mean_distance", "force_x", "force_y", "torque", "center_of_pressure_x",
+            "center_of_pressure_y", "extent", "integration_constant", "ellipsoid",
+            "worst_force_error", "mean_force_error", "worst_motion_error", "mean_motion_error",
+        ),
+        module="supports",
+    ),
+    "support_cones": Dataset(
+        about="motion cones of each support, and what their edges pivot about",
+        source="Secs. 3.1 and 3.2, for any pressure distribution",
+        dims=("support", "rod_length", "rod_angle", "friction_coefficient"),
+        inner=("edge",),
+        variables=("motion_angle", "pivot", "width", "pulls", "slips_while_pushing"),
+        module="support_cones",
+    ),
+    "support_modes": Dataset(
+        about="consistent solutions of each support for each motion of the pusher",
+        source="Secs. 2, 3.1 and 3.2, for any pressure distribution",
+        dims=("support", "rod_length", "rod_angle", "friction_coefficient", "pusher_angle"),
+        inner=("solution", "xy", "twist_component"),
+        variables=SOLUTIONS,
+        module="support_modes",
+    ),
+}  # fmt: skip
 
 #: Folder of the logs of motion over time.
 SIMULATIONS = "simulations"
@@ -67,47 +183,8 @@ TABLES = {
     "times_machine.csv": "the machine that they were measured on, by `snakemake accuracy`",
 }
 
-#: The dimensions of each.
-DIMS: dict[str, tuple[str, ...]] = {
-    "limit_curves": ("effects", "rod_length", "rod_angle", "force_angle"),
-    "motion_cones": ("effects", "rod_length", "rod_angle", "friction_coefficient"),
-    "contact_modes": (
-        "effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle", "mode",
-    ),
-    "acceleration_centers": ("rod_length", "force_angle", "inertia_share"),
-    "center_regions": ("rod_length", "rod_angle", "force_angle", "bound_end", "exact_end"),
-    "supports": ("support", "center_x", "center_y"),
-    "support_cones": ("support", "rod_length", "rod_angle", "friction_coefficient", "edge"),
-    "support_modes": (
-        "support", "rod_length", "rod_angle", "friction_coefficient", "pusher_angle", "mode",
-    ),
-}  # fmt: skip
-
-#: The grid axis that a dimension without one of its name reads.
-_GRID = {
-    "contact": ("contact_friction_coefficient",),
-    **dict.fromkeys(("mode", "bound_end", "exact_end", "support", "edge"), ()),
-}
 #: Labels of the contact laws without a coefficient, behind those of Coulomb along `contact`.
 CONTACT_LAWS = ("infinite_friction_free", "infinite_friction_none", "perfectly_rough")
-#: The datasets that hold the force angles which push alone, those from 0 to 180 degrees.
-PUSHES = ("acceleration_centers", "center_regions")
-
-
-def _axes(names: Iterable[str]) -> dict[str, tuple[str, ...]]:
-    return {
-        name: tuple(axis for dim in DIMS[name] for axis in _GRID.get(dim, (dim,)))
-        for name in names
-        if name in DIMS
-    }
-
-
-#: The grid axes that each reads, of a study like the paper's and of a study of sliders.
-AXES, SLIDERS_AXES = _axes(DATASETS), _axes(SLIDERS)
-#: The dimensions of each along which it can be cut: those with an axis.
-SPLIT: dict[str, tuple[str, ...]] = {
-    name: tuple(dim for dim in DIMS[name] if _GRID.get(dim, (dim,))) for name in AXES
-}
 #: A name in a folder, or of a group or a study.
 NAME = re.compile(r"[A-Za-z0-9_]+")
 
@@ -126,14 +203,15 @@ def dataset_place(name: str) -> tuple[str, str | None]:
         Where there is no dataset of this name.
     """
     stem, slash, part = name.partition("/") if isinstance(name, str) else ("", "", "")
-    whole = DATASETS | SLIDERS | EVIDENCE | TIMES
+    whole = [*DATASETS, *EVIDENCE, *TIMES]
     named = NAME.fullmatch(part) is not None
     if stem in FOLDERS and named:
         return f"{FOLDERS[stem]}/{part}.nc", None
     if stem in whole and (named or not slash):
         return f"data/{stem}.nc", part or None
     allowed = ", ".join([*whole, *(f"{folder}/NAME" for folder in FOLDERS)])
-    raise InvalidValue("name", name, allowed, "name one of these datasets")
+    remedy = suggestion(stem, whole, "name one of these datasets")
+    raise InvalidValue("name", name, allowed, remedy)
 
 
 def dataset_file(name: str) -> str:

@@ -1,18 +1,31 @@
-"""What every dataset says of itself: units and long names, title, source and provenance."""
+"""Attributes of datasets: units and names of the variables; title, source and provenance."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.entries import to_json, versions
-from planar_pushing.study.catalog import DATASETS, EVIDENCE, SLIDERS, TIMES
-from planar_pushing.terms.quantities import DATASET, GLOBAL, NOTES, PAPER, Quantities, attributes
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, TIMES
+from planar_pushing.study.files.study_model import Part
+from planar_pushing.terms.quantities import (
+    DATASET,
+    GLOBAL,
+    NOTES,
+    PAPER,
+    SLIDERS,
+    SLIDERS_NOTES,
+    Quantities,
+    attributes,
+)
 
-FLAGS = {"mode": ContactMode, "outcome": Outcome}
+FLAGS = {"mode": ContactMode, "outcome": Outcome, "status": Status}
+#: What an entry of the axis `solution` holds behind the last solution.
+BEHIND = {"mode": "-1 behind the last solution"}
 
 
 def describe(
@@ -31,6 +44,8 @@ def describe(
         if flags and variable.dtype.kind == "i":
             variable.attrs["flag_values"] = np.array(flags, variable.dtype)
             variable.attrs["flag_meanings"] = " ".join(flag.name for flag in flags)
+            if "solution" in variable.dims:
+                variable.attrs |= {"comment": BEHIND[str(name)]}
     dataset.attrs = {
         "title": title,
         "source": f"{PAPER}, {source}",
@@ -40,6 +55,38 @@ def describe(
         "versions": versions(),
     }
     return dataset
+
+
+def described(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
+    """A dataset in the order of its declaration, with the attributes that follow from it."""
+    entry = DATASETS[name]
+    order = [*entry.dims, *entry.inner]
+    ordered = dataset[list(entry.variables)].transpose(*order, missing_dims="ignore")
+    coords = sorted(map(str, ordered.coords), key=lambda each: (_place(order, each), each))
+    ordered = xr.Dataset(ordered.data_vars, {each: ordered.coords[each] for each in coords})
+    support = "support" in entry.dims
+    return describe(
+        ordered,
+        title=f"{entry.about[0].upper()}{entry.about[1:]}",
+        source=entry.source,
+        parameters=_parameters(part, entry.dims),
+        quantities=SLIDERS if support else DATASET,
+        notes=SLIDERS_NOTES if support else NOTES,
+    )
+
+
+def _place(order: list[str], name: str) -> int:
+    return order.index(name) if name in order else len(order)
+
+
+def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
+    """Parameters of a study that are no axis; `figures` says where the figures cut one."""
+    if "support" in dims:
+        entries = part.supports.items()
+        return {"supports": {name: each.model_dump(exclude_none=True) for name, each in entries}}
+    slider = part.slider.model_dump(exclude_none=True)
+    axes = {name: slider.pop(name) for name in dims if name in slider}
+    return {"slider": slider, **part.parts} | ({"figures": axes} if axes else {})
 
 
 def of_study(
@@ -52,12 +99,12 @@ def of_study(
     built : xarray.Dataset or dict of them
         A dataset, or one for each group.
     name : str
-        Name of the dataset: what it holds becomes the title of what has none.
+        Name of the dataset: its title becomes that of a dataset without one.
     study : mapping
         Attributes that name the study, as `provenance` gives them.
     """
-    marks = {**GLOBAL, **study}
-    title = (DATASETS | SLIDERS | EVIDENCE | TIMES).get(name, name)
+    marks: dict[str, Any] = {**GLOBAL, **study}
+    title = DATASETS[name].about if name in DATASETS else (EVIDENCE | TIMES).get(name, name)
     if isinstance(built, xr.Dataset):
         return built.assign_attrs({"title": title} | built.attrs | marks)
     groups = {

@@ -14,14 +14,13 @@ from planar_pushing.study.catalog import (
     EVIDENCE,
     FIGURES,
     SIMULATIONS,
-    SLIDERS,
     TABLES,
     TIMES,
 )
 from planar_pushing.study.figures import FIGURES as DRAWN
 from planar_pushing.study.figures import GALLERY
 from planar_pushing.study.running.jobs import run_command
-from planar_pushing.study.storage.store import group_names, open_dataset
+from planar_pushing.study.store import group_names, open_dataset
 from planar_pushing.study.studies import SLIDERS_FILE, study_name
 from planar_pushing.terms.quantities import FINGER, LOG, NOTES, unit_of
 
@@ -43,7 +42,7 @@ one with xarray, `open_dataset(name, study="NAME")` that of another study, and `
 parts of it. The attributes `study` and `study_digest` name the study and give the digest of the values
 that the dataset is computed from.
 Angles are degrees, counter-clockwise from the fence. NaN marks values that do not exist; infinite
-coordinates are those of a translation's motion centre. Truth values are stored as bytes, and come back
+coordinates are those of a translation's motion center. Truth values are stored as bytes, and come back
 as `bool`.
 """
 
@@ -51,9 +50,14 @@ as `bool`.
 def dictionary_text(results: str = "results") -> str:
     """Text of the page for the datasets in a results folder."""
     units = "\n".join(f"- *{unit}*: {note}." for unit, note in NOTES.items())
-    sections = [_section(name, what, results) for name, what in (DATASETS | EVIDENCE).items()]
-    sections[len(DATASETS) : len(DATASETS)] = [_simulations(results)]
-    sections += [_times(), _figures(results), _tables(), *_sliders(results)]
+    of_paper = [name for name in DATASETS if not name.startswith("support")]
+    sections = [
+        *(_section(name, DATASETS[name].about, results) for name in of_paper),
+        _simulations(results),
+        *(_section(name, about, results) for name, about in EVIDENCE.items()),
+        *(_times(), _figures(results), _tables()),
+        *_sliders(results, [name for name in DATASETS if name not in of_paper]),
+    ]
     scaled = "Units of numbers that are scaled, which the attribute `quantity` names; `units` is then 1:\n"
     return "\n".join([HEAD, scaled, units, "", *sections])
 
@@ -104,12 +108,12 @@ def _figures(results: str) -> str:
     return _lines("figures/data/NAME.nc", about, *_table(found))
 
 
-def _sliders(results: str) -> Iterator[str]:
-    """Sections of the study of sliders: its datasets, and what its figures plot."""
-    for name, about in SLIDERS.items():
+def _sliders(results: str, names: Iterable[str]) -> Iterator[str]:
+    """Sections of the study of sliders: its datasets, and the numbers that its figures plot."""
+    for name in names:
         dataset = open_dataset(name, results, study=STUDY)
         place = f"studies/{STUDY}/data/{name}.nc"
-        yield _lines(place, about, *_source(dataset), *_table([dataset]))
+        yield _lines(place, DATASETS[name].about, *_source(dataset), *_table([dataset]))
     plotted = [open_dataset(f"{FIGURES}/{name}", results, study=STUDY) for name in GALLERY]
     about = "the numbers that each figure of the study of sliders plots"
     yield _lines(f"studies/{STUDY}/figures/data/NAME.nc", about, *_table(plotted))

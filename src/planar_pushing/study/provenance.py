@@ -7,11 +7,11 @@ from collections.abc import Callable
 from typing import Any
 
 from planar_pushing.mechanics.entries import to_json
-from planar_pushing.study.catalog import AXES, SIMULATIONS, SLIDERS_AXES
+from planar_pushing.study.catalog import DATASETS, SIMULATIONS
 from planar_pushing.study.figures import FIGURES, GALLERY
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.files.sliders_model import Study
+from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.studies import study_name
 
@@ -24,7 +24,7 @@ COUNTED, UNCOUNTED = ("evaluations", "effects"), ("simulations", "figures")
 Marks = Callable[[str], dict[str, str]]
 
 
-def provenance(study: Study, file: PathLike) -> Marks:
+def provenance(study: StudyFile, file: PathLike) -> Marks:
     """Attributes `study` and `study_digest` of each result of a study, by its name.
 
     The digest is that of the validated values that the result is computed from: comments, layout, and
@@ -44,12 +44,12 @@ def digest(values: object) -> str:
     return hashlib.sha256(to_json(values).encode()).hexdigest()
 
 
-def whole_digest(study: Study) -> str:
+def whole_digest(study: StudyFile) -> str:
     """Digest of every value that a result of a study is computed from."""
     return digest(contents(study))
 
 
-def contents(study: Study) -> dict[str, Any]:
+def contents(study: StudyFile) -> dict[str, Any]:
     """Plain values of a study, with what its scene files hold in the place of their paths."""
 
     def scene(path: str) -> dict[str, Any]:
@@ -57,19 +57,19 @@ def contents(study: Study) -> dict[str, Any]:
 
     values = study.model_dump(exclude=ASIDE)
     values["simulations"] = {name: scene(path) for name, path in study.simulations.items()}
-    for push in values.get("scenes", {}).values():
+    for push in values["scenes"].values():
         push["file"] = scene(push["file"])
     return values
 
 
-def _read(study: Study, whole: dict[str, Any], result: str) -> object:
+def _read(study: StudyFile, whole: dict[str, Any], result: str) -> object:
     """The values that a result is computed from: none for one that is the same for every study."""
     folder, _, name = result.rpartition("/")
     if folder == SIMULATIONS:
         return whole[SIMULATIONS][name]
     if name == "scenes":
         return whole["scenes"]
-    if name in AXES or name in SLIDERS_AXES:
+    if name in DATASETS:
         return study_slice(study, name)
     if name in FIGURES:
         return whole["figures"].get(name)

@@ -1,49 +1,83 @@
-"""Parts of a study: what one dataset reads of it, so that a change elsewhere leaves it alone."""
+"""Parts of a study: the values that one dataset reads, so that a change elsewhere leaves it alone."""
 
 from __future__ import annotations
 
+import itertools
+import math
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-from pydantic import TypeAdapter
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.files.study_model import Part, PushEntry, StudyFile
 
-from planar_pushing.study.catalog import AXES, PUSHES, SLIDERS_AXES
-from planar_pushing.study.files.models import Grid, PushEntry
-from planar_pushing.study.files.sliders_model import KEY, SlidersFile, SlidersGrid, Study, kind_of
-from planar_pushing.terms.options import STUDIED
-
-COMMON = ("slider", *map(str, STUDIED))
+#: Values of a study as plain data: parameters, and those along each axis under `grid`.
+Values = Mapping[str, Any]
+#: A range along each dimension that is cut; the others are whole.
+Cut = Mapping[str, slice]
 
 
-def study_slice(study: Study, name: str) -> dict[str, Any]:
+def computes(study: StudyFile, name: str) -> bool:
+    """Whether a study has the axes and the effects that a dataset needs."""
+    entry = DATASETS[name]
+    if name == "scenes":
+        return bool(study.scenes)
+    return all(map(study.values, entry.axes)) and (
+        entry.effects is None or entry.effects in study.grid.effects
+    )
+
+
+def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     """Plain values of a study that the dataset `name` reads."""
-    if isinstance(study, SlidersFile):
-        entries = {key: entry.model_dump() for key, entry in study.supports.items()}
-        return {KEY: entries, "grid": _axes(study, SLIDERS_AXES[name])}
+    entry = DATASETS[name]
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
-    grid = _axes(study, AXES[name])
-    if name in PUSHES:
+    grid = {axis: list(study.values(axis)) for axis in entry.axes}
+    if entry.pushes:
         grid["force_angle"] = [angle for angle in grid["force_angle"] if 0 <= angle <= 180]
-    common = {part: getattr(study, part) for part in COMMON}
-    listed = {part: each.model_dump() for part, each in common.items() if each is not None}
-    return listed | {"grid": grid}
+    if "support" in grid:
+        listed = {key: each.model_dump() for key, each in study.supports.items()}
+        slider = {"rod_angle": study.slider.rod_angle}  # which no such dataset reads
+        return {"slider": slider, "supports": listed, "grid": grid}
+    parts = {part: each.model_dump() for part, each in study.parts.items()}
+    return {"slider": study.slider.model_dump(), **parts, "grid": grid}
 
 
-def _axes(study: Study, names: tuple[str, ...]) -> dict[str, list[Any]]:
-    return {axis: list(getattr(study.grid, axis)) for axis in names}
+def part_of(values: Values) -> Part:
+    """The part of a study that plain values are."""
+    return Part.model_validate(values)
 
 
-def sliced_study(values: dict[str, Any]) -> Study:
-    """Study of a slice; what the slice leaves out cannot be read."""
-    model = kind_of(values)
-    parts = {
-        part: TypeAdapter[Any](model.model_fields[part].annotation or Any).validate_python(given)
-        for part, given in values.items()
-        if part in (*COMMON, KEY)
-    }
-    if "scenes" in values:
-        parts["scenes"] = {k: PushEntry.model_validate(v) for k, v in values["scenes"].items()}
-    if "grid" in values:
-        grid = SlidersGrid if model is SlidersFile else Grid
-        parts["grid"] = grid.model_construct(**values["grid"])
-    return model.model_construct(**parts)
+def pushes(values: Values) -> dict[str, PushEntry]:
+    """The scenes of a slice of a study."""
+    return {name: PushEntry.model_validate(push) for name, push in values["scenes"].items()}
+
+
+def sizes(name: str, values: Values) -> dict[str, int]:
+    """Lengths of the dimensions along which a slice can be cut; none for the scenes."""
+    return {dim: len(values["grid"][dim]) for dim in DATASETS[name].dims}
+
+
+def cut(values: Values, ranges: Cut) -> dict[str, Any]:
+    """The part of a slice with the values in a range of each axis alone."""
+    found = dict(values)
+    if ranges:
+        grid = {axis: each[ranges.get(axis, slice(None))] for axis, each in values["grid"].items()}
+        found["grid"] = grid
+        if "support" in grid:
+            found["supports"] = {name: values["supports"][name] for name in grid["support"]}
+    return found
+
+
+def cuts(lengths: Mapping[str, int], steps: Mapping[str, int]) -> Iterator[Cut]:
+    """Ranges of the given lengths along some dimensions; their borders are multiples of these."""
+    spans = [
+        [slice(start, min(start + step, lengths[dim])) for start in range(0, lengths[dim], step)]
+        for dim, step in steps.items()
+    ]
+    for chosen in itertools.product(*spans):
+        yield dict(zip(steps, chosen, strict=True))
+
+
+def points(name: str, values: Values) -> int:
+    """Number of points of a slice's grid."""
+    return math.prod(sizes(name, values).values())

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 
-from planar_pushing.study.catalog import AXES, SPLIT
-from planar_pushing.study.figures import FIGURES, SCENES, computes
-from planar_pushing.study.files.models import FigureEntry, Grid, StudyFile
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.figures import FIGURES, SCENES, draws
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_model, load_scene_file
+from planar_pushing.study.files.study_model import FigureEntry, Grid, StudyFile
 from planar_pushing.study.files.yaml_text import shown
-from planar_pushing.study.slices import study_slice
-from planar_pushing.study.storage.parts import points, sizes
+from planar_pushing.study.slices import computes
+from planar_pushing.terms.domain import LONGEST
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import EFFECT_TYPES
 
+Values = tuple[float, ...]
 #: Most points of a dataset's grid: a terabyte.
 POINTS = 10**10
 
@@ -47,15 +49,19 @@ def _located(study: StudyFile, folder: Path) -> StudyFile:
 
 def _study_problems(study: StudyFile) -> Iterator[str]:
     """What keeps a well-formed study from being computed and drawn."""
+    computed = [name for name in DATASETS if computes(study, name)]
+    if not computed:
+        yield "grid: gives all axes of no dataset; allowed: those of one at least; add axes"
     yield from _effects_problems(study)
-    yield from _size_problems(study)
-    yield from _chunk_problems(study)
+    yield from _support_problems(study)
+    yield from _size_problems(study, computed)
+    yield from _chunk_problems(study, computed)
     yield from _scene_problems(study)
-    yield from simulation_problems(study.simulations)
-    yield from _entry_problems(study, "scenes", study.scenes, SCENES)
-    yield from _entry_problems(
-        study, "figures", study.figures, [name for name, figure in FIGURES.items() if figure.takes]
-    )
+    yield from _simulation_problems(study.simulations)
+    if study.scenes or study.figures:
+        yield from _entry_problems(study, "scenes", study.scenes, SCENES)
+        needed = [name for name, figure in FIGURES.items() if figure.takes]
+        yield from _entry_problems(study, "figures", study.figures, needed)
     yield from _axis_problems(study)
     for name, figure in study.figures.items():
         yield from _figure_problems(name, figure, study.grid)
@@ -68,10 +74,11 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
         yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
 
 
-def _size_problems(study: StudyFile) -> Iterator[str]:
+def _size_problems(study: StudyFile, computed: Iterable[str]) -> Iterator[str]:
     """Datasets of more points than a cluster computes."""
-    for name, axes in AXES.items():
-        count = points(sizes(name, study_slice(study, name)))
+    for name in computed:
+        axes = DATASETS[name].axes
+        count = math.prod(len(study.values(axis)) for axis in axes)
         if count > POINTS:
             yield (
                 f"grid: {count} points of {name} given; allowed: {POINTS}; "
@@ -79,18 +86,30 @@ def _size_problems(study: StudyFile) -> Iterator[str]:
             )
 
 
-def _chunk_problems(study: StudyFile) -> Iterator[str]:
+def _chunk_problems(study: StudyFile, computed: Collection[str]) -> Iterator[str]:
     """Chunks of datasets that have none, chunks along wrong axes, and `gather` without chunks."""
+    cut = [name for name in computed if DATASETS[name].dims]
     for name, chunk in study.chunks.items():
-        allowed = SPLIT.get(name, ()) if computes(study, name) else ()
+        allowed = DATASETS[name].dims if name in cut else ()
         if not allowed:
-            yield f"chunks.{name}: unknown, or not computed; allowed: {', '.join(SPLIT)}; remove it"
-        if not chunk or not set(chunk) <= set(allowed):
+            yield f"chunks.{name}: unknown, or not computed; allowed: {', '.join(cut)}; remove it"
+        elif not chunk or not set(chunk) <= set(allowed):
             yield f"chunks.{name}: {list(chunk)} given; allowed: {', '.join(allowed)}; name some of these"
     for name in study.gather:
         if name not in study.chunks:
             known = ", ".join(study.chunks) or "none, as there are no chunks"
             yield f"gather.{name}: unknown; allowed: {known}; remove it, or give its chunks"
+
+
+def _support_problems(study: StudyFile) -> Iterator[str]:
+    """Supports that are too small for the rods."""
+    longest = max([*study.grid.rod_length, study.slider.rod_length or 0.0])
+    for name, support in study.gallery().items():
+        if longest > LONGEST * support.extent:
+            yield (
+                f"grid.rod_length: {longest!r} given; allowed: at most {LONGEST:g} times the extent of "
+                f"supports.{name}, {support.extent!r}; shorten the rod"
+            )
 
 
 def _scene_problems(study: StudyFile) -> Iterator[str]:
@@ -112,7 +131,7 @@ def _entry_problems(
     study: StudyFile, kind: str, given: Collection[str], known: Iterable[str]
 ) -> Iterator[str]:
     """Scenes or figures of the paper that have no entry, and entries that are none of them."""
-    needed = [name for name in known if computes(study, name)]
+    needed = [name for name in known if draws(study, name)]
     for name in needed:
         if name not in given:
             yield f"{kind}.{name}: missing; allowed: an entry for each of {', '.join(needed)}; add it"
@@ -126,7 +145,7 @@ def _entry_problems(
 
 def _axis_problems(study: StudyFile) -> Iterator[str]:
     """Axes of the grid without a value that the figures plot."""
-    for key, values, wanted in study.needed_values():
+    for key, values, wanted in _plotted_values(study):
         missing = [value for value in wanted if value not in values]
         if missing:
             yield (
@@ -135,7 +154,19 @@ def _axis_problems(study: StudyFile) -> Iterator[str]:
             )
 
 
-def simulation_problems(simulations: Mapping[str, str]) -> Iterator[str]:
+def _plotted_values(study: StudyFile) -> Iterator[tuple[str, Values, Values]]:
+    """Axis of the grid, its values, and those among them without which figures cannot be drawn."""
+    slider, grid = study.slider, study.grid
+    if study.figures or study.supports:
+        yield "rod_angle", grid.rod_angle, (slider.rod_angle,)
+        yield "friction_coefficient", grid.friction_coefficient, (math.inf,)
+    if study.supports and slider.rod_length is not None:
+        yield "rod_length", grid.rod_length, (slider.rod_length,)
+    if study.figures and grid.inertia_share:
+        yield "inertia_share", grid.inertia_share, (0.0, 1.0)
+
+
+def _simulation_problems(simulations: Mapping[str, str]) -> Iterator[str]:
     """Scene files that cannot be simulated."""
     for name, path in simulations.items():
         try:

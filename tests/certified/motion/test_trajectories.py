@@ -13,7 +13,7 @@ from planar_pushing.certified.motion import trajectories
 from planar_pushing.certified.motion.quadrature import stick_angle
 from planar_pushing.evidence.golden.build import motions
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 GOLDEN = Path("tests/golden")
 

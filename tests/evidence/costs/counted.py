@@ -11,7 +11,7 @@ import numpy as np
 import planar_pushing as pp
 from planar_pushing.evidence.costs.counted import counting
 from planar_pushing.evidence.costs.effects import OPERATIONS, evaluations
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 
 FRICTION, INERTIA = pp.RingFriction(), pp.Inertia()

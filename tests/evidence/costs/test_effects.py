@@ -10,7 +10,7 @@ import pytest
 
 from planar_pushing.evidence.costs import effects
 from planar_pushing.evidence.costs.counted import counting
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import PlanarPushingError
 

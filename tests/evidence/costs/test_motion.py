@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from planar_pushing.evidence.costs import measurements, motion
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 GOLDEN = Path(__file__).with_name("golden_accuracy.nc")
 #: Up to here an error is the tolerance's own matter, and rounding may move it.

@@ -1,16 +1,16 @@
 """Results of a study, written without the workflow."""
 
 from planar_pushing.figures.render import select
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.figures import FIGURES
-from planar_pushing.study.files.models import FigureEntry
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.study_model import FigureEntry
 from planar_pushing.study.provenance import provenance
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 
 

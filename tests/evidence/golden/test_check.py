@@ -14,7 +14,7 @@ from planar_pushing.figures.render import picture, save
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.catalog import DATASETS, SLIDERS
 from planar_pushing.study.figures import FIGURES
-from planar_pushing.study.storage.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 

@@ -9,7 +9,7 @@ from planar_pushing.commands import main
 from planar_pushing.evidence.golden import check
 from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.study.provenance import provenance
-from planar_pushing.study.storage.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.terms.errors import InvalidFile
 
 pytestmark = pytest.mark.slow

@@ -24,7 +24,7 @@ EVENTS, STEPS = "rtol: 1.0e-9", "method: time-stepping, step: 0.005"
 #: Prints, line by line, the rules of the simulations and of the pictures of scene files.
 RULES = """import sys
 from planar_pushing.evidence.golden.expected import scene_expectations, simulation_expectation
-from planar_pushing.study.files.models import PushEntry
+from planar_pushing.study.files.study_model import PushEntry
 from planar_pushing.study.study_file import load_study
 study = load_study("workflow/config/smoke.yaml")
 files = sys.argv[1:]

@@ -11,17 +11,17 @@ from planar_pushing.evidence.golden.compare import compare
 from planar_pushing.evidence.golden.rules import RULES, Rule
 from planar_pushing.evidence.golden.tolerances import load_tolerances
 from planar_pushing.evidence.golden.verdict import verdict
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import SLIDERS
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.provenance import provenance
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.storage.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.studies import SLIDERS_FILE
+from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/sliders_smoke.yaml"
-STUDY, FULL = load_sliders(SMOKE), load_sliders(SLIDERS_FILE)
+STUDY, FULL = load_study(SMOKE), load_study(SLIDERS_FILE)
 MARKS = provenance(STUDY, SMOKE)
 TOLERANCES = load_tolerances(check.Path(FULL.golden))
 #: Variables by dataset.

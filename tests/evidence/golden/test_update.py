@@ -6,7 +6,7 @@ from planar_pushing.evidence.golden import update
 from planar_pushing.evidence.golden.build import pictures
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
 from planar_pushing.figures import images
-from planar_pushing.study.storage.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"

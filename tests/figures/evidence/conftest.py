@@ -10,7 +10,7 @@ from planar_pushing.evidence.costs import tables
 from planar_pushing.figures import render
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.figures import OURS, SUPPLEMENT
-from planar_pushing.study.storage.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 
 GOLDEN = Path(__file__).parents[2] / "evidence/costs/golden_accuracy.nc"
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from figures.evidence.conftest import markers
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 
 def test_cone_markers_and_bars(pictures, data):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 
 def test_time_of_a_point_is_the_time_over_the_points(pictures, data):

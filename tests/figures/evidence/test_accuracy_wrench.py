@@ -6,7 +6,7 @@ import pytest
 from figures.evidence.conftest import markers
 from planar_pushing.evidence.costs import tables
 from planar_pushing.figures.evidence.work_precision import LIMITS, TITLES
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 
 @pytest.mark.parametrize("index", range(9))

@@ -5,7 +5,7 @@ import pytest
 from figures.evidence.conftest import GROUPS, markers
 from planar_pushing.figures import render
 from planar_pushing.figures.evidence.work_precision import setting_text
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 
 @pytest.mark.parametrize(

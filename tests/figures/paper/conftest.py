@@ -7,11 +7,11 @@ import pytest
 
 from planar_pushing.figures import render
 from planar_pushing.figures.style import paper_style
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.datasets import motion_cones, scenes
-from planar_pushing.study.files.models import FigureEntry, Grid
+from planar_pushing.study.files.study_model import FigureEntry, Grid
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 
 ROOT = Path(__file__).parents[3]

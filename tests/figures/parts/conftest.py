@@ -5,8 +5,8 @@ from matplotlib.figure import Figure
 
 from planar_pushing.figures.parts import drawing
 from planar_pushing.study.datasets import scenes
-from planar_pushing.study.files.models import PushEntry
 from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.study_model import PushEntry
 
 RING = {"type": "ring_friction", "weight": 1}
 INERTIA = {"type": "inertia", "mass": 1, "gyration_radius": 1}

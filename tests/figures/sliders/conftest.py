@@ -4,18 +4,18 @@ import pytest
 
 from planar_pushing.figures import render
 from planar_pushing.figures.style import paper_style
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.figures import GALLERY
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.sliders_file import load_sliders
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.store import write_dataset
+from planar_pushing.study.study_file import load_study
 
 
 @pytest.fixture(scope="session")
 def study():
-    return load_sliders("workflow/config/sliders_smoke.yaml")
+    return load_study("workflow/config/sliders_smoke.yaml")
 
 
 @pytest.fixture(scope="session")

@@ -11,9 +11,9 @@ import planar_pushing as pp
 from planar_pushing.figures.sliders import figure_17, figure_18, gallery
 from planar_pushing.figures.sliders.flats import flats
 from planar_pushing.figures.style import paper_style
-from planar_pushing.study.datasets.sliders.gallery import words
+from planar_pushing.study import store
+from planar_pushing.study.datasets.base import words
 from planar_pushing.study.figures import GALLERY
-from planar_pushing.study.storage import store
 
 TRIPOD = pp.Points([(1, 0), (-0.5, 0.75**0.5), (-0.5, -(0.75**0.5))], [1, 1, 1])
 QUADRUPED = pp.Points([(-0.8, -0.6), (0.8, -0.6), (0.8, 0.6), (-0.8, 0.6)], [1, 1, 1, 1])

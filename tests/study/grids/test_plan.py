@@ -1,10 +1,10 @@
 """The plan of a study: what is counted is exact, and what is measured is there."""
 
 import pytest
+from planar_pushing.study.grids import effort
 
 from planar_pushing.study.catalog import SPLIT
-from planar_pushing.study.grids import effort
-from planar_pushing.study.grids.plan import Rates, study_plan
+from planar_pushing.study.plan import Rates, study_plan
 from planar_pushing.study.study_file import load_study
 
 SMOKE = load_study("workflow/config/smoke.yaml")
@@ -13,7 +13,7 @@ SMOKE = load_study("workflow/config/smoke.yaml")
 @pytest.fixture
 def plan(monkeypatch):
     rates = Rates(computed=3.6, copied=0.36, stored=1e6)
-    monkeypatch.setattr("planar_pushing.study.grids.plan.measured_rates", lambda *_: rates)
+    monkeypatch.setattr("planar_pushing.study.plan.measured_rates", lambda *_: rates)
 
     def of(**changes):
         return {each.dataset: each for each in study_plan(SMOKE.model_copy(update=changes))}

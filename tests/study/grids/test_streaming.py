@@ -6,15 +6,15 @@ import h5py
 import numpy as np
 import pytest
 import xarray as xr
+from planar_pushing.study.grids.streaming import stream_dataset
+from planar_pushing.study.storage.parts import cut, sizes
 
 from planar_pushing.mechanics.numerics.arrays import CORES
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study import store
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import SPLIT
-from planar_pushing.study.grids.streaming import stream_dataset
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.storage import store
-from planar_pushing.study.storage.parts import cut, sizes
-from planar_pushing.study.storage.store import write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 

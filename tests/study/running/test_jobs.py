@@ -35,7 +35,7 @@ def test_a_log_says_how_a_job_ended(body, tmp_path):
 
 def test_an_error_of_ours_is_one_line_without_a_traceback(tmp_path):
     log = tmp_path / "job.log"
-    body = "import planar_pushing.study.storage.store as s; s.read_dataset('absent.nc')"
+    body = "import planar_pushing.study.store as s; s.read_dataset('absent.nc')"
     ended = run(body, log)
     assert ended.returncode == 1
     assert not ended.stderr

@@ -2,17 +2,17 @@
 
 import pytest
 import xarray as xr
-
-import planar_pushing as pp
-from planar_pushing.study.builders import build_dataset
-from planar_pushing.study.describe import of_study
 from planar_pushing.study.grids.chunks import chunk_parts, chunk_slice, chunk_steps
 from planar_pushing.study.grids.streaming import stream_dataset
-from planar_pushing.study.provenance import provenance
-from planar_pushing.study.slices import study_slice
 from planar_pushing.study.storage.chunk_files import index_of, open_chunks
 from planar_pushing.study.storage.parts import sizes
-from planar_pushing.study.storage.store import write_dataset
+
+import planar_pushing as pp
+from planar_pushing.study.build import build_dataset
+from planar_pushing.study.describe import of_study
+from planar_pushing.study.provenance import provenance
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"

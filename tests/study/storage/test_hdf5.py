@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.study.storage.store import (
+from planar_pushing.study.store import (
     group_names,
     read_attributes,
     read_dataset,

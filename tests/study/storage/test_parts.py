@@ -6,10 +6,10 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from planar_pushing.study.storage.parts import blocks, chunk_name, cut, points, ranges, shape, sizes
 
 from planar_pushing.study.catalog import CONTACT_LAWS, SPLIT
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.storage.parts import blocks, chunk_name, cut, points, ranges, shape, sizes
 from planar_pushing.study.study_file import load_study
 
 STUDY = load_study("workflow/config/smoke.yaml")
@@ -63,7 +63,7 @@ def test_the_whole_is_no_part():
 
 @pytest.mark.parametrize("name", SPLIT)
 def test_sizes_are_those_of_the_dataset(results, name):
-    from planar_pushing.study.storage.store import open_dataset
+    from planar_pushing.study.store import open_dataset
 
     found = open_dataset(name, results)
     assert {dim: found.sizes[dim] for dim in SPLIT[name]} == sizes(name, study_slice(STUDY, name))

@@ -30,7 +30,7 @@ def animated(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the frames of the log into one file."""
     from planar_pushing.figures.motion.animation import animate
     from planar_pushing.figures.motion.timeline import plotted
-    from planar_pushing.study.storage.store import read_dataset
+    from planar_pushing.study.store import read_dataset
 
     if not args.log.exists():
         raise InvalidFile(f"{args.log}: no such file; give the log that simulate wrote")

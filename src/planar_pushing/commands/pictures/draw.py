@@ -40,8 +40,8 @@ def add(commands: Commands) -> None:
 def drawn(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the scene, pushed straight ahead where no angle is given."""
     from planar_pushing.figures.scene_picture import render_curve, render_scene
-    from planar_pushing.study.files.models import PushEntry
     from planar_pushing.study.files.scenes import load_scene_file
+    from planar_pushing.study.files.study_model import PushEntry
 
     angles = args.pusher_angle, args.force_angle
     if None not in angles:

@@ -19,8 +19,8 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.datasets import contact_modes, limit_curves, motion_cones
 from planar_pushing.study.describe import describe
-from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED
 
 #: What is asked of a scene: the cone, a curve of 361 points, and every mode of one push.

@@ -18,12 +18,12 @@ from planar_pushing.evidence.golden.rules import Rule
 from planar_pushing.evidence.golden.tolerances import load_tolerances
 from planar_pushing.study.catalog import AXES, SIMULATIONS, SLIDERS
 from planar_pushing.study.figures import ALL, FIGURES, GALLERY, computes, shows
-from planar_pushing.study.files.models import FigureEntry, StudyFile
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.sliders_model import SlidersFile, Study
+from planar_pushing.study.files.study_model import FigureEntry, StudyFile
 from planar_pushing.study.provenance import Marks, provenance
-from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.storage.store import group_names, read_dataset
+from planar_pushing.study.store import group_names, read_dataset
+from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
 #: Name of a file, and what gives the expectations of its groups.
@@ -116,7 +116,7 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
     InvalidFile
         Where the results or the golden data are no folders with files.
     """
-    study, results = load_any(file), Results(folder)
+    study, results = load_study(file), Results(folder)
     if not any(folder.glob("data/*.nc")):
         raise InvalidFile(f"{folder}: holds no datasets; build them with make or snakemake")
     checks, files = [], list(expectations(study, provenance(study, file), results))

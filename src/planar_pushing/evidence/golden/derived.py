@@ -13,7 +13,7 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.study.figures import ALL
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.study_model import StudyFile
 
 
 def figure(name: str, settings: Any, sources: Mapping[str, xr.Dataset]) -> xr.Dataset:

@@ -9,12 +9,12 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.evidence.golden.rules import RESIDUALS, RULES, Rule
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import AXES, SLIDERS_AXES
 from planar_pushing.study.describe import of_study
-from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.sliders_model import Study
+from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import study_slice
 from planar_pushing.terms.options import Method

@@ -26,9 +26,9 @@ from planar_pushing.evidence.golden.compare import MARKS
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.sliders_model import SlidersFile, Study
 from planar_pushing.study.running.jobs import run_command
-from planar_pushing.study.sliders_file import load_any
-from planar_pushing.study.storage.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
+from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidResult
 
 PROCESSES = 2
@@ -111,7 +111,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--write", action="store_true", help="store the new golden data")
     args = parser.parse_args(arguments)
     start = time.perf_counter()
-    studies = [load_any(file) for file in args.study]
+    studies = [load_study(file) for file in args.study]
     changed = sum(
         _update(each, args.golden or Path(each.golden or ""), args.write) for each in studies
     )

@@ -50,7 +50,7 @@ from planar_pushing.explore.state import (
     with_rod,
     with_size,
 )
-from planar_pushing.study.datasets.sliders.gallery import words
+from planar_pushing.study.datasets.base import words
 from planar_pushing.terms.options import EffectKind, Policy, Shape
 
 #: How the widget of a logarithm shows its number.

@@ -14,7 +14,7 @@ from planar_pushing.figures.motion.timeline import impacts, plotted
 from planar_pushing.figures.motion.trajectory import box, mark_impact, snapshots
 from planar_pushing.figures.render import PathLike, draw_to_files
 from planar_pushing.study.figures import FIGURES
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 
 #: Instants at which slider and fence are drawn.
 COUNT = 5

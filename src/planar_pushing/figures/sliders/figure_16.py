@@ -24,8 +24,8 @@ from planar_pushing.figures.sliders.gallery import (
 )
 from planar_pushing.figures.style import DARK, FORCE, GREY
 from planar_pushing.mechanics.contact import InfiniteFriction
-from planar_pushing.study.datasets.sliders.gallery import words
-from planar_pushing.study.files.sliders_model import RodEntry
+from planar_pushing.study.datasets.base import words
+from planar_pushing.study.files.study_model import SliderEntry
 
 #: Force angles of a curve, degrees.
 ANGLES = np.linspace(0.0, 360.0, 721)
@@ -39,7 +39,7 @@ OF_RING: dict[str, Any] = {"color": GREY, "linewidth": 0.8, "linestyle": "--"}
 ACROSS = {"x": "along", "y": "normal to"}
 
 
-def select(sources: Sources, settings: RodEntry) -> xr.Dataset:
+def select(sources: Sources, settings: SliderEntry) -> xr.Dataset:
     """Compute the curves, which of their forces pivot, and the ring's curve."""
     grid = sources["supports"]
     rod = settings.rod_length, settings.rod_angle, InfiniteFriction()

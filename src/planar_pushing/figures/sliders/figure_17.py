@@ -16,7 +16,7 @@ from planar_pushing.figures.style import DARK, GREY, NOTE_SIZE
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.files.sliders_model import RodEntry
+from planar_pushing.study.files.study_model import SliderEntry
 
 #: A force this close to the fence, radians, needs infinite friction.
 ALONG_FENCE = 1e-12
@@ -52,7 +52,7 @@ def inertia_friction(length: Array, angle: Array) -> Array:
         return np.asarray((1 + (length * c) ** 2) / np.abs(length**2 * s * c))
 
 
-def select(sources: Sources, settings: RodEntry) -> xr.Dataset:
+def select(sources: Sources, settings: SliderEntry) -> xr.Dataset:
     """Compute the least friction over rod length and over rod angle, and the law of inertia."""
     data = over_rods(sources["supports"], settings, PerfectlyRough(), pulling_friction, LEAST)
     rods = {

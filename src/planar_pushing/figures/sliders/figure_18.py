@@ -16,7 +16,7 @@ from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.files.sliders_model import RodEntry
+from planar_pushing.study.files.study_model import SliderEntry
 
 PART = "part of the pushes into the slider, from 0 to 180 degrees, that slip"
 
@@ -32,7 +32,7 @@ def _computed(scenes: Scene) -> xr.DataArray:
     return slipping_part(np.rad2deg(cone.right), np.rad2deg(cone.left))
 
 
-def select(sources: Sources, settings: RodEntry) -> xr.Dataset:
+def select(sources: Sources, settings: SliderEntry) -> xr.Dataset:
     """Compute the slipping part over rod length and over rod angle; that of the grid's cones with it."""
     data = over_rods(sources["supports"], settings, InfiniteFriction(), _computed, PART)
     cones = sources["support_cones"].sel(friction_coefficient=np.inf)

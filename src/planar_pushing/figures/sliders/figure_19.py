@@ -19,7 +19,7 @@ from planar_pushing.mechanics.cones import friction_cone, motion_cone
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.files.scene_model import SceneFile
-from planar_pushing.study.files.sliders_model import RodEntry
+from planar_pushing.study.files.study_model import SliderEntry
 
 LOG = "simulations/tripod"
 #: Force angles of a curve, degrees.
@@ -32,7 +32,7 @@ SPAN, LENGTH = 1.0, 0.4
 NARROW = 1e-9
 
 
-def select(sources: Sources, settings: RodEntry) -> xr.Dataset:
+def select(sources: Sources, settings: SliderEntry) -> xr.Dataset:
     """Select the motion over time; compute limit curve and cones at its start and at its end."""
     log = sources[LOG]
     file = SceneFile.model_validate(json.loads(log.attrs["scene"]))

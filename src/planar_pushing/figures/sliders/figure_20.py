@@ -14,8 +14,8 @@ from planar_pushing.figures.settings import Sources
 from planar_pushing.figures.sliders.over_rods import keep_ticks_inside
 from planar_pushing.figures.style import DARK, FORCE, MOTION
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.study.datasets.sliders.gallery import words
-from planar_pushing.study.files.sliders_model import RodEntry
+from planar_pushing.study.datasets.base import words
+from planar_pushing.study.files.study_model import SliderEntry
 
 #: What the errors are of: title, and color.
 ERRORS = {"force": ("force direction", FORCE), "motion": ("motion direction", MOTION)}
@@ -23,7 +23,7 @@ ERRORS = {"force": ("force direction", FORCE), "motion": ("motion direction", MO
 WIDTHS = [0.8, 1.0, 1.0]
 
 
-def select(sources: Sources, settings: RodEntry) -> xr.Dataset:
+def select(sources: Sources, settings: SliderEntry) -> xr.Dataset:
     """Select the integration constants and the ellipsoids' errors."""
     grid = sources["supports"]
     names = [f"{size}_{what}_error" for what in ERRORS for size in ("mean", "worst")]

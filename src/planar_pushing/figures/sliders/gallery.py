@@ -20,8 +20,8 @@ from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.mechanics.supports import Composite, Points, Ring, Segment
-from planar_pushing.study.datasets.sliders.gallery import support_axis
-from planar_pushing.study.files.sliders_model import RodEntry
+from planar_pushing.study.datasets.base import support_axis
+from planar_pushing.study.files.study_model import SliderEntry
 from planar_pushing.study.files.support_model import SupportEntry
 
 #: The paper's support, to which the others are compared.
@@ -104,7 +104,7 @@ def _between(heading: xr.DataArray, force: xr.DataArray) -> xr.DataArray:
     return cast(xr.DataArray, np.arctan2(c * y - s * x, c * x + s * y))
 
 
-def described_supports(grid: xr.Dataset, rod: RodEntry) -> xr.Dataset:
+def described_supports(grid: xr.Dataset, rod: SliderEntry) -> xr.Dataset:
     """What a figure's numbers say of the supports, and of the rod where it is no axis."""
     data = grid[["extent"]]
     text = "rod length, from the contact to the slider's centre"

@@ -24,8 +24,8 @@ from planar_pushing.figures.style import DARK, GREY
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.datasets.sliders.gallery import words
-from planar_pushing.study.files.sliders_model import RodEntry
+from planar_pushing.study.datasets.base import words
+from planar_pushing.study.files.study_model import SliderEntry
 
 #: Rod lengths and rod angles, in degrees, of the curves.
 LENGTHS = np.geomspace(0.1, 10.0, 121)
@@ -39,7 +39,7 @@ BEHIND: dict[str, Any] = {"color": GREY, "linewidth": 2.8, "alpha": 0.55}
 
 def over_rods(
     grid: xr.Dataset,
-    rod: RodEntry,
+    rod: SliderEntry,
     law: ContactLaw,
     function: Callable[[Scene], xr.DataArray],
     long_name: str,

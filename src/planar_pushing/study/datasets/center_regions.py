@@ -12,10 +12,8 @@ from planar_pushing.mechanics.centers import conservative_spin_ratios, motion_ce
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.plane import Array, direction, motion_center, rod
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.catalog import DIMS
-from planar_pushing.study.datasets.base import axis, half_turn, parameters
-from planar_pushing.study.describe import describe
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.datasets.base import axis, pushing
+from planar_pushing.study.files.study_model import Part
 from planar_pushing.terms.options import EffectKind, EffectSet
 
 #: Ends of both regions along a line of force; a region is what its ends sweep over the force angles.
@@ -42,11 +40,11 @@ def _bound(length: float, angle: float, force_angle: float) -> Array:
     return np.where(np.isinf(ends) & (arm < 0), -ends, ends)
 
 
-def build(study: StudyFile) -> xr.Dataset:
-    """Build the dataset of a study: ends of both regions along every line of force."""
-    slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
-    scene = Scene(slider=slider, contact=InfiniteFriction(), effects=study.effects(EffectSet.BOTH))
-    phi = half_turn(axis(study, "force_angle"))
+def build(part: Part) -> xr.Dataset:
+    """Build the dataset of a part of a study: ends of both regions along every line of force."""
+    slider = part.ring(axis(part, "rod_length"), axis(part, "rod_angle"))
+    scene = Scene(slider=slider, contact=InfiniteFriction(), effects=part.effects(EffectSet.BOTH))
+    phi = pushing(axis(part, "force_angle"))
     bound = slider.radius * xr.apply_ufunc(
         np.vectorize(_bound, signature="(),(),()->(e,c)"),
         *(slider.length_ratio, slider.rod_angle, phi),
@@ -58,10 +56,4 @@ def build(study: StudyFile) -> xr.Dataset:
         for name, ends in (("bound", bound), ("exact", exact))
         for i, across in enumerate("xy")
     }
-    dataset = xr.Dataset(found).transpose(*DIMS["center_regions"])
-    return describe(
-        dataset.assign_coords(bound_end=list(BOUND_ENDS), exact_end=list(EXACT_ENDS)),
-        title="Regions of possible acceleration centres: the paper's bound and the exact set",
-        source="Sec. 4, Fig. 12: the cases for a line of force outside, on and through the ring",
-        parameters=parameters(study, "rod_angle"),
-    )
+    return xr.Dataset(found, {"bound_end": list(BOUND_ENDS), "exact_end": list(EXACT_ENDS)})

@@ -11,18 +11,17 @@ from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.study.datasets.base import axis, over_effects, parameters
-from planar_pushing.study.describe import describe
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.datasets.base import axis, over_effects, pushing
+from planar_pushing.study.files.study_model import Part
 
 
-def build(study: StudyFile) -> xr.Dataset:
-    """Build the dataset of a study."""
-    slider = study.ring(axis(study, "rod_length"), axis(study, "rod_angle"))
-    phi = np.deg2rad(axis(study, "force_angle"))
-    heading = xr.DataArray(direction(phi), dims=("force_angle", "xy"))
+def build(part: Part) -> xr.Dataset:
+    """Build the dataset of a part of a study."""
+    slider = part.ring(axis(part, "rod_length"), axis(part, "rod_angle"))
+    phi = pushing(axis(part, "force_angle"))
+    heading = xr.DataArray(direction(phi.values), dims=("force_angle", "xy"))
 
-    def part(effects: tuple[Any, ...]) -> xr.Dataset:
+    def curves(effects: tuple[Any, ...]) -> xr.Dataset:
         scene = Scene(slider=slider, contact=InfiniteFriction(), effects=effects)
         curve = limit_curve(scene, phi)
         return xr.Dataset(
@@ -35,9 +34,4 @@ def build(study: StudyFile) -> xr.Dataset:
             }
         )
 
-    return describe(
-        over_effects(study, part),
-        title="Limit curves: forces through the contact and the motions they cause",
-        source="Eqs. (2)-(7), Sec. 3, Fig. 5, and the ellipses of Sec. 4, Fig. 10",
-        parameters=parameters(study, "rod_angle"),
-    )
+    return over_effects(part, curves)

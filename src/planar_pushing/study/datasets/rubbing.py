@@ -27,7 +27,7 @@ def support_of(scene: Scene) -> Any:
 
 def ring_friction(scene: Scene, twists: Array) -> dict[str, Any]:
     """Motion of points of the ring and, where it rubs, the friction of the support on them."""
-    outward = direction(np.deg2rad(RING_ANGLES))
+    outward = scene.slider.radius * direction(np.deg2rad(RING_ANGLES))
     motion = _motion(outward, twists)
     dims = ("solution", "support_angle", "xy")
     return {
@@ -42,7 +42,7 @@ def place_friction(scene: Scene, twists: Array) -> dict[str, Any]:
     rows = places(support_of(scene).pieces())
     x, y = direction(slider.rod_angle)
     arm = rows[:, :2] @ np.array([[x, y], [-y, x]])
-    motion = _motion(arm / slider.radius, twists)
+    motion = _motion(arm, twists)
     dims = ("solution", "place", "xy")
     return {
         "place_position": (("place", "xy"), slider.rod_length * np.array([x, y]) + arm),
@@ -58,7 +58,7 @@ def _weight(scene: Scene) -> float:
 
 
 def _motion(arm: Array, twists: Array) -> Array:
-    """Motion of points at arms from the slider's center, in radii."""
+    """Motion of points at arms from the slider's center."""
     turned = np.stack([-arm[:, 1], arm[:, 0]], axis=-1)
     return np.asarray(twists[:, None, :2] + twists[:, None, 2:] * turned)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -22,9 +23,9 @@ from planar_pushing.mechanics.solutions import Solutions
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.datasets.rubbing import RING_ANGLES, place_friction, ring_friction
 from planar_pushing.study.describe import describe
-from planar_pushing.study.files.models import PushEntry, StudyFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.files.study_model import PushEntry
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EFFECT_CLASSES, EffectKind
 from planar_pushing.terms.quantities import DATASET, attributes
@@ -46,8 +47,7 @@ def pusher_angle(scene: Scene, push: PushEntry) -> float:
     return float(np.rad2deg(motion_angle(scene, np.deg2rad(push.force_angle), share)))
 
 
-def _solutions(scene: Scene, solutions: Solutions, pusher: Array) -> dict[str, Any]:
-    radius = scene.slider.radius
+def _solutions(solutions: Solutions, pusher: Array) -> dict[str, Any]:
     vectors = ("solution", "xy")
     return {
         "mode": ("solution", np.array([each.mode for each in solutions], np.int8)),
@@ -57,7 +57,7 @@ def _solutions(scene: Scene, solutions: Solutions, pusher: Array) -> dict[str, A
         "slip": ("solution", np.array([s.contact_motion[0] - pusher[0] for s in solutions], float)),
         "twist": (
             ("solution", "twist_component"),
-            np.reshape([each.twist * [1, 1, radius] for each in solutions], (-1, 3)),
+            np.reshape([each.twist for each in solutions], (-1, 3)),
         ),
         "spin_ratio": ("solution", np.array([each.spin_ratio for each in solutions], float)),
         "center": (vectors, np.reshape([each.center for each in solutions], (-1, 2))),
@@ -108,7 +108,7 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     slider, angle = scene.slider, pusher_angle(scene, push)
     pusher = push.pusher_magnitude * direction(np.deg2rad(angle))
     solutions = solve(scene, np.deg2rad(angle), push.pusher_magnitude)
-    values = _solutions(scene, solutions, pusher)
+    values = _solutions(solutions, pusher)
     variables: dict[str, Any] = {
         "rod_length": slider.rod_length,
         "rod_angle": float(np.rad2deg(slider.rod_angle)),
@@ -118,13 +118,14 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         "pusher_magnitude": push.pusher_magnitude,
         "pusher_motion": ("xy", pusher),
         "outcome": np.int8(solutions.outcome),
+        "status": np.int8(solutions.status),
         **_cones(scene),
         **values,
     }
     coords: dict[str, Any] = {
         "xy": ["x", "y"],
         "effect": list(map(str, _kinds(scene))),
-        "twist_component": ["v_x", "v_y", "R omega"],
+        "twist_component": ["v_x", "v_y", "omega"],
     }
     twists = values["twist"][1]
     if scene.isotropic:
@@ -165,8 +166,8 @@ def with_limit_curve(dataset: xr.Dataset, scene: Scene) -> xr.Dataset:
     return dataset.assign(added.variables)
 
 
-def build(study: StudyFile) -> dict[str, xr.Dataset]:
-    """Build the datasets of a study's scenes by name, one group of scenes.nc each."""
+def build(pushes: Mapping[str, PushEntry]) -> dict[str, xr.Dataset]:
+    """Build the datasets of scenes by name, one group of scenes.nc each."""
     return {
-        name: scene_dataset(load_scene_file(push.file), push) for name, push in study.scenes.items()
+        name: scene_dataset(load_scene_file(push.file), push) for name, push in pushes.items()
     }

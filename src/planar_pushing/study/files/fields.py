@@ -178,21 +178,31 @@ Side = Annotated[
 
 #: Most numbers on an axis.
 MOST = 10**5
-AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
+AXIS = (
+    "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range, "
+    "or a list that holds such ranges"
+)
 
 
 def _expand(given: object) -> object:
     if isinstance(given, dict):
-        if set(given) != {"start", "stop", "step"}:
-            raise refuse(AXIS)
-        given = _steps(
-            *(_number(given[key], math.isfinite, AXIS) for key in ("start", "stop", "step"))
-        )
+        given = _range(given)
+    elif isinstance(given, (list, tuple)) and any(isinstance(each, dict) for each in given):
+        parts = [_range(each) if isinstance(each, dict) else [each] for each in given]
+        numbers = [_number(each, lambda x: not math.isnan(x), AXIS) for part in parts for each in part]
+        given = sorted(set(numbers))
     if not isinstance(given, (list, tuple)):
         raise refuse(AXIS)
     if not given:
         raise refuse(f"{AXIS}, and at least one number")
     return tuple(given)
+
+
+def _range(given: dict[object, object]) -> list[float]:
+    keys = ("start", "stop", "step")
+    if set(given) != set(keys):
+        raise refuse(AXIS)
+    return _steps(*(_number(given[key], math.isfinite, AXIS) for key in keys))
 
 
 def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
@@ -214,7 +224,7 @@ def _steps(start: float, stop: float, step: float) -> list[float]:
 
 
 def axis(item: Any) -> Any:
-    """Type of a grid axis: a list of numbers of type `item`, or a range."""
+    """Type of a grid axis: a list of numbers of type `item` and of ranges, or a range."""
     numbers = item.__metadata__[-1].json_schema
     span = {"type": "object", "additionalProperties": False, "required": ["start", "stop", "step"]}
     span["properties"] = {
@@ -222,7 +232,8 @@ def axis(item: Any) -> Any:
         "stop": numbers,
         "step": {"type": "number", "exclusiveMinimum": 0},
     }
-    schema = {"anyOf": [{"type": "array", "minItems": 1, "items": numbers}, span]}
+    items = {"anyOf": [numbers, span]}
+    schema = {"anyOf": [{"type": "array", "minItems": 1, "items": items}, span]}
     return Annotated[
         tuple[item, ...],
         BeforeValidator(_expand),

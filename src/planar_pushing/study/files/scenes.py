@@ -21,7 +21,7 @@ from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path,
 Model = TypeVar("Model", bound=FileModel)
 
 #: Keys that only one kind of file has.
-KINDS = {"contact": "a scene file", "supports": "a study of sliders", "grid": "a study file"}
+KINDS = {"contact": "a scene file", "grid": "a study file"}
 
 
 def load_scene(path: PathLike) -> Scene:

@@ -1,4 +1,4 @@
-"""JSON schemas of scene files and of studies of both kinds, generated from their models: `make schemas`."""
+"""JSON schemas of scene and study files, generated from their models: `make schemas`."""
 
 from __future__ import annotations
 
@@ -6,19 +6,14 @@ import json
 from pathlib import Path
 
 from planar_pushing.study.files.fields import FileModel
-from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scene_model import SceneFile
-from planar_pushing.study.files.sliders_model import SlidersFile
+from planar_pushing.study.files.study_model import StudyFile
 
-SCHEMAS: dict[str, type[FileModel]] = {
-    "scene": SceneFile,
-    "study": StudyFile,
-    "sliders": SlidersFile,
-}
+SCHEMAS: dict[str, type[FileModel]] = {"scene": SceneFile, "study": StudyFile}
 
 
 def schema_text(name: str) -> str:
-    """JSON schema of the "scene", "study" or "sliders" file, as text."""
+    """JSON schema of a scene or a study file, as text."""
     return json.dumps(SCHEMAS[name].model_json_schema(mode="validation"), indent=2) + "\n"
 
 

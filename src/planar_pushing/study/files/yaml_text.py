@@ -1,24 +1,31 @@
-"""YAML text as plain values, bounded before it is expanded.
-
-A few lines of YAML can stand for more than a memory holds: aliases of aliases, brackets in brackets. So its
-events are counted before any value is made of them.
-"""
+"""YAML files as plain values: small ones, without aliases, tags and values longer than a line or two."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from ruamel.yaml import YAML
+from ruamel.yaml.composer import Composer, ComposerError
 from ruamel.yaml.error import YAMLError
+from ruamel.yaml.events import AliasEvent
 
 from planar_pushing.terms.errors import InvalidFile
 
-#: Most bytes of a file, values that it stands for, brackets in brackets, and characters of a value.
-BYTES, VALUES, DEPTH, CHARACTERS = 2**20, 10**5, 20, 1000
+#: Most bytes of a file.
+BYTES = 2**18
 #: Most characters of a value in a message.
 LINE = 120
+
+
+class _Plain(Composer):
+    """Builds values from text; an alias can stand for more than a memory holds."""
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        if self.parser.check_event(AliasEvent):
+            event = self.parser.peek_event()
+            raise ComposerError(None, None, "an alias; write it out plainly", event.start_mark)
+        return super().compose_node(parent, index)
 
 
 def shown(given: object) -> str:
@@ -33,19 +40,21 @@ def read_yaml(path: Path) -> Any:
     Raises
     ------
     InvalidFile
-        Where the file cannot be read, is not YAML, or stands for more than the bounds allow.
+        Where the file cannot be read, is too large, is not YAML, or has aliases or tags.
     """
     text = _text(path)
+    loader = YAML(typ="safe", pure=True)
+    loader.Composer = _Plain
     try:
-        for problem in _excesses(text):
-            raise InvalidFile(f"{path}: {problem}; write it out plainly")
-        return YAML(typ="safe", pure=True).load(text)
+        return loader.load(text)
     except YAMLError as error:
         raise InvalidFile(f"{path}: not YAML: {_where(error)}; mend the line") from None
     except (ValueError, TypeError, LookupError, ArithmeticError, AttributeError) as error:
-        # What the parser makes of a date, an escape or a key that there cannot be.
+        # The parser fails so at a date, an escape or a key that cannot be.
         reason = str(error).partition("\n")[0][:LINE]
         raise InvalidFile(f"{path}: not YAML: {reason}; mend the value") from None
+    except RecursionError:
+        raise InvalidFile(f"{path}: not YAML: nested too deep; write it out plainly") from None
 
 
 def _text(path: Path) -> str:
@@ -61,35 +70,6 @@ def _text(path: Path) -> str:
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         raise InvalidFile(f"{path}: cannot be read ({reason}); give a YAML text file") from None
-
-
-def _excesses(text: str) -> Iterator[str]:
-    """What of the text is more than the bounds allow, from its events."""
-    sizes: dict[str, int] = {}
-    open_ones: list[list[Any]] = [[None, 0]]
-    for event in YAML(typ="safe", pure=True).parse(text):
-        kind = type(event).__name__.removesuffix("Event")
-        if getattr(event, "tag", None):
-            yield f"the tag {shown(str(event.tag))} given; allowed: values without tags"
-        if kind in ("MappingStart", "SequenceStart"):
-            open_ones.append([event.anchor, 1])
-            if len(open_ones) > DEPTH:
-                yield f"nested too deep; allowed: {DEPTH} brackets in each other"
-            continue
-        if kind in ("MappingEnd", "SequenceEnd"):
-            anchor, size = open_ones.pop()
-        elif kind == "Alias":
-            anchor, size = None, sizes.get(event.anchor, VALUES + 1)
-        elif kind == "Scalar":
-            anchor, size = event.anchor, 1
-            if len(event.value) > CHARACTERS:
-                yield f"{shown(event.value)} given; allowed: values of {CHARACTERS} characters"
-        else:
-            continue
-        sizes |= {anchor: size} if anchor else {}
-        open_ones[-1][1] += size
-        if open_ones[-1][1] > VALUES:
-            yield f"too many values; allowed: {VALUES}, with those that aliases repeat"
 
 
 def _where(error: YAMLError) -> str:

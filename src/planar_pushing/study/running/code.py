@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 import planar_pushing
-from planar_pushing.study.catalog import DATASETS, SLIDERS
+from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import ALL
 
 ROOT = Path(planar_pushing.__path__[0])
@@ -35,11 +35,11 @@ PACKAGES = {
 
 def builder(dataset: str) -> str:
     """Module that builds a dataset."""
-    return f"study.datasets.{'sliders.' if dataset in SLIDERS else ''}{dataset}"
+    return f"study.datasets.{DATASETS[dataset].module}"
 
 
 #: Modules of which a job runs those that it names; the figures' entries are parameters of their jobs.
-BUILDERS = frozenset(map(builder, [*DATASETS, *SLIDERS]))
+BUILDERS = frozenset(map(builder, DATASETS))
 DRAWINGS = frozenset(figure.module for figure in ALL.values())
 ENTRIES = frozenset({"study.figures"})
 MEMBERS = BUILDERS | DRAWINGS | ENTRIES

@@ -10,7 +10,7 @@ from planar_pushing.certified.integrals import printed
 from planar_pushing.evidence.golden import update
 from planar_pushing.evidence.golden.build import second
 from planar_pushing.evidence.golden.build.enclosures import golden_variables
-from planar_pushing.study.storage.store import read_dataset
+from planar_pushing.study.store import read_dataset
 from planar_pushing.study.study_file import load_study
 
 GOLDEN = Path("tests/golden")

@@ -5,9 +5,9 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.evidence.golden.rules import RESIDUALS, RULES, Rule
-from planar_pushing.study.builders import build_dataset
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import AXES
-from planar_pushing.study.files.models import (
+from planar_pushing.study.files.study_model import (
     FrictionParameters,
     InertiaParameters,
     PushEntry,

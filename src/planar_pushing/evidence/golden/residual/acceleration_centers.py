@@ -27,7 +27,7 @@ from planar_pushing.evidence.golden.residual.motion import (
     line_on_edge,
     torque_error,
 )
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.terms.options import EffectSet
 
 #: Roundings of a center, and of an angle in radians.

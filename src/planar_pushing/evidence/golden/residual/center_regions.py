@@ -15,7 +15,7 @@ from planar_pushing.evidence.golden.residual.finding import EPSILON, Finding
 from planar_pushing.evidence.golden.residual.grids import along, slider_of
 from planar_pushing.evidence.golden.residual.motion import line_at
 from planar_pushing.evidence.golden.residual.spin import spin_ratio, steady
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.study_model import StudyFile
 
 #: Roundings of a center, and of the moment arm of a line that touches the ring.
 CENTER, TOUCH = 64, 64

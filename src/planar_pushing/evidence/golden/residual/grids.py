@@ -11,7 +11,7 @@ import xarray as xr
 from planar_pushing.certified.doubled.numbers import Floats
 from planar_pushing.evidence.golden.residual.finding import Finding
 from planar_pushing.evidence.golden.residual.motion import Slider
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.study_model import StudyFile
 
 #: Findings of the part of a dataset with one set of effects.
 Part = Callable[[xr.Dataset, str, Slider, StudyFile], Iterable[Finding]]

@@ -18,7 +18,7 @@ from planar_pushing.evidence.golden.residual.motion import (
     torque_error,
 )
 from planar_pushing.evidence.golden.residual.spin import on_limit_curve
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.study_model import StudyFile
 
 #: Roundings of a balance of torques, of a force, of its parts and of an angle in radians.
 BALANCE, FORCE, PARTS, ANGLE = 64, 64, 4, 32

@@ -26,7 +26,7 @@ from planar_pushing.evidence.golden.residual.motion import (
     line_on_edge,
 )
 from planar_pushing.evidence.golden.residual.spin import on_limit_curve, spin_ratio
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.study_model import StudyFile
 
 #: Roundings of a force, for a rod of no length.
 FORCE = 64

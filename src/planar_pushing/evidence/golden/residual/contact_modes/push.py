@@ -13,7 +13,7 @@ from planar_pushing.certified.doubled.numbers import Doubled, Floats
 from planar_pushing.evidence.golden.residual.finding import EPSILON
 from planar_pushing.evidence.golden.residual.grids import slider_of
 from planar_pushing.evidence.golden.residual.motion import Slider
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.study_model import StudyFile
 
 Flags = npt.NDArray[np.bool_]
 MODES = ("SEPARATE", "STICK", "SLIP_RIGHT", "SLIP_LEFT")

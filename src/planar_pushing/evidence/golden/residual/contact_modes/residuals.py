@@ -28,7 +28,7 @@ from planar_pushing.evidence.golden.residual.contact_modes.sticking import stick
 from planar_pushing.evidence.golden.residual.finding import DEGREE, EPSILON, Finding, same
 from planar_pushing.evidence.golden.residual.grids import over_effects
 from planar_pushing.evidence.golden.residual.motion import Slider
-from planar_pushing.study.files.models import StudyFile
+from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.terms.options import EffectSet
 
 #: Roundings of a spin ratio or a balance of torques, and of an angle in radians.

@@ -13,8 +13,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import EllipsoidFit, fit_ellipsoid
 from planar_pushing.mechanics.wrench import potential, wrench
 from planar_pushing.study.datasets.base import axis
-from planar_pushing.study.datasets.sliders.gallery import described
-from planar_pushing.study.files.sliders_model import SlidersFile
+from planar_pushing.study.files.study_model import Part
 
 OVER_CENTERS = ("support", "center_x", "center_y")
 TWIST, WRENCH = ["v_x", "v_y", "omega"], ["f_x", "f_y", "tau"]
@@ -22,9 +21,9 @@ TWIST, WRENCH = ["v_x", "v_y", "omega"], ["f_x", "f_y", "tau"]
 ERRORS = ("worst_force_error", "mean_force_error", "worst_motion_error", "mean_motion_error")
 
 
-def rotations(study: SlidersFile) -> Array:
+def rotations(part: Part) -> Array:
     """Twists of unit rotation, counter-clockwise, about every center of the grid, shape S + (3,)."""
-    x, y = np.meshgrid(study.grid.center_x, study.grid.center_y, indexing="ij")
+    x, y = np.meshgrid(part.grid["center_x"], part.grid["center_y"], indexing="ij")
     return np.stack([y, -x, np.ones_like(x)], axis=-1)
 
 
@@ -54,24 +53,18 @@ def _ellipsoids(fits: list[EllipsoidFit]) -> dict[str, Any]:
     }
 
 
-def build(study: SlidersFile) -> xr.Dataset:
-    """Build the dataset of a study; the weight is 1."""
-    supports = list(study.gallery().values())
-    entries = [entry.model_dump(exclude_none=True) for entry in study.supports.values()]
-    dataset = xr.Dataset(
-        _over_centers(supports, rotations(study)) | _ellipsoids(list(map(fit_ellipsoid, supports))),
+def build(part: Part) -> xr.Dataset:
+    """Build the dataset of a part of a study; the weight is 1."""
+    supports = list(part.gallery().values())
+    entries = [entry.model_dump(exclude_none=True) for entry in part.supports.values()]
+    return xr.Dataset(
+        _over_centers(supports, rotations(part)) | _ellipsoids(list(map(fit_ellipsoid, supports))),
         {
-            "support": list(study.supports),
+            "support": list(part.supports),
             "description": ("support", list(map(to_json, entries))),
-            "center_x": axis(study, "center_x"),
-            "center_y": axis(study, "center_y"),
+            "center_x": axis(part, "center_x"),
+            "center_y": axis(part, "center_y"),
             "twist_component": TWIST,
             "wrench_component": WRENCH,
         },
-    )
-    return described(
-        dataset,
-        study,
-        title="Supports: wrenches over centres of rotation, and the ellipsoids in their place",
-        source="Sec. 3, Eqs. (1)-(3), for any pressure distribution",
     )

@@ -1,9 +1,12 @@
-"""Write and open the datasets, netCDF4 files in results/data."""
+"""Datasets in files, netCDF4: written whole or not at all, read with one line where a file is damaged."""
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Sequence
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Literal
 
@@ -11,13 +14,17 @@ import h5netcdf
 import numpy as np
 import xarray as xr
 
-from planar_pushing.study.catalog import dataset_place
+from planar_pushing.study.catalog import DATASETS, dataset_place
+from planar_pushing.study.chunks import joined, shape
 from planar_pushing.study.files.replacing import PathLike, replacing
-from planar_pushing.study.storage.chunk_files import behind_index
-from planar_pushing.study.storage.hdf5 import readable
-from planar_pushing.study.storage.parts import shape
 from planar_pushing.study.studies import built_folder
-from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
+from planar_pushing.terms.errors import (
+    InvalidFile,
+    InvalidValue,
+    PlanarPushingError,
+    require_path,
+    suggestion,
+)
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
 #: A variable of fewer bytes, a page, gains nothing from compression.
@@ -26,12 +33,14 @@ SMALL = 4096
 STORED, LEVEL = 2**15, 1
 #: A dataset of more bytes is read when it is used.
 LARGE = 2**23
+#: Attribute of an index: the most values of a chunk along each dimension that is cut.
+CHUNKS = "chunks"
 
 
 def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> None:
     """Write a dataset, or one group for each of several, whole or not at all.
 
-    The bytes depend on the content alone.
+    The bytes depend on the content alone, but for those of a dataset that dask reads.
     """
     groups = {"/": built} if isinstance(built, xr.Dataset) else built
     # Without the encoding that another file has chosen.
@@ -57,9 +66,27 @@ def stored_chunks(lengths: Sequence[int], dtype: np.dtype[Any]) -> tuple[int, ..
     return None if small else shape(lengths, STORED)
 
 
+@contextmanager
+def reading(path: PathLike) -> Iterator[None]:
+    """Say in one line what is wrong with a file that is read within; damage shows itself in any error."""
+    try:
+        yield
+    except PlanarPushingError:
+        raise
+    except FileNotFoundError:
+        message = f"{path}: no such dataset; build it with make or snakemake"
+        raise InvalidFile(message) from None
+    except Exception as error:
+        number = error.errno if isinstance(error, OSError) else None
+        reason = f" ({os.strerror(number)})" if number else ""
+        raise InvalidFile(
+            f"{path}: is not a netCDF4 file{reason}; remove it and build it anew"
+        ) from None
+
+
 def read_attributes(path: PathLike) -> dict[str, object]:
     """Read the root attributes of a file, and nothing else of it; errors as in `read_dataset`."""
-    with readable(path), h5netcdf.File(path, "r") as file:
+    with reading(path), h5netcdf.File(path, "r") as file:
         return dict(file.attrs)
 
 
@@ -71,11 +98,11 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
     Raises
     ------
     InvalidFile
-        Where the file is missing, is not netCDF4, has no such group, or does not hold its own values.
+        Where the file is missing, is not netCDF4, or has no such group.
     """
     if group and group not in group_names(path):
         raise InvalidFile(f"{path}: has no group {group!r}; remove it and build it anew")
-    with readable(path):
+    with reading(path):
         # A file that is HDF5 and no netCDF4 names no dimensions; no dataset holds dates.
         opened = xr.open_dataset(
             path, engine=ENGINE, group=group, phony_dims="access", decode_times=False
@@ -84,12 +111,40 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
             return opened
         with opened:
             found = opened.load()
-    return behind_index(found, Path(path))
+    return _behind_index(found, Path(path)) if CHUNKS in found.attrs else found
+
+
+def index_of(whole: xr.Dataset, steps: Mapping[str, int]) -> xr.Dataset:
+    """The index of a dataset that stays in its chunks: its coordinates and attributes."""
+    return whole.drop_vars(list(whole.data_vars)).assign_attrs({CHUNKS: json.dumps(dict(steps))})
+
+
+def _behind_index(index: xr.Dataset, path: Path) -> xr.Dataset:
+    """The dataset for which an index stands, with the attributes of the index."""
+    steps = _steps(index, path)
+    folder, lengths = path.parent.parent / "chunks" / path.stem, dict(index.sizes)
+    with reading(folder):
+        whole = joined(folder, lengths, steps)
+    if not all(whole[dim].equals(index[dim]) for dim in steps):
+        raise InvalidFile(f"{path}: its chunks are those of another grid; remove it and build it anew")
+    return whole.assign_attrs({key: each for key, each in index.attrs.items() if key != CHUNKS})
+
+
+def _steps(index: xr.Dataset, path: Path) -> dict[str, int]:
+    """Lengths of the chunks that an index names, or `InvalidFile`."""
+    try:
+        steps = {str(dim): int(step) for dim, step in json.loads(index.attrs[CHUNKS]).items()}
+    except (TypeError, ValueError, AttributeError):
+        steps = {}
+    dims = DATASETS[path.stem].dims if path.stem in DATASETS else ()
+    if not steps or not set(steps) <= set(dims) or min(steps.values()) < 1:
+        raise InvalidFile(f"{path}: names no chunks; remove it and build it anew")
+    return steps
 
 
 def group_names(path: PathLike) -> list[str]:
     """Names of a file's groups, in order; errors as in `read_dataset`."""
-    with readable(path), h5netcdf.File(path, "r") as file:
+    with reading(path), h5netcdf.File(path, "r") as file:
         return sorted(file.groups)
 
 
@@ -112,9 +167,9 @@ def open_dataset(
     ----------
     name : str
         limit_curves, motion_cones, contact_modes, acceleration_centers, center_regions, a scene as
-        "scenes/figure_08", a simulation as "simulations/figure_15", what a figure plots as
-        "figures/figure_06", or one on how this work computes, such as "accuracy_errors/cone"; of a study of
-        sliders, supports, support_cones and support_modes.
+        "scenes/figure_08", a simulation as "simulations/figure_15", the numbers that a figure plots as
+        "figures/figure_06", or one on how this work computes, such as "accuracy_errors/cone"; of a study
+        with supports also supports, support_cones and support_modes.
     results : path
         The folder that the pipeline filled.
     study : str, optional
@@ -148,4 +203,5 @@ def _require_part(name: str, group: str | None, path: Path) -> None:
     stem = name.partition("/")[0]
     allowed = [f"{stem}/{each}" for each in parts] or [stem]
     if name not in allowed:
-        raise InvalidValue("name", name, ", ".join(allowed), "name one of these")
+        remedy = suggestion(name, allowed, "name one of these")
+        raise InvalidValue("name", name, ", ".join(allowed), remedy)

@@ -1,0 +1,101 @@
+"""The builds of datasets: from the values of a study to a file, in bounded memory.
+
+A large grid is computed in blocks, each in a file of its own beside the dataset's, which xarray and dask
+then write into one file.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import dask
+import xarray as xr
+
+from planar_pushing.mechanics.numerics.arrays import CORES
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.chunks import blocks, chunk_name, joined
+from planar_pushing.study.describe import described, of_study
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.slices import cut, part_of, pushes, sizes
+from planar_pushing.study.store import index_of, write_dataset
+
+Built = xr.Dataset | dict[str, xr.Dataset]
+Values = dict[str, Any]
+Attributes = Mapping[str, str]
+
+
+def build_dataset(name: str, values: Values) -> Built:
+    """Build a dataset, or one for each group, from a slice of a study or a part of one."""
+    module = import_module(f"planar_pushing.study.datasets.{DATASETS[name].module}")
+    if name == "scenes":
+        groups: dict[str, xr.Dataset] = module.build(pushes(values))
+        return groups
+    part = part_of(values)
+    return described(module.build(part), name, part)
+
+
+def dataset(
+    path: PathLike, *, name: str, study: Values, marks: Attributes | None = None, threads: int = 1
+) -> None:
+    """Write a dataset, or a chunk of one, from its slice of the study.
+
+    A chunk has no attributes `marks` that name the study, so that it outlives changes elsewhere in it.
+    """
+    CORES.set(threads)
+    lengths = {} if name == "scenes" else sizes(name, study)
+    parts = blocks(lengths)
+    if len(parts) < 2:
+        _write(build_dataset(name, study), path, name, marks)
+        return
+    with tempfile.TemporaryDirectory(dir=Path(path).parent, prefix=f".{name}.") as folder:
+        for part in parts:
+            _write(build_dataset(name, cut(study, part)), Path(folder, _file(part)), name, None)
+        steps = {dim: span.stop - span.start for dim, span in parts[0].items()}
+        with joined(folder, lengths, steps) as whole:
+            _write(whole, path, name, marks)
+
+
+def gather(path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes) -> None:
+    """Write the chunks of a dataset into one file."""
+    with joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
+        _write(found, path, name, marks)
+
+
+def index(path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes) -> None:
+    """Write the index of a dataset that stays in its chunks."""
+    with joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
+        _write(index_of(found, whole["steps"]), path, name, marks)
+
+
+def simulation(path: PathLike, *, name: str, scene: str, marks: Attributes) -> None:
+    """Simulate a scene file and write the log."""
+    from planar_pushing.study.simulations import simulate_file
+
+    _write(simulate_file(load_scene_file(scene)), path, name, marks)
+
+
+def _file(part: Mapping[str, slice]) -> str:
+    return f"{chunk_name(part)}.nc"
+
+
+def _write(built: Built, path: PathLike, name: str, marks: Attributes | None) -> None:
+    """Write a dataset; of a whole one without the places along `solution` that no push fills.
+
+    What dask reads is written chunk after chunk, so that memory holds few.
+    """
+    with dask.config.set(scheduler="synchronous"):
+        _write_whole(built, path, name, marks)
+
+
+def _write_whole(built: Built, path: PathLike, name: str, marks: Attributes | None) -> None:
+    if marks is None:
+        write_dataset(built, path)
+        return
+    if isinstance(built, xr.Dataset) and "solutions" in built and "solution" in built.dims:
+        built = built.isel(solution=slice(max(1, int(built["solutions"].max()))))
+    write_dataset(of_study(built, name, marks), path)

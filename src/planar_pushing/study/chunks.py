@@ -1,0 +1,101 @@
+"""Large grids: the blocks of a job, the chunks of a study, and what they take.
+
+A chunk is a file named by the indices at which it starts along each dimension that is cut. Its borders are
+multiples of the study's numbers, and its job reads its own values of the axes alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from planar_pushing.study.slices import Cut, cut, cuts, sizes, study_slice
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from planar_pushing.study.files.replacing import PathLike
+    from planar_pushing.study.files.study_model import StudyFile
+
+#: Most points of a block, which one call computes.
+BLOCK = 2**16
+#: Points for which a job takes another thread, and the most threads that it keeps busy.
+POINTS_PER_THREAD, MOST_THREADS = 2**20, 4
+#: Megabytes of a job (measured at most: 540 for contact modes with both effects).
+MEMORY = 900
+#: Minutes of a job, and seconds of a point: ten times what contact modes take on a slow core.
+MINUTES, SECONDS_PER_POINT = 10, 1e-4
+
+
+def shape(lengths: Sequence[int], most: int) -> tuple[int, ...]:
+    """Lengths of a block of at most `most` points: whole inner dimensions, a power of two, then one."""
+    found: list[int] = []
+    for length in reversed(lengths):
+        fits = length <= most
+        found.append(length if fits else 1 << (most.bit_length() - 1))
+        most = max(most // max(length, 1), 1) if fits else 1
+    return tuple(reversed(found))
+
+
+def blocks(lengths: Mapping[str, int], most: int = BLOCK) -> list[Cut]:
+    """Parts of at most `most` points that make up a grid."""
+    steps = shape(list(lengths.values()), most)
+    return list(cuts(lengths, dict(zip(lengths, steps, strict=True))))
+
+
+def chunk_name(part: Cut) -> str:
+    """Name of a chunk, such as contact_10.pusher_angle_90: the indices at which it starts."""
+    return ".".join(f"{dim}_{span.start}" for dim, span in part.items())
+
+
+def chunk_steps(study: StudyFile, name: str) -> dict[str, int]:
+    """Most values of a chunk along each dimension that is cut, in the order of the dataset's."""
+    given = study.chunks.get(name, {})
+    return {dim: given[dim] for dim in sizes(name, study_slice(study, name)) if dim in given}
+
+
+def chunk_parts(study: StudyFile, name: str) -> dict[str, Cut]:
+    """Chunks of a dataset by name, in order."""
+    lengths = sizes(name, study_slice(study, name))
+    return {chunk_name(part): part for part in cuts(lengths, chunk_steps(study, name))}
+
+
+def chunk_slice(study: StudyFile, name: str, part: Cut) -> dict[str, Any]:
+    """Plain values of a study that a chunk reads."""
+    return cut(study_slice(study, name), part)
+
+
+def joined(
+    folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]
+) -> xr.Dataset:
+    """Open the chunks in a folder as one dataset, which dask reads where it is used.
+
+    Parameters
+    ----------
+    folder : path
+    lengths, steps : mapping
+        Of the whole and of a chunk, along the dimensions that are cut.
+    """
+    import xarray as xr
+
+    files = [Path(folder, f"{chunk_name(part)}.nc") for part in cuts(lengths, steps)]
+    counts = [-(-lengths[dim] // step) for dim, step in steps.items()]
+    return xr.open_mfdataset(
+        np.array(files).reshape(counts).tolist(), combine="nested", concat_dim=list(steps),
+        data_vars="minimal", coords="minimal", compat="override", join="override",
+        combine_attrs="override", engine="h5netcdf", chunks={}, decode_times=False,
+    )  # fmt: skip
+
+
+def threads(count: int) -> int:
+    """Threads that a job of so many points keeps busy."""
+    return min(max(math.ceil(count / POINTS_PER_THREAD), 1), MOST_THREADS)
+
+
+def minutes(count: int) -> int:
+    """Minutes after which a job of so many points has failed, on one core."""
+    return MINUTES + math.ceil(count * SECONDS_PER_POINT / 60)

@@ -1,1 +1,0 @@
-"""Datasets of the study of sliders: a gallery of supports."""

@@ -1,0 +1,24 @@
+"""Consistent solutions over support, rod, friction coefficient and pusher angle (Secs. 2 and 3)."""
+
+from __future__ import annotations
+
+import xarray as xr
+
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.study.datasets.base import (
+    axis,
+    friction_angle,
+    friction_axis,
+    pushing,
+    supported,
+)
+from planar_pushing.study.files.study_model import Part
+
+
+def build(part: Part) -> xr.Dataset:
+    """Build the dataset of a part of a study: `solve` of labelled arrays."""
+    found: xr.Dataset = solve(
+        supported(part, friction_axis(part)), pushing(axis(part, "pusher_angle"))
+    )
+    angle = friction_angle(part.grid["friction_coefficient"])
+    return found.assign_coords(friction_angle=("friction_coefficient", angle))

@@ -1,1 +1,0 @@
-"""Large grids: chunks of a study, files written block by block, and what they cost."""

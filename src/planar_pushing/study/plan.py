@@ -1,0 +1,79 @@
+"""The points, jobs, memory, disk and CPU time that each dataset of a study takes, before anything runs.
+
+Rates are measured on this machine, on blocks from all over the grid.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from planar_pushing.study import chunks
+from planar_pushing.study.build import build_dataset
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.files.study_model import StudyFile
+from planar_pushing.study.slices import computes, cut, points, sizes, study_slice
+from planar_pushing.study.store import write_dataset
+
+#: Blocks on which a rate is measured, four for each set of effects of a study with all, and their points.
+SAMPLES, SAMPLE = 12, 2**14
+#: CPU seconds that a job takes to start, beside its points (measured: 2.9).
+START = 3.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """Demands of a dataset: memory in MB for each job, disk in MB with its chunks."""
+
+    dataset: str
+    points: int
+    chunks: int
+    jobs: int
+    memory: int
+    disk: float
+    cpu_hours: float
+
+
+def study_plan(study: StudyFile) -> list[Plan]:
+    """Plan of each dataset of a study that has a grid."""
+    return [_plan(study, name) for name in DATASETS if DATASETS[name].dims and computes(study, name)]
+
+
+def _plan(study: StudyFile, name: str) -> Plan:
+    values = study_slice(study, name)
+    count = points(name, values)
+    seconds, stored = measured_rates(name, values)
+    number = len(chunks.chunk_parts(study, name)) if name in study.chunks else 0
+    copies = 2 if number and study.gather.get(name, True) else 1
+    return Plan(
+        dataset=name,
+        points=count,
+        chunks=max(number, 1),
+        jobs=number + 1,  # the last gathers the chunks, lists them, or is the one
+        memory=chunks.MEMORY,
+        disk=count * stored * copies / 1e6,
+        cpu_hours=(count * seconds * copies + (number + 1) * START) / 3600,
+    )
+
+
+def measured_rates(name: str, values: dict[str, Any]) -> tuple[float, float]:
+    """CPU seconds and bytes of a point, from blocks in the middles of equal parts of a grid."""
+    found = chunks.blocks(sizes(name, values), SAMPLE)
+    number = min(SAMPLES, len(found))
+    chosen = [found[(2 * i + 1) * len(found) // (2 * number)] for i in range(number)]
+    # First of one point, which compiles or loads the code of the others.
+    _measured(name, cut(values, {dim: slice(0, 1) for dim in found[0]}))
+    rows = [_measured(name, cut(values, part)) for part in chosen]
+    count = sum(row[0] for row in rows)
+    return sum(row[1] for row in rows) / count, sum(row[2] for row in rows) / count
+
+
+def _measured(name: str, values: dict[str, Any]) -> tuple[int, float, int]:
+    """Points of a block, CPU seconds to compute and write it, and its bytes."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, start = Path(folder) / "block.nc", time.process_time()
+        write_dataset(build_dataset(name, values), path)
+        return points(name, values), time.process_time() - start, path.stat().st_size

@@ -1,1 +1,0 @@
-"""Datasets in files: how they are stored, opened, cut into parts and joined."""
