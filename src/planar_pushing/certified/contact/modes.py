@@ -110,6 +110,37 @@ def outcome(found: dict[Mode, list[Motion]]) -> int:
     return min(2, sum(len(motions) for motions in found.values()))
 
 
+@precise
+def is_continuum(slider: Slider, effects: Effects, law: Law, pusher_angle: float | fmpq) -> bool:
+    """Whether slips from rest up to the stick are all consistent, under forces on an edge.
+
+    The pusher moves along the fence, and so does the contact under the force of an edge, at any speed.
+    """
+    pusher = heading(pusher_angle)
+    if not law.slips or pusher.y != 0:
+        return False
+    return any(
+        _keeps_to_fence(slider, effects, law.friction_coefficient, side, pusher) for side in (1, -1)
+    )
+
+
+def _keeps_to_fence(
+    slider: Slider, effects: Effects, mu: float, side: int, pusher: Heading
+) -> bool:
+    force = edge(mu, side)
+    if effects is Effects.BOTH and not is_steady(slider, force):
+        motions, _ = cover(slider, mu, side)
+        if not (motions.stays and motions.lever.is_zero()):
+            return False
+    share = effects.shares[0]
+    motion = contact_motion(slider, force, spin_ratio(slider, force, share))
+    exact = exact_contact_motion(slider, force, share)
+    if exact is None and not motion[1].contains(0):
+        return False
+    along = sign(motion[1], None if exact is None else lambda: exact[1]) == 0
+    return along and sign(motion[0]) == sign(pusher.x)
+
+
 def _sufficient(effects: Effects, magnitude: fmpq) -> fmpq:
     """Magnitude on which the sticking motion depends: one effect alone has no scale."""
     return magnitude if effects is Effects.BOTH else fmpq(1)

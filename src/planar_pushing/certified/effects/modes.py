@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import Exact, Undecided, rational, sign
 from planar_pushing.certified.contact.modes import SLIPS, Law, Mode
 from planar_pushing.certified.effects.rest import free_normal, is_held
 from planar_pushing.certified.effects.slips import Slip, slips
 from planar_pushing.certified.effects.steady import steady_foot, steady_slips
-from planar_pushing.certified.effects.under import is_straight, under
+from planar_pushing.certified.effects.under import Moved, is_straight, under
 from planar_pushing.certified.effects.way import Way, line
 from planar_pushing.certified.potential import collinear
 from planar_pushing.certified.potential import direction as directions
 from planar_pushing.certified.potential.direction import Direction, relative, returned
-from planar_pushing.certified.potential.precision import decided
+from planar_pushing.certified.potential.precision import COARSE, decided
 from planar_pushing.certified.potential.push import Push
 from planar_pushing.certified.potential.resistance import Resistance, Scene, resistance
 from planar_pushing.certified.potential.sticking import NOTHING, Stuck, is_across, stick
@@ -66,7 +67,9 @@ def edge(law: Law, side: int) -> Direction:
     return directions.along(side * rational(law.friction_coefficient), fmpq(1))
 
 
-def modes(scene: Scene, law: Law, pusher: Direction, size: fmpq) -> list[Solution]:
+def modes(
+    scene: Scene, law: Law, pusher: Direction, size: fmpq, precisions: Sequence[int] = COARSE
+) -> list[Solution]:
     """Every consistent solution, by mode; of one mode the one next to the stick first.
 
     Parameters
@@ -77,6 +80,8 @@ def modes(scene: Scene, law: Law, pusher: Direction, size: fmpq) -> list[Solutio
         Of the pusher's motion, fence's frame.
     size : fmpq
         Its magnitude, > 0.
+    precisions : sequence of int
+        In bits, tried in turn.
 
     Raises
     ------
@@ -84,7 +89,12 @@ def modes(scene: Scene, law: Law, pusher: Direction, size: fmpq) -> list[Solutio
         Where a coincidence is not decided at any precision, for instance a force on an edge that is not
         known to be so, or where a load moves the slider against friction alone.
     """
-    return decided(lambda: list(_solutions(_Problem(resistance(scene), scene, law, pusher, size))))
+
+
+    def found() -> list[Solution]:
+        return list(_solutions(_Problem(resistance(scene), scene, law, pusher, size)))
+
+    return decided(found, precisions)
 
 
 class _Problem(NamedTuple):
@@ -124,18 +134,34 @@ class _Problem(NamedTuple):
         return self.moves == 0 and is_across(self.push) and self.total.is_even()
 
 
+@lru_cache(maxsize=1 << 12)
+def _stuck(scene: Scene, pusher: Direction, size: fmpq, precision: int) -> Stuck:
+    """The sticking motion, which laws share."""
+    total = resistance(scene)
+    return stick(total, total.push(relative(pusher, scene.rod)), size)
+
+
+@lru_cache(maxsize=1 << 12)
+def _loaded(scene: Scene, friction_coefficient: float, side: int, precision: int) -> Moved:
+    """The motion under the force of an edge of the friction cone, which pushers share."""
+    total, bound = resistance(scene), edge(Law(friction_coefficient), side)
+    return under(total, total.push(relative(bound, scene.rod)), ONE)
+
+
 def _solutions(problem: _Problem) -> Iterator[Solution]:
     law, total = problem.law, problem.total
     yield from _separate(problem)
     push = problem.push
-    stuck = stick(total, push, problem.size)
-    # Slips from rest up to the stick, all under a force on both edges.
-    continuum = problem.is_even and law.slips and math.isinf(law.friction_coefficient)
-    if law.adhesive or _admits(problem, stuck):
+    stuck = _stuck(problem.scene, problem.pusher, problem.size, ctx.prec)
+    admitted, on_edge = _admits(problem, stuck)
+    # Slips from rest up to the stick, all under forces on an edge.
+    along = problem.moves == 0 and (total.is_steady or problem.is_even)
+    continuum = admitted and on_edge and along and law.slips
+    if law.adhesive or admitted:
         motion = returned((push.x * problem.size, push.y * problem.size), total.rod)
         force, free = (returned(each, total.rod) for each in (stuck.force, stuck.free))
         yield Solution(Mode.STICK, motion, stuck.spin, force, free, stuck.pivot, continuum)
-    if law.slips and not continuum:
+    if law.slips and not (problem.moves == 0 and total.is_steady) and not continuum:
         for mode, side in SLIPS.items():
             yield from _slips(problem, mode, side)
 
@@ -154,25 +180,26 @@ def _separate(problem: _Problem) -> Iterator[Solution]:
         yield Solution(Mode.SEPARATE, unknown, arb.nan(), NOTHING)
 
 
-def _admits(problem: _Problem, stuck: Stuck) -> bool:
-    """Whether a force of a sticking motion is in the cone; of a pivot any of the interval."""
+def _admits(problem: _Problem, stuck: Stuck) -> tuple[bool, bool]:
+    """Whether a force of a sticking motion is in the cone, and one on an edge; of a pivot any."""
     law, low, high = problem.law, arb(-1), arb(1)
     force, free = (returned(each, problem.total.rod) for each in (stuck.force, stuck.free))
     exact = problem.pusher.exact if stuck.straight else None
+    inside = []
     for side in (1, -1):
         bound = edge(law, side)
         depth, change = (side * _cross(bound.ball(), each) for each in (force, free))
         if stuck.pivot < 0:
-            within = sign(depth, _exact_depth(bound, side, exact))
-            if within < 0 or (within == 0 and not law.closed):
-                return False
+            inside.append(sign(depth, _exact_depth(bound, side, exact)))
         elif sign(change) > 0:
             low = arb.max(low, -depth / change)
         else:
             high = arb.min(high, -depth / change)
     if stuck.pivot >= 0:
-        return sign(high - low) > 0
-    return law.friction_coefficient > 0 or sign(force[1]) > 0
+        return sign(high - low) > 0, low > -1 or high < 1
+    if min(inside) < 0 or (min(inside) == 0 and not law.closed):
+        return False, False
+    return law.friction_coefficient > 0 or sign(force[1]) > 0, min(inside) == 0
 
 
 def _cross(a: tuple[Exact, Exact], b: tuple[Exact, Exact]) -> Exact:
@@ -199,13 +226,25 @@ def _slips(problem: _Problem, mode: Mode, side: int) -> Iterator[Solution]:
         found = _ray(problem, side)
     elif foot >= 0:
         found = steady_slips(way, loaded, stick_place, -side, foot, problem.is_even)
-    elif problem.is_even or (problem.moves == 0 and _is_inert(total)):
+    elif problem.is_even:
         found = ()
     else:
         found = slips(way, loaded, stick_place, -side)
     for each in found:
         motion, force = (returned(vector, total.rod) for vector in (each.motion, each.force))
         yield Solution(mode, motion, each.spin, force, NOTHING, each.pivot, continuum=foot >= 0)
+
+
+def _across_rod(problem: _Problem, found: Moved) -> tuple[Exact, Exact] | None:
+    """The motion of a contact that turns about a foot on the rod's line, as a positive multiple."""
+    rod = problem.scene.rod.exact
+    if rod is None or found.pivot < 0:
+        return None
+    x, y = problem.total.foot(found.pivot)
+    if y:
+        return None
+    turn = -sign(found.spin) if x > 0 else sign(found.spin)
+    return -turn * rod[1], turn * rod[0]
 
 
 def _ray(problem: _Problem, side: int) -> Iterator[Slip]:
@@ -215,9 +254,9 @@ def _ray(problem: _Problem, side: int) -> Iterator[Slip]:
     straight = is_straight(total, push, ONE)
     if straight and total.weight != 0 and collinear.crossed(push) is not None:
         raise Undecided("a corner: one force, an interval of motions")
-    found = under(total, push, ONE)
+    found = _loaded(problem.scene, problem.law.friction_coefficient, side, ctx.prec)
     parallel = straight or (is_across(push) and total.is_even())
-    exact = bound.exact if parallel else None
+    exact = bound.exact if parallel else _across_rod(problem, found)
     motion = bound.ball() if parallel else returned(found.motion, total.rod)
     if sign(motion[1], None if exact is None else lambda: exact[1]) != problem.moves:
         return
@@ -230,8 +269,3 @@ def _ray(problem: _Problem, side: int) -> Iterator[Slip]:
     x, y = (each * scale for each in found.motion)
     size = found.force * (scale if total.weight == 0 else 1)
     yield Slip(arb(0), (x, y), found.spin * scale, (size * push.x, size * push.y), found.pivot)
-
-
-def _is_inert(total: Resistance) -> bool:
-    """Whether force is a multiple of motion: along the fence it is then never on an edge, but at rest."""
-    return total.weight == 0 and all(each.is_zero() for each in total.load)

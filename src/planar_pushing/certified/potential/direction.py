@@ -17,9 +17,9 @@ from planar_pushing.certified.balls import (
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Direction:
-    """A unit vector.
+    """A unit vector; directions are compared by identity.
 
     Attributes
     ----------

@@ -1,43 +1,91 @@
-"""Compare results with golden data: what differs, where and by how much, worst first.
+"""Comparison of results with golden data: values, coordinates, attributes and lists of variables.
 
-A golden file holds, for each variable `x` that it certifies, the midpoint of an enclosure as the pair of
-doubles `x` and `x_low` and its rigorous radius `x_radius`. Its axes are a part of the result's.
-A computed value passes where it differs from the midpoint by no more than tolerance plus radius.
+A golden file is the dataset with its certified values: of a variable `x` the midpoints of enclosures, with
+the exponents of their radii in `x_radius`. A computed value passes where it differs from the midpoint by no
+more than tolerance plus radius. Texts, whole numbers and truth values must be equal.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from enum import StrEnum
+from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
+from pydantic import Field
 
-from planar_pushing.evidence.golden.build.enclosures import golden_variables
-from planar_pushing.evidence.golden.rules import Rule
-from planar_pushing.evidence.golden.tolerances import Tolerance
+from planar_pushing.evidence.golden.enclosures import RADIUS, radii
+from planar_pushing.study.files.fields import FileModel, NonNegative
+from planar_pushing.study.files.scenes import load_model
 
 Floats = npt.NDArray[np.float64]
-#: A variable that no tolerance names must agree exactly.
-EXACT = Tolerance()
-#: Attributes that must be the same.
-MARKS = ("units", "quantity", "flag_meanings")
+#: Root attribute of a golden file that says how its numbers are known, a `Kind`.
+KIND = "golden_kind"
+#: Attributes that are those of a golden file, or of the packages that a result was computed with.
+ASIDE = (KIND, "golden_method", "golden_checked_by_integrals", "golden_versions", "versions")
+
+
+class Kind(StrEnum):
+    """How the numbers of a golden file are known."""
+
+    ENCLOSED = "enclosed"
+    SEARCHED = "enclosed where a search ends"
+    INTEGRATED = "integrated to 30 digits"
+    PLAIN = "compared with stored values"
+
+
+#: Variables that are enclosed at a place that a search found.
+SEARCHED = ("worst_force_error", "worst_motion_error")
+
+
+class Tolerance(FileModel):
+    """Largest difference from a golden value: units in the last place plus an amount in its unit.
+
+    The first are those of the largest component of a vector.
+    """
+
+    ulp: NonNegative = 0.0
+    absolute: NonNegative = 0.0
+
+
+class TolerancesFile(FileModel):
+    """Tolerances of variables by dataset; `every` holds those that a dataset does not list itself."""
+
+    tolerances: dict[str, dict[str, Tolerance]] = Field(default_factory=dict)
+
+    def of(self, file: str, variable: str) -> Tolerance:
+        """Tolerance of a variable; one that is not listed must agree exactly."""
+        for name in (file, file.partition("/")[0], "every"):
+            found = self.tolerances.get(name, {}).get(variable)
+            if found:
+                return found
+        return Tolerance()
+
+
+def load_tolerances() -> TolerancesFile:
+    """The tolerances of the package."""
+    path = files("planar_pushing.evidence.golden") / "tolerances.yaml"
+    return load_model(Path(str(path)), TolerancesFile)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Check:
-    """Comparison of one variable by its rule, or the reason why there was none.
+    """Comparison of one variable, or the reason why there was none.
 
     Attributes
     ----------
     file, variable : str
         The dataset, and the variable in it; empty where the dataset as a whole is compared.
-    rule : Rule
-        How the values are verified.
-    count, failed : int
-        Values compared, and how many of them differ by more than is allowed.
+    kind : Kind
+        How the golden values are known.
+    count, labels, failed : int
+        Finite numbers that were compared, further entries (infinite, NaN, texts, flags), and how many of
+        both differ by more than is allowed.
     error, ulp, allowed : float
         Of the worst value: its difference, the same in units in the last place, and what is allowed.
     where : str
@@ -48,8 +96,9 @@ class Check:
 
     file: str
     variable: str = ""
-    rule: Rule = Rule.ENCLOSURE
+    kind: Kind = Kind.ENCLOSED
     count: int = 0
+    labels: int = 0
     failed: int = 0
     error: float = 0.0
     ulp: float = 0.0
@@ -74,111 +123,147 @@ class Check:
 
 
 def compare(
-    file: str, result: xr.Dataset, golden: xr.Dataset, tolerances: Mapping[str, Tolerance]
+    file: str, result: xr.Dataset, golden: xr.Dataset, tolerances: TolerancesFile
 ) -> list[Check]:
-    """Compare every variable that a golden file certifies with a result."""
-    return [
-        _compare_variable(file, name, result, golden, tolerances.get(name, EXACT))
-        for name in golden_variables(golden)
-    ]
+    """Compare a dataset with its golden file."""
+    kind = Kind(golden.attrs.get(KIND, Kind.PLAIN))
+    checks = [Check(file=file, kind=kind, problem=each) for each in _differences(result, golden)]
+    for name in _variables(golden):
+        if name in result.variables and not _unlike(result[name], golden[name]):
+            own = Kind.SEARCHED if name in SEARCHED and kind is Kind.ENCLOSED else kind
+            check = Check(file=file, variable=name, kind=own)
+            checks.append(_compared(check, result[name], golden, tolerances.of(file, name)))
+    return checks
 
 
-def _problem(name: str, result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]:
-    """Reasons why a variable cannot be compared."""
-    if name not in result:
-        yield "is missing from the result"
-        return
-    found, wanted = result[name], golden[name]
+def _variables(golden: xr.Dataset) -> list[str]:
+    """Variables and coordinates of a golden file, without their radii."""
+    return [str(name) for name in golden.variables if not str(name).endswith(RADIUS)]
+
+
+def _differences(result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]:
+    """What differs in the lists of variables, their dimensions and attributes."""
+    wanted = _variables(golden)
+    for name in sorted(set(wanted) - set(map(str, result.variables))):
+        yield f"{name} is missing from the result"
+    for name in sorted(set(map(str, result.variables)) - set(wanted)):
+        yield f"{name} is not in the golden data"
+    yield from _attributes("", result.attrs, golden.attrs)
+    for name in wanted:
+        if name in result.variables:
+            problem = _unlike(result[name], golden[name])
+            if problem:
+                yield f"{name} {problem}"
+            yield from _attributes(f"{name} ", result[name].attrs, golden[name].attrs)
+
+
+def _attributes(name: str, ours: Mapping[str, Any], theirs: Mapping[str, Any]) -> Iterator[str]:
+    for key in sorted({*ours, *theirs} - set(ASIDE)):
+        one, other = ours.get(key), theirs.get(key)
+        if not np.array_equal(np.asarray(one), np.asarray(other)):
+            yield f"{name}has {key} {_short(one)}, not {_short(other)}"
+
+
+def _short(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) < 80 else f"{text[:77]}..."
+
+
+def _unlike(found: xr.DataArray, wanted: xr.DataArray) -> str:
+    """What keeps a variable from being compared."""
     if found.dims != wanted.dims:
-        yield f"has the dims {found.dims}, not {wanted.dims}"
-        return
-    for mark in MARKS:
-        if found.attrs.get(mark) != wanted.attrs.get(mark):
-            yield f"has {mark} {found.attrs.get(mark)!r}, not {wanted.attrs.get(mark)!r}"
-    for dim in wanted.dims:
-        if dim in golden.coords:
-            absent = ~np.isin(golden[dim].values, result[dim].values)
-            if absent.any():
-                yield f"has no {dim} {golden[dim].values[absent][0]}"
-            if result[dim].attrs.get("units") != golden[dim].attrs.get("units"):
-                yield f"has {dim} in {result[dim].attrs.get('units')!r}"
-        elif found.sizes[dim] != wanted.sizes[dim]:
-            yield f"has {found.sizes[dim]} entries of {dim}, not {wanted.sizes[dim]}"
+        return f"has the dims {found.dims}, not {wanted.dims}"
+    if found.shape != wanted.shape:
+        return f"has the shape {found.shape}, not {wanted.shape}"
+    one, other = (each.dtype.kind.replace("O", "U") for each in (found, wanted))
+    return f"has the type {found.dtype}, not {wanted.dtype}" if one != other else ""
 
 
-def _compare_variable(
-    file: str, name: str, result: xr.Dataset, golden: xr.Dataset, tolerance: Tolerance
+def _compared(
+    check: Check, found: xr.DataArray, golden: xr.Dataset, tolerance: Tolerance
 ) -> Check:
-    problem = "; ".join(_problem(name, result, golden))
-    check = Check(file=file, variable=name, problem=problem)
-    if problem:
-        return check
-    wanted = golden[name]
-    chosen = {dim: golden[dim].values for dim in wanted.dims if dim in golden.coords}
-    found = result[name].sel(chosen)
-    computed, middle = found.values, wanted.values
-    if computed.dtype.kind not in "fiu":
-        wrong = computed != middle
-        failed = int(wrong.sum())
-        return replace(check, count=computed.size, failed=failed, error=float(wrong.any()))
-    absent = np.isnan(computed.astype(float)) != np.isnan(middle.astype(float))
-    if absent.any():
-        return replace(check, problem=f"has NaN, or none, at {int(absent.sum())} points")
-    low, radius = (
-        golden[f"{name}{part}"].values if f"{name}{part}" in golden else np.zeros(middle.shape)
-        for part in ("_low", "_radius")
+    wanted = golden[check.variable]
+    name = f"{check.variable}{RADIUS}"
+    radius = radii(golden[name].values) if name in golden else np.zeros(wanted.shape)
+    scale = wanted.values
+    if {"xy", "twist_component"} & set(wanted.dims) and wanted.dtype.kind == "f":
+        scale = np.broadcast_to(_largest(scale), scale.shape)
+
+    def label(at: tuple[int, ...]) -> str:
+        return ", ".join(
+            f"{dim}={wanted[dim].values[i] if dim in wanted.coords else i}"
+            for dim, i in zip(wanted.dims, at, strict=True)
+        )
+
+    return judged(check, found.values, wanted.values, radius, scale, tolerance, label)
+
+
+def _largest(vectors: Floats) -> Floats:
+    """Largest finite component of vectors along the last dimension."""
+    sizes = np.where(np.isfinite(vectors), np.abs(vectors), 0.0)
+    found: Floats = sizes.max(axis=-1, keepdims=True)
+    return found
+
+
+def judged(
+    check: Check,
+    computed: npt.NDArray[Any],
+    middle: npt.NDArray[Any],
+    radius: Floats,
+    scale: npt.NDArray[Any],
+    tolerance: Tolerance,
+    label: Any,
+) -> Check:
+    """The check of values against midpoints and radii; `label` names a place.
+
+    Units in the last place are those of `scale`.
+    """
+    if middle.dtype.kind != "f":
+        wrong = computed.astype(str) != middle.astype(str) if middle.dtype.kind in "OU" else computed != middle
+        found = replace(check, labels=middle.size, failed=int(wrong.sum()), error=float(wrong.any()))
+        return _described(found, computed, middle, wrong.astype(float), label)
+    finite = np.isfinite(middle)
+    size = np.where(np.isfinite(scale), np.abs(scale), 0.0)
+    allowed = tolerance.ulp * np.spacing(size) * (tolerance.ulp > 0) + tolerance.absolute + radius
+    error = _difference(computed, middle)
+    counted = replace(
+        check,
+        count=int(finite.sum()),
+        labels=int(finite.size - finite.sum()),
+        failed=int((~(error <= allowed)).sum()),
     )
-    error = _difference(computed, middle, low)
-    finite = np.where(np.isfinite(middle), np.abs(middle), 0.0)
-    allowed = tolerance.ulp * np.spacing(finite) + tolerance.absolute + radius
-    return _worst(check, wanted, computed, error, allowed)
-
-
-def _difference(computed: Floats, middle: Floats, low: Floats) -> Floats:
-    """Absolute difference from ``middle + low``; 0 where both are the same infinity, or both NaN."""
-    same = (computed == middle) | (np.isnan(computed) & np.isnan(middle))
-    with np.errstate(invalid="ignore"):
-        gap = np.abs((np.asarray(computed, float) - middle) - low)
-    return np.where(same & ~np.isfinite(middle), 0.0, np.where(np.isnan(gap), np.inf, gap))
-
-
-def _worst(
-    check: Check, wanted: xr.DataArray, computed: Floats, error: Floats, allowed: Floats
-) -> Check:
-    found = judged(check, wanted.copy(data=computed), error, allowed)
-    at = worst(error, allowed)
-    middle = wanted.values[at]
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        ulp = float(error[at] / np.spacing(np.abs(middle.astype(float)))) if found.error else 0.0
-    return replace(found, ulp=ulp, where=f"{found.where}, golden {middle!s}")
-
-
-def worst(error: Floats, allowed: Floats) -> tuple[int, ...]:
-    """Place of the largest error against what is allowed."""
     if not error.size:
-        return ()
+        return counted
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         ratio = np.where(error == 0, 0.0, error / allowed)
-    flat = int(np.argmax(np.where(np.isnan(ratio), np.inf, ratio)))
-    return tuple(int(i) for i in np.unravel_index(flat, error.shape))
-
-
-def judged(check: Check, values: xr.DataArray, error: Any, allowed: Any) -> Check:
-    """The check with the errors of all values; it fails where an error is NaN."""
-    error, allowed = (np.broadcast_to(each, values.shape) for each in (error, allowed))
-    failed = ~(error <= allowed)
-    if not values.size:
-        return check
-    at = worst(error, allowed)
-    coordinates = ", ".join(
-        f"{dim}={values[dim].values[i] if dim in values.coords else i}"
-        for dim, i in zip(values.dims, at, strict=True)
-    )
+    found = _described(counted, computed, middle, ratio, label)
+    at = _place(ratio)
+    spacing = float(np.spacing(abs(float(middle[at])))) if finite[at] else np.inf
     return replace(
-        check,
-        count=values.size,
-        failed=int(failed.sum()),
+        found,
         error=float(error[at]),
+        ulp=float(error[at]) / spacing if error[at] else 0.0,
         allowed=float(allowed[at]),
-        where=f"{coordinates}: computed {values.values[at]!s}".lstrip(": "),
     )
+
+
+def _difference(computed: Floats, middle: Floats) -> Floats:
+    """Absolute difference; 0 where both are the same infinity, or both NaN."""
+    same = (computed == middle) | (np.isnan(computed) & np.isnan(middle))
+    with np.errstate(invalid="ignore"):
+        gap = np.abs(np.asarray(computed, float) - middle)
+    return np.where(same, 0.0, np.where(np.isnan(gap), np.inf, gap))
+
+
+def _place(badness: Floats) -> tuple[int, ...]:
+    flat = int(np.argmax(np.where(np.isnan(badness), np.inf, badness)))
+    return tuple(int(i) for i in np.unravel_index(flat, badness.shape))
+
+
+def _described(check: Check, computed: Any, middle: Any, badness: Floats, label: Any) -> Check:
+    """The check with its worst place."""
+    if not badness.size or not badness.any():
+        return check
+    at = _place(badness)
+    where = f"{label(at)}: computed {computed[at]!s}, golden {middle[at]!s}".lstrip(": ")
+    return replace(check, where=where)

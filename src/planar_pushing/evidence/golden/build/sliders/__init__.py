@@ -1,1 +1,0 @@
-"""Golden data of the study of sliders."""

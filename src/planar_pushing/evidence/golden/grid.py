@@ -1,0 +1,192 @@
+"""Certified values over a grid, or at some of its points: each point by its cell, in several processes."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from multiprocessing import get_context
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from flint import arb
+from tqdm import tqdm
+
+from planar_pushing.certified import ring
+from planar_pushing.certified.balls import Undecided, precise
+from planar_pushing.certified.integrals import printed
+from planar_pushing.certified.supports.pressure import integrals, moments
+from planar_pushing.evidence.golden import cells, supports
+from planar_pushing.evidence.golden.cells import Record, Values
+from planar_pushing.evidence.golden.enclosures import EXACT, RADIUS, packed
+from planar_pushing.terms.errors import InvalidResult
+
+Point = tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A function of one point, and the dimensions whose coordinates it takes."""
+
+    dims: tuple[str, ...]
+    function: Callable[..., Record]
+
+
+ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
+#: The cells of each dataset; together they give all of its numbers.
+CELLS: Mapping[str, tuple[Cell, ...]] = {
+    "limit_curves": (
+        Cell(("effects", "rod_length", "rod_angle", "force_angle"), cells.limit_point),
+    ),
+    "motion_cones": (
+        Cell(("effects", "rod_length", "rod_angle", "friction_coefficient"), cells.motion_cone),
+        Cell(("friction_coefficient",), cells.coefficients),
+    ),
+    "contact_modes": (
+        Cell(
+            ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle"),
+            cells.solutions,
+        ),
+        Cell(("contact",), cells.contact_laws),
+    ),
+    "acceleration_centers": (
+        Cell(("rod_length", "force_angle", "inertia_share"), cells.acceleration_center),
+        Cell(("rod_length",), cells.acceleration_cones),
+    ),
+    "center_regions": (Cell(("rod_length", "rod_angle", "force_angle"), cells.region_ends),),
+    "supports": (
+        Cell(("support", "center_x", "center_y"), supports.wrench),
+        Cell(("support",), supports.numbers),
+    ),
+    "support_cones": (
+        Cell(ROD, supports.cone),
+        Cell(("friction_coefficient",), cells.coefficients),
+    ),
+    "support_modes": (
+        Cell((*ROD, "pusher_angle"), supports.solutions),
+        Cell(("friction_coefficient",), cells.coefficients),
+    ),
+}
+#: Points that a process takes at once.
+TAKEN = 400
+
+
+def use_integrals() -> None:
+    """Evaluate every support by its integrals, as printed, from now on."""
+    ring.use(printed)
+    moments.use(integrals.printed)
+
+
+@precise
+def evaluated(cell: Cell, values: Values, point: Point) -> Record | str:
+    """Record of a point with each number as midpoint and exponent, or the reason why there is none."""
+    try:
+        return {name: _nested(each) for name, each in cell.function(values, *point).items()}
+    except Undecided as error:
+        return str(error)
+
+
+def _nested(value: Any) -> Any:
+    """Numbers as pairs of midpoint and exponent, in the lists in which they are."""
+    if isinstance(value, list):
+        return [_nested(each) for each in value]
+    return packed(value) if isinstance(value, arb) else (value, EXACT)
+
+
+def records(
+    cell: Cell, values: Values, points: Sequence[Point], processes: int, second: bool = False
+) -> Iterator[Record | str]:
+    """Records of points, in order; `second` evaluates all by the integrals as printed."""
+    with get_context("spawn").Pool(processes, use_integrals if second else None) as pool:
+        step = max(1, min(TAKEN, len(points) // (4 * processes)))
+        yield from pool.imap(partial(evaluated, cell, values), points, chunksize=step)
+
+
+def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
+    """The coordinates of all points along some dimensions."""
+    axes = [dataset[dim].values.tolist() for dim in dims]
+    return list(itertools.product(*axes))
+
+
+def certified(
+    name: str, values: Values, template: xr.Dataset, processes: int, shown: str = ""
+) -> xr.Dataset:
+    """A dataset with the certified values in place of its own, and the exponents of their radii.
+
+    Parameters
+    ----------
+    name : str
+    values : mapping
+        Slice of the study.
+    template : xarray.Dataset
+        The dataset as it is computed: its coordinates, texts and attributes stay.
+
+    Raises
+    ------
+    InvalidResult
+        Where a point is not decided, or a number of the dataset is certified by no cell.
+    """
+    found = template.copy(deep=True)
+    for cell in CELLS[name]:
+        every = points(template, cell.dims)
+        computed = records(cell, values, every, processes)
+        shown_records = tqdm(computed, shown or name, len(every), disable=None, leave=False)
+        for index, record in enumerate(shown_records):
+            if isinstance(record, str):
+                raise InvalidResult(kink(name, cell, every[index], record))
+            _place(found, template, cell, index, record)
+    _require_all(name, found)
+    return found
+
+
+def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
+    """What is said of a point at which nothing is certified."""
+    where = ", ".join(f"{dim}={each}" for dim, each in zip(cell.dims, point, strict=True))
+    return (
+        f"{name}: {where}: on a kink, where rounding decides ({reason}); allowed: a point off it; "
+        "choose another value of the grid, such as another coefficient of friction"
+    )
+
+
+def _place(
+    found: xr.Dataset, template: xr.Dataset, cell: Cell, index: int, record: Record
+) -> None:
+    """Put the numbers of a point at their place."""
+    sizes = [template.sizes[dim] for dim in cell.dims]
+    at = np.unravel_index(index, sizes)
+    for name, nested in record.items():
+        if f"{name}{RADIUS}" not in found:
+            _prepare(found, template, name)
+        middle, exponent = (found[each].values for each in (name, f"{name}{RADIUS}"))
+        if isinstance(nested, tuple):
+            middle[at], exponent[at] = nested
+        elif nested:
+            numbers = np.array(nested, dtype=object)
+            span = (*at, *(slice(0, length) for length in numbers.shape[:-1]))
+            middle[span], exponent[span] = numbers[..., 0], numbers[..., 1]
+
+
+def _prepare(found: xr.Dataset, template: xr.Dataset, name: str) -> None:
+    """Empty a variable, and add the one of its radii."""
+    values = np.full_like(template[name].values, _empty(name, template[name].dtype))
+    found[name] = template[name].copy(data=values)
+    exponents = np.full(values.shape, EXACT, np.int8)
+    found[f"{name}{RADIUS}"] = (template[name].dims, exponents)
+
+
+def _empty(name: str, dtype: np.dtype[Any]) -> Any:
+    """What a place holds that a point does not fill, such as one behind the last solution."""
+    if dtype.kind == "f":
+        return np.nan
+    return -1 if name in ("mode", "pivot") else 0
+
+
+def _require_all(name: str, found: xr.Dataset) -> None:
+    """Refuse a dataset with numbers that no cell certifies; coordinates on the grid are exact."""
+    for each, variable in found.variables.items():
+        plain = variable.dtype.kind in "OU" or str(each) in found.dims or str(each).endswith(RADIUS)
+        given = str(each) == "friction_coefficient"
+        if not (plain or given or f"{each}{RADIUS}" in found):
+            raise InvalidResult(f"{name}: {each} is certified by no cell; add it to one")

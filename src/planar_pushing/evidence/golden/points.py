@@ -1,0 +1,121 @@
+"""Certified points of any study: the check where there are no golden data."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.evidence.golden.check import require_results
+from planar_pushing.evidence.golden.compare import Check, judged, load_tolerances
+from planar_pushing.evidence.golden.enclosures import radii
+from planar_pushing.evidence.golden.grid import CELLS, Cell, Point, kink, records
+from planar_pushing.study.catalog import dataset_file
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.slices import computes, study_slice
+from planar_pushing.study.store import read_dataset
+from planar_pushing.study.study_file import load_study
+
+SEED = 20_261_125
+
+
+@dataclass(slots=True)
+class Compared:
+    """Numbers of a variable at points: computed, midpoints, exponents, and the points."""
+
+    computed: list[Any] = field(default_factory=list)
+    middle: list[Any] = field(default_factory=list)
+    exponent: list[int] = field(default_factory=list)
+    place: list[str] = field(default_factory=list)
+
+
+def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check], str]:
+    """Certify random points of each dataset of a study, and compare them with the results.
+
+    Returns
+    -------
+    list of Check
+    str
+        How many points were certified, and which were left open.
+    """
+    study = load_study(file)
+    require_results(folder)
+    checks: list[Check] = []
+    said, open_ones = [], []
+    for name in (each for each in CELLS if computes(study, each)):
+        result = read_dataset(folder / dataset_file(name))
+        taken, skipped, found = _certified(name, study_slice(study, name), result, number)
+        checks += [_check(name, variable, each) for variable, each in found.items()]
+        said.append(f"{taken} of {name}")
+        open_ones += skipped
+    note = f"certified points, chosen at random: {', '.join(said)}"
+    if open_ones:
+        note += f"; {len(open_ones)} more are left open, the first: {open_ones[0]}"
+    return checks, note
+
+
+def _certified(
+    name: str, values: Mapping[str, Any], result: xr.Dataset, number: int
+) -> tuple[int, list[str], dict[str, Compared]]:
+    """Numbers of random points, by variable; how many points, and which are left open."""
+    found: dict[str, Compared] = {}
+    skipped = []
+    chooser, taken = np.random.default_rng(SEED), 0
+    for cell in CELLS[name]:
+        chosen = list(_chosen(cell, result, number, chooser))
+        points = [point for _, point in chosen]
+        every = records(cell, values, points, min(os.cpu_count() or 1, 4))
+        for (index, point), record in zip(chosen, every, strict=True):
+            if isinstance(record, str):
+                skipped.append(kink(name, cell, point, record))
+                continue
+            taken += cell is CELLS[name][0]
+            where = ", ".join(f"{dim}={each}" for dim, each in zip(cell.dims, point, strict=True))
+            for variable, nested in record.items():
+                values_here = result[variable].isel(index).values
+                _add(found.setdefault(variable, Compared()), values_here, nested, where)
+    return taken, skipped, found
+
+
+def _chosen(
+    cell: Cell, result: xr.Dataset, number: int, chooser: np.random.Generator
+) -> Iterator[tuple[dict[str, int], Point]]:
+    """Indices and coordinates of points, each at most once."""
+    sizes = [result.sizes[dim] for dim in cell.dims]
+    whole = int(np.prod(sizes))
+    for flat in sorted(chooser.choice(whole, min(number, whole), replace=False).tolist()):
+        index = dict(zip(cell.dims, map(int, np.unravel_index(flat, sizes)), strict=True))
+        yield index, tuple(result[dim].values[i].item() for dim, i in index.items())
+
+
+def _add(compared: Compared, computed: Any, nested: Any, where: str) -> None:
+    """Add the numbers of a point; places behind the last solution have none."""
+    pairs = np.array(nested, dtype=object)
+    if not pairs.size:
+        return
+    span = tuple(slice(0, length) for length in pairs.shape[:-1])
+    compared.computed += np.asarray(computed)[span].ravel().tolist()
+    flat = pairs.reshape(-1, 2)
+    compared.middle += flat[:, 0].tolist()
+    compared.exponent += flat[:, 1].tolist()
+    compared.place += [where] * len(flat)
+
+
+def _check(name: str, variable: str, each: Compared) -> Check:
+    computed, middle = (np.asarray(part) for part in (each.computed, each.middle))
+    if middle.dtype.kind == "f":
+        computed = computed.astype(float)
+    return judged(
+        Check(file=name, variable=variable),
+        computed,
+        middle,
+        radii(np.asarray(each.exponent, np.int8)),
+        middle,
+        load_tolerances().of(name, variable),
+        lambda at: each.place[at[0]],
+    )
