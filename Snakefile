@@ -1,6 +1,6 @@
 # Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
-# Surfaces. `snakemake` builds everything; `snakemake data`, `figures`, `golden` and `sliders` build parts,
-# `snakemake accuracy` measures what accuracy costs, `make manual` builds the manual.
+# Surfaces. `snakemake` builds everything; `snakemake data`, `figures`, `golden`, `claims` and `paper` build
+# parts, `snakemake accuracy` measures what accuracy costs, `snakemake manual` builds the manual.
 # Another study, alone: snakemake --config study=workflow/config/smoke.yaml
 
 
@@ -8,72 +8,33 @@ report: "workflow/report/workflow.rst"
 
 
 include: "workflow/rules/common.smk"
-
-
-pathvars:
-    results=RESULTS,
-    sliders=folder_of(GALLERY_FILE),
-
-
-if STUDY:
-
-    include: "workflow/rules/data.smk"
-    include: "workflow/rules/simulations.smk"
-    include: "workflow/rules/figures.smk"
-    include: "workflow/rules/golden.smk"
-    include: "workflow/rules/claims.smk"
-    include: "workflow/rules/paper.smk"
-    include: "workflow/rules/evidence.smk"
-
-    localrules:
-        accuracy,
-        data,
-        figures,
-        simulations,
-        golden,
-        claims,
-        paper,
-        hard_cases,
-
-
-if GALLERY:
-
-    include: "workflow/rules/sliders.smk"
-
-    localrules:
-        sliders,
-        sliders_golden,
-
-
-if STUDY:
-
-    include: "workflow/rules/manual.smk"
-
-    localrules:
-        manual,
+include: "workflow/rules/data.smk"
+include: "workflow/rules/figures.smk"
+include: "workflow/rules/evidence.smk"
+include: "workflow/rules/report.smk"
 
 
 localrules:
     all,
+    data,
+    figures,
+    golden,
+    claims,
+    hard_cases,
+    accuracy,
+    paper,
+    manual,
 
 
 rule all:
     default_target: True
     input:
-        (
-            [
-                rules.data.input,
-                rules.simulations.input,
-                rules.figures.input,
-                rules.golden.input,
-                rules.claims.input,
-                rules.paper.input,
-                rules.hard_cases.input,
-            ]
-            if STUDY
-            else []
-        ),
-        [rules.sliders.input, rules.sliders_golden.input] if GALLERY else [],
+        rules.data.input,
+        rules.figures.input,
+        rules.golden.input,
+        rules.claims.input,
+        rules.hard_cases.input,
+        rules.paper.input,
 
 
 onerror:

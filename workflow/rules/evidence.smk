@@ -1,193 +1,141 @@
-# Where the numbers get hard, and what accuracy and each effect cost. They are built with the study that the
-# golden data certify. Only the times of `accuracy_time` are measured by default, on this machine and outside
-# the golden check; `snakemake accuracy` measures the others, `snakemake sweep` a million random inputs.
+# The evidence: golden data, claims, hard cases and costs. All but the golden check is built with the study
+# that golden data certify as a whole. Only the times of `accuracy_time` are measured by default, on this
+# machine; `snakemake accuracy` measures the others.
+CERTIFIED = [WHOLE] if WHOLE else []
+
+
+rule golden:
+    input:
+        over(
+            "{results}/tables/golden_verdict.{name}",
+            lambda folder: ["txt", "json"] if STUDIES[folder].golden else [],
+        ),
+
+
+def golden_results(wildcards):
+    """The results of a study that golden data hold, and the golden files."""
+    from planar_pushing.evidence.golden.check import result_names
+
+    study = study_of(wildcards)
+    files = [
+        f"{wildcards.results}/{dataset_file(name)}" for name in result_names(study)
+    ]
+    return [*files, *sorted(map(str, Path(study.golden).rglob("*.nc")))]
+
+
+rule golden_verdict:
+    input:
+        golden_results,
+    output:
+        data="{results}/tables/golden_verdict.json",
+        text=report(
+            "{results}/tables/golden_verdict.txt",
+            category="Golden check",
+            caption="../report/golden.rst",
+        ),
+    log:
+        "{results}/logs/golden/golden_verdict.log",
+    benchmark:
+        "{results}/benchmarks/golden/golden_verdict.tsv"
+    params:
+        call="evidence.jobs:golden",
+        code=lambda wildcards: [code_of("golden"), whole_digest(study_of(wildcards))],
+        study=lambda wildcards: FILES[wildcards.results],
+        results="{results}",
+    message:
+        "Comparing every value of {wildcards.results} with golden data"
+    script:
+        "../scripts/run.py"
+
+
+# The ledger of the paper's claims: a verdict on each; the job fails where one is not as expected.
+rule claims:
+    input:
+        over(
+            "{results}/tables/claims.{name}",
+            lambda folder: ["json", "csv"] if STUDIES[folder].scenes else [],
+        ),
+
+
+rule claims_table:
+    input:
+        ledger="paper/claims.yaml",
+    output:
+        json="{results}/tables/claims.json",
+        csv=report(
+            "{results}/tables/claims.csv",
+            category="Claims",
+            caption="../report/claims.rst",
+        ),
+    log:
+        "{results}/logs/claims/claims_table.log",
+    benchmark:
+        "{results}/benchmarks/claims/claims_table.tsv"
+    params:
+        call="evidence.jobs:claims",
+        code=code_of("claims"),
+    message:
+        "Checking the claims of the paper"
+    script:
+        "../scripts/run.py"
+
+
 rule hard_cases:
     input:
-        expand("<results>/data/{name}.nc", name=COUNTS + TIMES),
+        expand("{results}/data/{name}.nc", results=CERTIFIED, name=COUNTS + TIMES),
         expand(
-            "<results>/figures/{figure}.{kind}",
-            figure=OURS if STUDY.golden else [],
-            kind=KINDS,
+            "{results}/figures/{name}.{kind}", results=CERTIFIED, name=OURS, kind=KINDS
         ),
 
 
-rule hard_cases_data:
+# Datasets on how this work computes.
+rule counts:
     output:
-        path="<results>/data/hard_cases.nc",
+        path="{results}/data/{counts}.nc",
     log:
-        "<results>/logs/data/hard_cases.log",
+        "{results}/logs/data/{counts}.log",
     benchmark:
-        "<results>/benchmarks/data/hard_cases.tsv"
+        "{results}/benchmarks/data/{counts}.tsv"
+    wildcard_constraints:
+        counts=one_of(COUNTS),
     params:
-        call="evidence.jobs:hard_cases",
-        code=code_of("hard_cases"),
-        marks=MARKS[STUDY_FILE]("hard_cases"),
-    message:
-        "Measuring the hard cases"
-    script:
-        "../scripts/run.py"
-
-
-rule sweep:
-    output:
-        path="<results>/tables/sweep.json",
-    log:
-        "<results>/logs/tables/sweep.log",
-    benchmark:
-        "<results>/benchmarks/tables/sweep.tsv"
-    params:
-        call="evidence.jobs:sweep",
-        code=code_of("hard_cases"),
-    message:
-        "Sweeping a million random and adversarial inputs"
-    script:
-        "../scripts/run.py"
-
-
-rule accuracy_errors:
-    output:
-        path="<results>/data/accuracy_errors.nc",
-    log:
-        "<results>/logs/accuracy/accuracy_errors.log",
-    benchmark:
-        "<results>/benchmarks/accuracy/accuracy_errors.tsv"
-    params:
-        call="evidence.jobs:accuracy_errors",
+        call="evidence.jobs:{counts}",
         code=code_of("costs"),
-        marks=MARKS[STUDY_FILE]("accuracy_errors"),
+        marks=lambda wildcards: MARKS[wildcards.results](wildcards.counts),
     message:
-        "Computing the errors of every method"
+        "Computing {wildcards.counts}"
     script:
         "../scripts/run.py"
 
 
-rule evaluations:
+# Times of this machine; nothing else may run beside a measurement.
+rule times:
     output:
-        path="<results>/data/evaluations.nc",
+        path="{results}/data/{times}.nc",
     log:
-        "<results>/logs/accuracy/evaluations.log",
-    benchmark:
-        "<results>/benchmarks/accuracy/evaluations.tsv"
-    params:
-        call="evidence.jobs:evaluations",
-        code=code_of("costs", *map(builder, GRIDS)),
-        # Compiled code cannot be counted.
-        environment={"NUMBA_DISABLE_JIT": "1"},
-        study=STUDY_FILE,
-        marks=MARKS[STUDY_FILE]("evaluations"),
-    message:
-        "Counting the evaluations of each effect"
-    script:
-        "../scripts/run.py"
-
-
-rule accuracy_time:
-    output:
-        path="<results>/data/accuracy_time.nc",
-    log:
-        "<results>/logs/accuracy/accuracy_time.log",
-    benchmark:
-        "<results>/benchmarks/accuracy/accuracy_time.tsv"
-    # Nothing else may run beside a measurement.
+        "{results}/logs/data/{times}.log",
+    wildcard_constraints:
+        times=one_of([*TIMES, "accuracy", "effects"]),
     threads: workflow.cores
     params:
-        call="evidence.jobs:accuracy_time",
+        call="evidence.jobs:{times}",
         code=code_of("costs"),
-        marks=MARKS[STUDY_FILE]("accuracy_time"),
+        marks=lambda wildcards: MARKS[wildcards.results](wildcards.times),
     message:
-        "Measuring the time that accuracy costs"
-    script:
-        "../scripts/run.py"
-
-
-rule accuracy_data:
-    output:
-        path="<results>/data/accuracy.nc",
-    log:
-        "<results>/logs/accuracy/accuracy.log",
-    threads: workflow.cores
-    params:
-        call="evidence.jobs:accuracy",
-        code=code_of("costs"),
-        marks=MARKS[STUDY_FILE]("accuracy"),
-    message:
-        "Measuring what accuracy costs"
-    script:
-        "../scripts/run.py"
-
-
-rule effects_data:
-    input:
-        counted="<results>/data/evaluations.nc",
-    output:
-        path="<results>/data/effects.nc",
-    log:
-        "<results>/logs/accuracy/effects.log",
-    threads: workflow.cores
-    params:
-        call="evidence.jobs:effects",
-        code=code_of("costs", *map(builder, GRIDS)),
-        study=STUDY_FILE,
-        marks=MARKS[STUDY_FILE]("effects"),
-    message:
-        "Measuring what each effect costs"
-    script:
-        "../scripts/run.py"
-
-
-rule supplement_tables:
-    input:
-        expand("<results>/data/{name}.nc", name=["accuracy", "effects"]),
-    output:
-        numbers="<results>/tables/accuracy_numbers.json",
-        effects="<results>/tables/times_effects.csv",
-        scenes="<results>/tables/times_scenes.csv",
-        machine="<results>/tables/times_machine.csv",
-    log:
-        "<results>/logs/accuracy/supplement_tables.log",
-    params:
-        call="report.jobs:supplement_tables",
-        code=code_of("report"),
-        golden=STUDY.golden,
-        results=lambda wildcards: RESULTS,
-    message:
-        "Reading the numbers of the supplement"
-    script:
-        "../scripts/run.py"
-
-
-rule supplement_pdf:
-    input:
-        rules.supplement_tables.output,
-        expand("<results>/figures/{figure}.svg", figure=SUPPLEMENT),
-        SOURCES,
-        source="paper/supplement.typ",
-    output:
-        output=report(
-            "<results>/accuracy.pdf",
-            category="Report",
-            labels={"document": "supplement on time"},
-            caption="../report/supplement.rst",
-        ),
-    log:
-        "<results>/logs/accuracy/supplement_pdf.log",
-    params:
-        call="report.typeset:typeset",
-        code=code_of("report"),
-        root=".",
-        results=lambda wildcards: RESULTS,
-    message:
-        "Setting the supplement"
+        "Measuring {wildcards.times}"
     script:
         "../scripts/run.py"
 
 
 rule accuracy:
     input:
-        expand("<results>/data/{name}.nc", name=["accuracy", "effects"]),
-        expand("<results>/figures/{figure}.{kind}", figure=SUPPLEMENT, kind=KINDS),
-        (
-            [rules.supplement_tables.output, "<results>/accuracy.pdf"]
-            if STUDY.golden
-            else []
+        expand(
+            "{results}/data/{name}.nc", results=CERTIFIED, name=["accuracy", "effects"]
         ),
+        expand(
+            "{results}/figures/{name}.{kind}",
+            results=CERTIFIED,
+            name=SUPPLEMENT,
+            kind=KINDS,
+        ),
+        [f"{WHOLE}/accuracy.pdf"] if REPORTED else [],

@@ -1,39 +1,55 @@
 # The figures: first the numbers that each plots, then the picture in three formats, from them alone.
 rule figures:
     input:
-        expand("<results>/figures/data/{figure}.nc", figure=DRAWN),
-        expand("<results>/figures/{figure}.{kind}", figure=DRAWN, kind=KINDS),
+        over("{results}/figures/data/{name}.nc", drawn),
+        over("{results}/figures/{name}.{kind}", drawn),
+        over(
+            "{results}/figures/simulation_{name}.{kind}",
+            lambda folder: STUDIES[folder].simulations if folder == WHOLE else [],
+        ),
+
+
+def figure_files(wildcards):
+    """Datasets from which a figure is drawn."""
+    sources = ALL[wildcards.figure].datasets
+    return sorted({f"{wildcards.results}/{dataset_file(source)}" for source in sources})
+
+
+def figure_settings(wildcards):
+    """The study's values for a figure; of any slider the rod."""
+    study, name = study_of(wildcards), wildcards.figure
+    entry = study.slider if name in GALLERY else study.figures.get(name, FigureEntry())
+    return entry.model_dump()
 
 
 rule figure:
     input:
-        dataset_files,
+        figure_files,
     output:
-        data="<results>/figures/data/{figure}.nc",
+        data="{results}/figures/data/{figure}.nc",
         svg=report(
-            "<results>/figures/{figure}.svg",
-            category=lambda wildcards: FIGURES[wildcards.figure].section,
+            "{results}/figures/{figure}.svg",
+            category=lambda wildcards: DRAWN[wildcards.figure].section,
             caption="../report/figure.rst",
             labels={"figure": "{figure}"},
         ),
-        pdf="<results>/figures/{figure}.pdf",
-        png="<results>/figures/{figure}.png",
+        pdf="{results}/figures/{figure}.pdf",
+        png="{results}/figures/{figure}.png",
     log:
-        "<results>/logs/figures/{figure}.log",
+        "{results}/logs/figures/{figure}.log",
     benchmark:
-        "<results>/benchmarks/figures/{figure}.tsv"
+        "{results}/benchmarks/figures/{figure}.tsv"
     wildcard_constraints:
         figure=one_of(DRAWN),
-    priority: FIRST
     params:
         call="figures.jobs:figure",
-        code=figure_code(FIGURES),
+        code=figure_code,
         name="{figure}",
         settings=figure_settings,
-        results=lambda wildcards: RESULTS,
-        marks=marks_of(STUDY_FILE),
-        caption=lambda wildcards: FIGURES[wildcards.figure].caption,
-        promise=lambda wildcards: FIGURES[wildcards.figure].promise,
+        results="{results}",
+        marks=marks_of,
+        caption=lambda wildcards: DRAWN[wildcards.figure].caption,
+        promise=lambda wildcards: DRAWN[wildcards.figure].promise,
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -43,28 +59,53 @@ rule figure:
 # Figures of one dataset on how this work computes.
 rule file_figure:
     input:
-        source=lambda wildcards: f"<results>/data/{EVIDENCE_FIGURES[wildcards.figure].datasets[0].partition('/')[0]}.nc",
+        source=figure_files,
     output:
         svg=report(
-            "<results>/figures/{figure}.svg",
+            "{results}/figures/{figure}.svg",
             category="Accuracy, hard cases and effects",
             caption="../report/file_figure.rst",
             labels={"figure": "{figure}"},
         ),
-        pdf="<results>/figures/{figure}.pdf",
-        png="<results>/figures/{figure}.png",
+        pdf="{results}/figures/{figure}.pdf",
+        png="{results}/figures/{figure}.png",
     log:
-        "<results>/logs/figures/{figure}.log",
+        "{results}/logs/figures/{figure}.log",
     benchmark:
-        "<results>/benchmarks/figures/{figure}.tsv"
+        "{results}/benchmarks/figures/{figure}.tsv"
     wildcard_constraints:
         figure=one_of(EVIDENCE_FIGURES),
     params:
         call="figures.jobs:file_figure",
-        code=figure_code(EVIDENCE_FIGURES),
+        code=figure_code,
         name="{figure}",
-        caption=lambda wildcards: EVIDENCE_FIGURES[wildcards.figure].caption,
+        caption=lambda wildcards: ALL[wildcards.figure].caption,
     message:
         "Drawing {wildcards.figure}"
+    script:
+        "../scripts/run.py"
+
+
+rule simulation_figure:
+    input:
+        source="{results}/data/simulations/{simulation}.nc",
+    output:
+        svg=report(
+            "{results}/figures/simulation_{simulation}.svg",
+            category="Motion over time",
+            caption="../report/simulation.rst",
+            labels={"figure": "{simulation}"},
+        ),
+        pdf="{results}/figures/simulation_{simulation}.pdf",
+        png="{results}/figures/simulation_{simulation}.png",
+    log:
+        "{results}/logs/figures/simulation_{simulation}.log",
+    benchmark:
+        "{results}/benchmarks/figures/simulation_{simulation}.tsv"
+    params:
+        call="figures.jobs:simulation_figure",
+        code=code_of("figure"),
+    message:
+        "Drawing the simulation {wildcards.simulation}"
     script:
         "../scripts/run.py"

@@ -19,12 +19,14 @@ KEY = "study"
 
 
 def chosen_studies(config: Mapping[str, object]) -> tuple[str, ...]:
-    """Files of the studies that the workflow builds: the one that its configuration chooses, or ours.
+    """Files of the studies that the workflow builds: the one that its configuration chooses, or ours both.
 
     Errors as in `chosen_study`.
     """
     chosen = chosen_study(config)
-    return (chosen,) if KEY in config else (PAPER_FILE, SLIDERS_FILE)
+    # The report of the paper's study shows that of sliders as well.
+    paper = Path(chosen).resolve() == Path(PAPER_FILE).resolve()
+    return (chosen, SLIDERS_FILE) if paper else (chosen,)
 
 
 def chosen_study(config: Mapping[str, object]) -> str:

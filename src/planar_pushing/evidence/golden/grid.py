@@ -24,6 +24,8 @@ from planar_pushing.evidence.golden.enclosures import EXACT, RADIUS, packed
 from planar_pushing.terms.errors import InvalidResult
 
 Point = tuple[Any, ...]
+#: Midpoints and exponents by variable.
+Arrays = dict[str, tuple[Any, Any]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +113,7 @@ def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
 
 
 def certified(
-    name: str, values: Values, template: xr.Dataset, processes: int, shown: str = ""
+    name: str, values: Values, template: xr.Dataset, processes: int
 ) -> xr.Dataset:
     """A dataset with the certified values in place of its own, and the exponents of their radii.
 
@@ -128,17 +130,33 @@ def certified(
     InvalidResult
         Where a point is not decided, or a number of the dataset is certified by no cell.
     """
-    found = template.copy(deep=True)
+    arrays: Arrays = {}
     for cell in CELLS[name]:
         every = points(template, cell.dims)
+        sizes = [template.sizes[dim] for dim in cell.dims]
         computed = records(cell, values, every, processes)
-        shown_records = tqdm(computed, shown or name, len(every), disable=None, leave=False)
-        for index, record in enumerate(shown_records):
+        for index, record in enumerate(tqdm(computed, name, len(every), disable=None, leave=False)):
             if isinstance(record, str):
                 raise InvalidResult(kink(name, cell, every[index], record))
-            _place(found, template, cell, index, record)
-    _require_all(name, found)
-    return found
+            _place(arrays, template, tuple(np.unravel_index(index, sizes)), record)
+    return _assembled(name, arrays, template)
+
+
+def single(
+    name: str,
+    record: Record,
+    template: xr.Dataset,
+    plain: Sequence[str] = (),
+    check: bool = True,
+) -> xr.Dataset:
+    """A dataset with the certified values of one record in place of its own; `plain` ones stay.
+
+    Without `check` the record is one of `evaluated`, and holds some of the numbers.
+    """
+    arrays: Arrays = {}
+    named = {key: _nested(each) for key, each in record.items()} if check else record
+    _place(arrays, template, (), named)
+    return _assembled(name, arrays, template, plain if check else None)
 
 
 def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
@@ -150,16 +168,14 @@ def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
     )
 
 
-def _place(
-    found: xr.Dataset, template: xr.Dataset, cell: Cell, index: int, record: Record
-) -> None:
+def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Record) -> None:
     """Put the numbers of a point at their place."""
-    sizes = [template.sizes[dim] for dim in cell.dims]
-    at = np.unravel_index(index, sizes)
     for name, nested in record.items():
-        if f"{name}{RADIUS}" not in found:
-            _prepare(found, template, name)
-        middle, exponent = (found[each].values for each in (name, f"{name}{RADIUS}"))
+        if name not in arrays:
+            like = template[name].values
+            empty = np.full(like.shape, _empty(name, like.dtype), like.dtype)
+            arrays[name] = empty, np.full(like.shape, EXACT, np.int8)
+        middle, exponent = arrays[name]
         if isinstance(nested, tuple):
             middle[at], exponent[at] = nested
         elif nested:
@@ -168,12 +184,17 @@ def _place(
             middle[span], exponent[span] = numbers[..., 0], numbers[..., 1]
 
 
-def _prepare(found: xr.Dataset, template: xr.Dataset, name: str) -> None:
-    """Empty a variable, and add the one of its radii."""
-    values = np.full_like(template[name].values, _empty(name, template[name].dtype))
-    found[name] = template[name].copy(data=values)
-    exponents = np.full(values.shape, EXACT, np.int8)
-    found[f"{name}{RADIUS}"] = (template[name].dims, exponents)
+def _assembled(
+    name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str] | None = ()
+) -> xr.Dataset:
+    """The template with the certified values; all of its numbers but `plain` ones are required."""
+    found = template.copy()
+    for each, (middle, exponent) in arrays.items():
+        found[each] = template[each].copy(data=middle)
+        found[f"{each}{RADIUS}"] = (template[each].dims, exponent)
+    if plain is not None:
+        _require_all(name, found, plain)
+    return found
 
 
 def _empty(name: str, dtype: np.dtype[Any]) -> Any:
@@ -183,10 +204,10 @@ def _empty(name: str, dtype: np.dtype[Any]) -> Any:
     return -1 if name in ("mode", "pivot") else 0
 
 
-def _require_all(name: str, found: xr.Dataset) -> None:
+def _require_all(name: str, found: xr.Dataset, known: Sequence[str] = ()) -> None:
     """Refuse a dataset with numbers that no cell certifies; coordinates on the grid are exact."""
     for each, variable in found.variables.items():
         plain = variable.dtype.kind in "OU" or str(each) in found.dims or str(each).endswith(RADIUS)
-        given = str(each) == "friction_coefficient"
+        given = str(each) == "friction_coefficient" or each in known
         if not (plain or given or f"{each}{RADIUS}" in found):
             raise InvalidResult(f"{name}: {each} is certified by no cell; add it to one")

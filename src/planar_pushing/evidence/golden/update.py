@@ -1,120 +1,214 @@
-"""Compute the golden data anew and print how they differ from the stored ones: `make golden`.
+"""Make the golden data of studies anew and print how they differ from the stored ones: `make golden`.
 
-Both routes are run: the whole by elliptic integrals, a part by the printed integrals. Data on which they
-disagree are never stored, and storing others takes `--write`. A run that finds or makes a difference
-ends with status 1, so that changed golden data are never green in the run that changed them.
+The datasets of a results folder give the coordinates, texts and attributes; every number is computed on the
+certified route. A part of the grids is computed a second time, by the integrals as printed: data on which
+the two disagree are never stored. A run that finds or makes a difference ends with status 1, so that
+changed golden data are never green in the run that changed them.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import time
-from functools import partial
+from collections.abc import Iterator, Mapping, Sequence
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import xarray as xr
+from flint import __FLINT_VERSION__ as FLINT
 from tqdm import tqdm
 
-from planar_pushing.evidence.golden.build.enclosures import disjoint, golden_variables
-from planar_pushing.evidence.golden.build.jobs import STEP, contacts, golden_jobs
-from planar_pushing.evidence.golden.build.motions import INSTANTS
-from planar_pushing.evidence.golden.build.scenes import CONE_SAMPLES
-from planar_pushing.evidence.golden.build.second import agreement, second_route
-from planar_pushing.evidence.golden.compare import MARKS
+from planar_pushing.certified.balls import PRECISION
+log_values = None
+from planar_pushing.evidence.golden.check import result_names
+from planar_pushing.evidence.golden.compare import ASIDE, KIND, Kind
+from planar_pushing.evidence.golden.enclosures import RADIUS, apart, radii
+from planar_pushing.evidence.golden.grid import (
+    CELLS,
+    Cell,
+    Point,
+    certified,
+    points,
+    records,
+    single,
+)
+from planar_pushing.evidence.golden.scenes import scene_values
+from planar_pushing.study.catalog import SIMULATIONS, dataset_place
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.files.sliders_model import SlidersFile, Study
+from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.running.jobs import run_command
-from planar_pushing.study.store import read_dataset, write_dataset
-from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import group_names, read_dataset, write_dataset
+from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidResult
 
-PROCESSES = 2
-#: Root attribute of a golden file: how many of its numbers the second route encloses as well.
-CHECKED = "checked_by_integrals"
+METHOD = {
+    Kind.ENCLOSED: "Arb: closed forms and elliptic integrals; roots enclosed by a change of sign",
+    Kind.INTEGRATED: "a right-hand side of certified physics, integrated to 30 digits and not validated",
+    Kind.PLAIN: "stored as computed",
+}
+#: Values kept of each axis for the second route: a rod of no length, a line of force tangent to the ring
+#: (k = 1), along and across the rod, the fence itself, mu = 0 and infinity, every law; centers off the lines
+#: and rims of supports.
+SECOND: dict[str, tuple[Any, ...]] = {
+    "rod_length": (0, 1, 2, 10),
+    "rod_angle": (45, 90),
+    "force_angle": (0, 15, 45, 90, 135, 180, 225, 360),
+    "friction_coefficient": (0, 1, 2, float("inf")),
+    "inertia_share": (0, 0.5, 1),
+    "pusher_angle": (-180, -15, -1, 0, 45, 165, 180),
+    "pusher_magnitude": (1,),
+    "contact": (
+        "coulomb_0", "coulomb_1.4", "coulomb_2", "infinite_friction_free",
+        "infinite_friction_none", "perfectly_rough",
+    ),
+    "center_x": (-1.5, -0.5, 0.5, 1.5),
+    "center_y": (-1.5, -0.5, 0.5, 1.5),
+}  # fmt: skip
+#: The same for any support, whose integrals take longer, and the cells that are computed a second time.
+SUPPORTS = {
+    "rod_length": (5,), "rod_angle": (45,), "friction_coefficient": (0.25,), "pusher_angle": (-45, 90),
+}  # fmt: skip
+#: The ellipsoid's means are over too many motions for the integrals.
+ONCE = ("numbers",)
+
+Groups = dict[str, xr.Dataset]
 
 
-def plain(study: Study) -> dict[str, Any]:
-    """The study as plain values: the golden data share no code with the mechanics."""
-    values: dict[str, Any] = study.model_dump()
-    if isinstance(study, SlidersFile):
-        return values
-    samples = {"cone_samples": tuple(range(CONE_SAMPLES))}
-    values["scenes"] = {
-        name: (load_scene_file(push.file).model_dump(), push.model_dump() | samples)
-        for name, push in study.scenes.items()
+def golden_groups(
+    study: StudyFile, name: str, result: Path, processes: int
+) -> tuple[Kind, Groups]:
+    """The golden datasets of a result by group, from the result and the certified route."""
+    groups = {
+        group: read_dataset(result, group or None).load() for group in group_names(result) or [""]
     }
-    values["simulations"] = {
-        name: load_scene_file(path).model_dump() for name, path in study.simulations.items()
-    }
-    values["instants"] = INSTANTS
-    values["contacts"] = contacts(tuple(study.grid.contact_friction_coefficient))
-    values["curve_angles"] = tuple(range(0, 361, STEP))
-    return values
+    if name in CELLS:
+        values = study_slice(study, name)
+        return Kind.ENCLOSED, {"": certified(name, values, groups[""], processes)}
+    if name == "scenes":
+        return Kind.ENCLOSED, {
+            group: single(f"{name}/{group}", scene_values(_scene(study, group)), each)
+            for group, each in groups.items()
+        }
+    folder, _, part = name.partition("/")
+    if folder == SIMULATIONS:
+        return _log(name, study.simulations[part], groups[""])
+    return Kind.PLAIN, groups
 
 
-def golden_files(values: dict[str, Any]) -> dict[str, xr.Dataset]:
-    """Content of every golden file of a study, given as plain values; second route included.
-
-    Raises
-    ------
-    InvalidResult
-        Where the two routes disagree.
-    """
-    jobs = list(golden_jobs(values))
-    shown = partial(tqdm, total=len(jobs), disable=None, leave=False)
-    files = {name: job(PROCESSES) for name, job in shown(jobs, "golden files")}
-    for name, second in shown(second_route(values, PROCESSES), "second route"):
-        found = agreement(values, second, files[name])
-        if found.apart:
-            raise InvalidResult(f"{name}: the two routes disagree on {', '.join(found.apart)}")
-        files[name].attrs[CHECKED] = found.compared
-    return files
+def _scene(study: StudyFile, name: str) -> dict[str, Any]:
+    push = study.scenes[name]
+    return {"scene": load_scene_file(push.file).model_dump(), "push": push.model_dump()}
 
 
-def stored_names(golden: Path) -> list[str]:
-    """Names of the stored golden files."""
-    return [path.stem for path in golden.glob("*.nc")]
+def _log(name: str, path: str, log: xr.Dataset) -> tuple[Kind, Groups]:
+    """The golden log of a simulation; counts of evaluations are stored as they are."""
+    found = log_values(load_scene_file(path).model_dump(), log["time"].values.tolist())
+    record = {each: values for each, (_, values) in found.values.items()}
+    kind = Kind.ENCLOSED if found.validated else Kind.INTEGRATED
+    return kind, {"": single(name, record, log, plain=("evaluations", "time"))}
 
 
-def differences(name: str, new: xr.Dataset, path: Path) -> list[str]:
+def second_route(
+    name: str, values: Mapping[str, Any], first: xr.Dataset, processes: int
+) -> tuple[int, list[str]]:
+    """How many numbers the integrals as printed enclose as well, and where they disagree."""
+    count, wrong = 0, []
+    for cell in (each for each in CELLS[name] if each.function.__name__ not in ONCE):
+        kept = _kept(cell, first)
+        found = records(cell, values, [point for _, point in kept], processes, second=True)
+        for (index, point), record in zip(kept, found, strict=True):
+            if isinstance(record, str):
+                raise InvalidResult(f"{name}: {point}: the integrals decide nothing: {record}")
+            one = single(name, record, first.isel(index), check=False)
+            for variable in record:
+                number, off = _disagreement(variable, one, first.isel(index))
+                count += number
+                wrong += [f"{variable} at {point}"] if off else []
+    return count, wrong
+
+
+def _kept(cell: Cell, dataset: xr.Dataset) -> list[tuple[dict[str, int], Point]]:
+    """Indices and coordinates of the points of the second route."""
+    chosen = SECOND | (SUPPORTS if "support" in cell.dims else {})
+    sizes = [dataset.sizes[dim] for dim in cell.dims]
+    return [
+        (dict(zip(cell.dims, map(int, np.unravel_index(flat, sizes)), strict=True)), point)
+        for flat, point in enumerate(points(dataset, cell.dims))
+        if all(each in chosen.get(dim, (each,)) for dim, each in zip(cell.dims, point, strict=True))
+    ]
+
+
+def _disagreement(name: str, one: xr.Dataset, other: xr.Dataset) -> tuple[int, bool]:
+    """Numbers with a radius, and whether enclosures of two routes are apart."""
+    exponents = [each[f"{name}{RADIUS}"].values for each in (one, other)]
+    middles = [each[name].values.astype(float) for each in (one, other)]
+    radius = [radii(each) for each in exponents]
+    off = apart(middles[0], radius[0], middles[1], radius[1])
+    return int((radius[0] > 0).sum()), bool(np.any(off))
+
+
+def differences(name: str, new: Groups, path: Path) -> list[str]:
     """How new golden data differ from the stored ones, beyond their own radii."""
     if not path.is_file():
-        return [f"{name}: new, with {len(golden_variables(new))} variables"]
-    stored = read_dataset(path)
-    gone = set(golden_variables(stored)) - set(golden_variables(new))
-    found = [f"{name}: {each} is no longer certified" for each in sorted(gone)]
-    counts = [data.attrs.get(CHECKED) for data in (new, stored)]
-    if counts[0] != counts[1]:
-        found.append(f"{name}: {counts[0]} numbers are checked by the integrals, were {counts[1]}")
-    for each in sorted(set(golden_variables(new)) & set(golden_variables(stored))):
-        if new[each].shape != stored[each].shape or not new[each].coords.equals(
-            stored[each].coords
-        ):
-            found.append(f"{name}: {each} has other coordinates")
-        elif any(new[each].attrs.get(key) != stored[each].attrs.get(key) for key in MARKS):
-            found.append(f"{name}: {each} has other units or flags")
-        elif (apart := disjoint(each, new, stored)).any():
-            found.append(f"{name}: {each} changes at {apart.sum()} of {apart.size} points")
-    fresh = set(golden_variables(new)) - set(golden_variables(stored))
-    found += [f"{name}: {each} is new" for each in sorted(fresh)]
-    return found
+        return [f"{name}: new"]
+    stored = {
+        group: read_dataset(path, group or None).load() for group in group_names(path) or [""]
+    }
+    if set(stored) != set(new):
+        return [f"{name}: other groups"]
+    return [
+        f"{name}{'/' if group else ''}{group}: {each}"
+        for group in new
+        for each in _changed(new[group], stored[group])
+    ]
 
 
-def main(arguments: list[str] | None = None) -> int:
+def _changed(new: xr.Dataset, stored: xr.Dataset) -> Iterator[str]:
+    names = sorted(set(map(str, new.variables)) ^ set(map(str, stored.variables)))
+    if names:
+        yield f"other variables: {', '.join(names)}"
+        return
+    if _marks(new.attrs) != _marks(stored.attrs):
+        yield "other attributes"
+    for name in map(str, new.variables):
+        if name.endswith(RADIUS):
+            continue
+        one, other = new[name], stored[name]
+        if one.dims != other.dims or one.shape != other.shape:
+            yield f"{name} has other dimensions"
+        elif _marks(one.attrs) != _marks(other.attrs):
+            yield f"{name} has other attributes"
+        elif f"{name}{RADIUS}" in new:
+            radius = [radii(each[f"{name}{RADIUS}"].values) for each in (new, stored)]
+            middles = [each.values.astype(float) for each in (one, other)]
+            off = apart(middles[0], radius[0], middles[1], radius[1])
+            if off.any():
+                yield f"{name} changes at {off.sum()} of {off.size} points"
+        elif not one.equals(other):
+            yield f"{name} changes"
+
+
+def _marks(attrs: Mapping[str, Any]) -> dict[str, str]:
+    return {key: repr(each) for key, each in attrs.items() if key not in ASIDE or key == KIND}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
     """Print the differences; store the new data if asked to; 1 where anything differs."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--study", nargs="+", default=[PAPER_FILE, SLIDERS_FILE])
+    parser.add_argument("--results", type=Path, default=Path("results"))
     parser.add_argument("--golden", type=Path, help="folder in the place of the studies' own")
+    parser.add_argument("--only", nargs="+", help="names of results, such as limit_curves")
     parser.add_argument("--write", action="store_true", help="store the new golden data")
     args = parser.parse_args(arguments)
     start = time.perf_counter()
-    studies = [load_study(file) for file in args.study]
-    changed = sum(
-        _update(each, args.golden or Path(each.golden or ""), args.write) for each in studies
-    )
+    changed = sum(_update(file, args) for file in args.study)
     print(f"{changed} differences, {time.perf_counter() - start:.0f} s")
     if changed and args.write:
         print("stored; look at them, commit them, and run the check")
@@ -123,22 +217,40 @@ def main(arguments: list[str] | None = None) -> int:
     return 1 if changed else 0
 
 
-def _update(study: Study, golden: Path, write: bool) -> int:
-    """Compute the golden data of a study, store them if asked to, and count the differences."""
-    files, changed = golden_files(plain(study)), 0
-    for name, new in files.items():
-        path = golden / f"{name}.nc"
-        found = differences(name, new, path)
+def _update(file: str, args: argparse.Namespace) -> int:
+    """Make the golden data of a study, store them if asked to, and count the differences."""
+    study = load_study(file)
+    golden = args.golden or Path(study.golden or "")
+    folder = study_folder(study_name(file), args.results)
+    processes, changed, checked = os.cpu_count() or 1, 0, 0
+    names = [name for name in result_names(study) if not args.only or name in args.only]
+    for name in tqdm(names, study_name(file), disable=None, leave=False):
+        kind, new = golden_groups(study, name, folder / dataset_place(name)[0], processes)
+        count = 0
+        if name in CELLS:
+            count, wrong = second_route(name, study_slice(study, name), new[""], processes)
+            if wrong:
+                raise InvalidResult(f"{name}: the two routes disagree on {wrong[0]}")
+        checked += count
+        new = {group: _described(each, kind, count) for group, each in new.items()}
+        found = differences(name, new, golden / f"{name}.nc")
         changed += len(found)
         print("\n".join(found) if found else f"{name}: unchanged", flush=True)
-        if found and write:
-            write_dataset(new, path)
-    for name in sorted(set(stored_names(golden)) - set(files)):
-        changed += 1
-        print(f"{name}: no longer a part of the study; remove its file")
-    checked = sum(each.attrs[CHECKED] for each in files.values())
+        if found and args.write:
+            write_dataset(new[""] if set(new) == {""} else new, golden / f"{name}.nc")
     print(f"{checked} numbers lie in the enclosures of both routes")
     return changed
+
+
+def _described(dataset: xr.Dataset, kind: Kind, count: int) -> xr.Dataset:
+    marks: dict[str, Any] = {KIND: str(kind), "golden_method": METHOD[kind]}
+    if kind is not Kind.PLAIN:
+        marks["golden_versions"] = (
+            f"python-flint {version('python-flint')}, FLINT {FLINT}, {PRECISION} bits"
+        )
+    if count:
+        marks["golden_checked_by_integrals"] = count
+    return dataset.assign_attrs(marks)
 
 
 if __name__ == "__main__":
