@@ -69,6 +69,7 @@ rule report_tables:
         call="report.jobs:report_tables",
         code=[code_of("report"), *map(whole_digest, STUDIES.values()), repr(ALL)],
         study=FILES.get(WHOLE),
+        golden=STUDIES[WHOLE].golden if WHOLE else "",
         results=WHOLE,
     message:
         "Reading the numbers of the report"
@@ -124,6 +125,7 @@ rule supplement_tables:
     params:
         call="report.jobs:supplement_tables",
         code=code_of("report"),
+        golden=STUDIES[WHOLE].golden if WHOLE else "",
         results=WHOLE,
     message:
         "Reading the numbers of the supplement"

@@ -6,7 +6,6 @@ by exact arithmetic in a cyclotomic field, or not at all.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from functools import lru_cache, wraps
 from typing import Any, ParamSpec, TypeVar
@@ -15,9 +14,6 @@ from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
 
 #: Working precision in bits. Results keep at least 84 of them, a relative radius below 1e-25.
 PRECISION = 192
-
-#: Largest relative radius of a stored number.
-RESOLUTION = 1e-25
 
 #: The field of exact numbers is that of the roots of unity at multiples of half a degree.
 _TURN = 720
@@ -150,23 +146,3 @@ def fold(degrees: fmpq) -> fmpq:
     half_turns = (degrees / 180).floor()
     rest = degrees - 180 * half_turns
     return min(rest, 180 - rest)
-
-
-def pack(ball: arb) -> tuple[float, float, float]:
-    """Midpoint as the sum of two doubles, high and low, and a rigorous radius, a power of two.
-
-    Raises
-    ------
-    Undecided
-        Where the radius exceeds `RESOLUTION` relative to the midpoint.
-    """
-    high = float(ball.mid())
-    if math.isinf(high) and not ball.is_finite():
-        return high, 0.0, 0.0
-    with ctx.workprec(4 * PRECISION):
-        low = float((ball - high).mid())
-        radius = float((ball - high - low).abs_upper())
-    bound = 2.0 ** math.frexp(radius)[1] if radius else 0.0
-    if not bound <= RESOLUTION * abs(high):
-        raise Undecided(f"{ball} is too wide to store")
-    return high, low, bound

@@ -1,4 +1,4 @@
-"""planar-pushing check: every value of a results folder against equations and golden data."""
+"""The command `check`."""
 
 from __future__ import annotations
 
@@ -8,12 +8,15 @@ from typing import Any
 
 from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.study.studies import PAPER_FILE, study_folder, study_name
-from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
 
 def add(commands: Commands) -> None:
-    """Add the command."""
-    about = "Check every value of a results folder: 0 where all agrees, 1 where something differs."
+    """Add the command to the command line."""
+    about = (
+        "Check a results folder against the golden data of its study, or certify points of any study: "
+        "0 where all agrees, 1 where something differs."
+    )
     sub = command(commands, "check", checked, about, "--json")
     sub.add_argument(
         "results", type=Path, nargs="?", default=Path("results"), metavar="RESULTS",
@@ -23,6 +26,10 @@ def add(commands: Commands) -> None:
         "--study", type=Path, default=Path(PAPER_FILE), metavar="STUDY.yaml",
         help="study whose results are checked, in RESULTS/studies/NAME for another than the paper's "
         f"(default: {PAPER_FILE})",
+    )  # fmt: skip
+    sub.add_argument(
+        "--points", type=int, metavar="N",
+        help="enclose N random points of each dataset instead, which takes no golden data",
     )  # fmt: skip
 
 
@@ -35,6 +42,20 @@ def checked(args: argparse.Namespace) -> dict[str, Any]:
         remedy = "go to the project's folder, or give --study"
         raise InvalidFile(f"{PAPER_FILE}: no such file; {remedy}")
     folder = study_folder(study_name(args.study), args.results)
-    found = verdict(check_results(folder, args.study))
+    if args.points is None:
+        found = verdict(check_results(folder, args.study))
+    else:
+        found = verdict(*_points(folder, args))
     args.status = 0 if found["passed"] else 1
     return found if args.json else {"": verdict_text(found).rstrip()}
+
+
+def _points(folder: Path, args: argparse.Namespace) -> Any:
+    if args.points < 1:
+        raise InvalidValue("points", args.points, "a whole number >= 1", "give more points")
+    from planar_pushing.terms.extras import require_extra
+
+    require_extra("golden")
+    from planar_pushing.evidence.golden.points import check_points
+
+    return check_points(folder, args.study, args.points)

@@ -22,7 +22,7 @@ units of R.
 
 from __future__ import annotations
 
-from math import atan2, copysign, cos, inf, isinf, pi, sin
+from math import atan2, copysign, cos, hypot, inf, isinf, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +33,7 @@ from planar_pushing.mechanics.compiled import compiled, kernel
 Array = npt.NDArray[np.float64]
 
 QUARTER_TURN = pi / 2
-#: Rounding error of the direction of a translation, radians.
+#: Rounding error of the direction of a translation, radians, and of a rotation per speed and radius.
 ALONG = 1e-15
 
 
@@ -155,8 +155,8 @@ def motion_center(own, v_x, v_y, spin):
 
 @compiled
 def center_from(v_x, v_y, spin):
-    """Motion center relative to the slider's center."""
-    if spin != 0.0:
+    """Motion center relative to the slider's center; a rotation that is a rounding error is none."""
+    if abs(spin) > ALONG * hypot(v_x, v_y):
         return -v_y / spin, v_x / spin
     # A translation along an axis, to rounding, has its center on the other axis.
     x = -copysign(inf, v_y) if abs(v_y) > ALONG * abs(v_x) else 0.0

@@ -11,9 +11,6 @@ from typing import Any
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.studies import KEY, SLIDERS_FILE, chosen_study, study_folder, study_name
 
-#: The results that one rule or another of the check compares, besides the enclosures.
-OTHERS = ("residual", "exact", "derived")
-
 
 def closing_lines(folder: Path, others: tuple[Path, ...] = ()) -> list[str]:
     """Four lines on a results folder, with the verdicts of other folders beside its own."""
@@ -38,9 +35,11 @@ def _verdict(folders: Sequence[Path]) -> str:
     if not found:
         return "not compared, as the study names no golden data"
     word = "passed" if all(each["passed"] for each in found) else "FAILED"
-    enclosed = sum(each["values"] for each in found)
-    rest = sum(each["rules"][rule]["values"] for each in found for rule in OTHERS)
-    return f"{word}: {enclosed:,} values enclosed, {rest:,} entries verified by other rules"
+    counts = {
+        kind: sum(each["kinds"][kind]["values"] for each in found) for kind in found[0]["kinds"]
+    }
+    enclosed = counts.pop("enclosed")
+    return f"{word}: {enclosed:,} numbers enclosed, {sum(counts.values()):,} compared otherwise"
 
 
 def _claims(path: Path) -> str:

@@ -39,7 +39,7 @@ def _opened(name: str, folder: Path) -> xr.Dataset:
 
 @cache
 def _marks(golden: Path) -> list[dict[str, Any]]:
-    paths = sorted(golden.glob("*.nc"))
+    paths = sorted(golden.rglob("*.nc"))
     if not paths:
         raise InvalidFile(f"{golden}: holds no golden data; name the folder that does")
     return [read_attributes(path) for path in paths]
@@ -71,20 +71,21 @@ class Results:
         return _marks(self.golden)
 
     @property
-    def verdict(self) -> dict[str, Any]:
-        """Golden verdict: counts, and every comparison.
+    def verdicts(self) -> list[dict[str, Any]]:
+        """Golden verdicts of the paper's study and of that of sliders: counts, and every comparison.
 
         Raises
         ------
         InvalidFile
-            Where the golden check has not been made, or its file is not JSON.
+            Where a golden check has not been made, or its file is not JSON.
         """
-        return self._json("golden_verdict.json")
+        folders = (self.folder, self.folder / "studies" / SLIDERS)
+        return [_json(folder / "tables/golden_verdict.json") for folder in folders]
 
     @property
     def claims(self) -> dict[str, Any]:
-        """Counts and claims of the ledger; errors as in `verdict`."""
-        return self._json("claims.json")
+        """Counts and claims of the ledger; errors as in `verdicts`."""
+        return _json(self._table("claims.json"))
 
     def claim(self, name: str) -> dict[str, Any]:
         """One claim of the ledger.
@@ -103,14 +104,12 @@ class Results:
     def _table(self, name: str) -> Path:
         return self.folder / "tables" / name
 
-    def _json(self, name: str) -> dict[str, Any]:
-        path = self._table(name)
-        try:
-            found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-        except FileNotFoundError:
-            raise InvalidFile(f"{path}: no such table; build it with make or snakemake") from None
-        except json.JSONDecodeError as error:
-            raise InvalidFile(
-                f"{path}: is not JSON ({error}); remove it and build it anew"
-            ) from None
-        return found
+
+def _json(path: Path) -> dict[str, Any]:
+    try:
+        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise InvalidFile(f"{path}: no such table; build it with make or snakemake") from None
+    except json.JSONDecodeError as error:
+        raise InvalidFile(f"{path}: is not JSON ({error}); remove it and build it anew") from None
+    return found

@@ -1,4 +1,4 @@
-"""The golden verdict in short: its counts, and one line for each dataset and figure."""
+"""The golden verdicts of both studies in short: their counts, and one line for each dataset."""
 
 from __future__ import annotations
 
@@ -9,20 +9,24 @@ from planar_pushing.report.quantities import Quantity, significant
 from planar_pushing.report.results import Results
 from planar_pushing.terms.errors import InvalidFile
 
-#: One comparison of the verdict.
+#: One comparison of a verdict.
 Check = dict[str, Any]
 SOURCE = "tables/golden_verdict.json"
+#: How golden values are known, as verdicts have it.
+KINDS = ("enclosed", "searched", "integrated", "plain")
 
 
-def _passed(results: Results) -> dict[str, Any]:
-    found = results.verdict
-    if not found["passed"]:
-        raise InvalidFile(f"{results.folder}/{SOURCE}: holds no verdict that passed; build it anew")
-    return found
+def _passed(results: Results) -> list[dict[str, Any]]:
+    for found in results.verdicts:
+        if not found["passed"]:
+            raise InvalidFile(
+                f"{results.folder}/{SOURCE}: holds no verdict that passed; build it anew"
+            )
+    return results.verdicts
 
 
 def verdict_word() -> Quantity:
-    """Make the quantity that says whether the check passed."""
+    """Make the quantity that says whether the checks passed."""
     return Quantity(
         read=lambda results: "passed" if _passed(results) else "",
         digits=0,
@@ -31,56 +35,46 @@ def verdict_word() -> Quantity:
     )
 
 
-def verdict_count(part: str) -> Quantity:
-    """Make the number of values or of variables that were compared."""
+def kind_count(kind: str, part: str = "values") -> Quantity:
+    """Make the number of values, or of variables, of a kind of golden data that were compared."""
     return Quantity(
-        read=lambda results: float(_passed(results)[part]),
+        read=lambda results: float(sum(each["kinds"][kind][part] for each in _passed(results))),
         digits=0,
         unit="1",
-        source=f"{SOURCE}: {part} that agree",
+        source=f"{SOURCE} of both studies: {part} of the kind {kind}",
     )
 
 
-def rule_count(rule: str) -> Quantity:
-    """Make the number of values that a rule of the check has verified."""
+def label_count() -> Quantity:
+    """Make the number of entries that are no finite numbers."""
     return Quantity(
-        read=lambda results: float(_passed(results)["rules"][rule]["values"]),
+        read=lambda results: float(sum(each["labels"] for each in _passed(results))),
         digits=0,
         unit="1",
-        source=f"{SOURCE}: values verified by the rule {rule}",
+        source=f"{SOURCE} of both studies: labels",
     )
 
 
-def _by_integrals(results: Results) -> float:
-    return float(sum(marks["checked_by_integrals"] for marks in results.golden_marks()))
+def mark_count(mark: str, join: Any) -> Quantity:
+    """Make a number that golden files hold as an attribute."""
 
+    def read(results: Results) -> float:
+        return float(join(marks[mark] for marks in results.golden_marks() if mark in marks))
 
-def _precision(results: Results) -> float:
-    return float(min(marks["precision_bits"] for marks in results.golden_marks()))
-
-
-def golden_numbers() -> dict[str, Quantity]:
-    """Make the numbers that the golden files themselves hold."""
-    reads = {"by-integrals": _by_integrals, "precision": _precision}
-    return {
-        f"golden-{name}": Quantity(read=read, digits=0, unit="1", source=f"golden data: {name}")
-        for name, read in reads.items()
-    }
+    return Quantity(read=read, digits=0, unit="1", source=f"golden data: {mark}")
 
 
 def verdict_rows(results: Results) -> list[dict[str, str]]:
-    """Variables, values and the worst error against what is allowed, by golden file.
+    """Variables, finite values and the worst error against the allowed one, by dataset.
 
-    Scenes are counted as one, and so are figures.
+    Scenes, logs and figures are counted together.
     """
     groups: dict[str, list[Check]] = defaultdict(list)
-    for check in _passed(results)["checks"]:
-        groups[_group(check["file"])].append(check)
+    for found in _passed(results):
+        for check in found["checks"]:
+            if check["count"]:
+                groups[check["file"].partition("/")[0]].append(check)
     return [_row(name, groups[name]) for name in sorted(groups)]
-
-
-def _group(file: str) -> str:
-    return "figures" if file.startswith("figure_") else file.partition(".")[0]
 
 
 def _row(name: str, checks: list[Check]) -> dict[str, str]:

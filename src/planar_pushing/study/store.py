@@ -122,11 +122,16 @@ def index_of(whole: xr.Dataset, steps: Mapping[str, int]) -> xr.Dataset:
 def _behind_index(index: xr.Dataset, path: Path) -> xr.Dataset:
     """The dataset for which an index stands, with the attributes of the index."""
     steps = _steps(index, path)
-    folder, lengths = path.parent.parent / "chunks" / path.stem, dict(index.sizes)
+    folder, lengths = (
+        path.parent.parent / "chunks" / path.stem,
+        {str(dim): size for dim, size in index.sizes.items()},
+    )
     with reading(folder):
         whole = joined(folder, lengths, steps)
     if not all(whole[dim].equals(index[dim]) for dim in steps):
-        raise InvalidFile(f"{path}: its chunks are those of another grid; remove it and build it anew")
+        raise InvalidFile(
+            f"{path}: its chunks are those of another grid; remove it and build it anew"
+        )
     return whole.assign_attrs({key: each for key, each in index.attrs.items() if key != CHUNKS})
 
 

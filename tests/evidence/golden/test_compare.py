@@ -1,122 +1,116 @@
-"""The comparison with golden data finds every kind of difference, and passes only without any."""
-
-import re
+"""Comparison of a dataset with its golden file: each kind of difference is a failed check."""
 
 import numpy as np
 import pytest
 import xarray as xr
 
-from planar_pushing.evidence.golden.build.enclosures import golden_variables
-from planar_pushing.evidence.golden.compare import compare
-from planar_pushing.evidence.golden.tolerances import Tolerance
+from planar_pushing.evidence.golden.compare import (
+    KIND,
+    Kind,
+    Tolerance,
+    TolerancesFile,
+    compare,
+    load_tolerances,
+)
 
-VALUES = np.array([[1.0, 2.0, np.inf], [4.0, 5.0, 0.0]])
-
-
-def result(**changes):
-    """A result over (a, x) with a count and a label, some of it changed."""
-    variables = {
-        "size": (("a", "x"), VALUES.copy(), {"units": "length"}),
-        "turn": (("x",), np.array([10.0, 20.0, 30.0, 40.0]), {"units": "degree"}),
-        "count": (("a",), np.array([1, 2], np.int8), {"units": "1"}),
-    }
-    variables["size"] = (("a", "x"), np.c_[VALUES, [7.0, 8.0]], {"units": "length"})
-    coords = {
-        "a": ("a", ["one", "two"], {"units": "1"}),
-        "x": ("x", [0.0, 1.0, 2.0, 3.0], {"units": "length"}),
-    }
-    return xr.Dataset(variables | changes, coords)
+TOLERANCES = TolerancesFile(tolerances={"every": {"force": Tolerance(absolute=1e-12)}})
 
 
-def golden(radius=0.0):
-    """Golden data over a part of the axis x."""
-    whole = result().isel(x=slice(3))
-    whole["size_low"] = (("a", "x"), np.zeros((2, 3)))
-    whole["size_radius"] = (("a", "x"), np.full((2, 3), radius))
-    return whole
+@pytest.fixture
+def wanted():
+    """A golden dataset: a number that is enclosed, flags, labels and an axis."""
+    force = np.array([[1.0, np.nan], [np.inf, 2.0]])
+    return xr.Dataset(
+        {
+            "force": (("law", "angle"), force, {"units": "1", "quantity": "force"}),
+            "force_radius": (("law", "angle"), np.full((2, 2), -50, np.int8)),
+            "mode": (("law",), np.array([0, 3], np.int8), {"flag_meanings": "A B C D"}),
+        },
+        {"law": ["rough", "slippery"], "angle": [0.0, 5.0]},
+        {KIND: str(Kind.ENCLOSED), "study": "mine", "versions": "old"},
+    )
 
 
-def only(checks, name):
-    return next(check for check in checks if check.name == f"data: {name}")
+@pytest.fixture
+def found(wanted):
+    return wanted.drop_vars("force_radius").assign_attrs({"versions": "new"})
 
 
-def test_equal_data_pass():
-    checks = compare("data", result(), golden(), {})
-    assert [check.name for check in checks] == ["data: size", "data: turn", "data: count"]
-    assert all(check.passed for check in checks)
-    assert sum(check.count for check in checks) == 11
+def failed(found, wanted):
+    return [each for each in compare("one", found, wanted, TOLERANCES) if not each.passed]
 
 
-def test_parts_of_an_enclosure_are_no_variables():
-    assert golden_variables(golden()) == ["size", "turn", "count"]
+def test_what_agrees_passes(found, wanted):
+    checks = compare("one", found, wanted, TOLERANCES)
+    assert all(each.passed for each in checks)
+    (force,) = (each for each in checks if each.variable == "force")
+    assert (force.count, force.labels, force.kind) == (2, 2, Kind.ENCLOSED)
+
+
+def test_numbers_may_differ_by_tolerance_and_radius(found, wanted):
+    found["force"].values[0, 0] = 1 + 0.9e-12
+    assert not failed(found, wanted)
+    found["force"].values[0, 0] = 1 + 1.1e-12
+    (check,) = failed(found, wanted)
+    assert (check.variable, check.failed) == ("force", 1)
+    assert "law=rough, angle=0.0" in check.where
+    assert check.error == pytest.approx(1.1e-12, rel=1e-3)
+
+
+@pytest.mark.parametrize("place", [(0, 1), (1, 0)])
+def test_nan_and_infinity_are_the_same_or_fail(found, wanted, place):
+    found["force"].values[place] = 1.0
+    (check,) = failed(found, wanted)
+    assert check.variable == "force"
+
+
+def test_flags_and_labels_must_be_equal(found, wanted):
+    found["mode"].values[1] = 2
+    assert [each.variable for each in failed(found, wanted)] == ["mode"]
+    other = found.assign_coords(law=["rough", "sticky"]).assign(mode=wanted["mode"].variable)
+    assert "law" in [each.variable for each in failed(other, wanted)]
 
 
 @pytest.mark.parametrize(
-    ("step", "radius", "tolerance", "passes"),
+    ("change", "problem"),
     [
-        (1e-15, 0.0, Tolerance(), False),
-        (1e-15, 1e-14, Tolerance(), True),
-        (1e-15, 0.0, Tolerance(absolute=1e-14), True),
-        (3e-15, 0.0, Tolerance(ulp=4), True),
-        (8e-15, 0.0, Tolerance(ulp=4), False),
+        (lambda data: data.drop_vars("mode"), "mode is missing from the result"),
+        (lambda data: data.assign(more=data["mode"]), "more is not in the golden data"),
+        (lambda data: data.assign_attrs(study="other"), "has study 'other', not 'mine'"),
+        (lambda data: data.isel(angle=[0]), "force has the shape (2, 1), not (2, 2)"),
+        (lambda data: data.transpose(), "force has the dims ('angle', 'law')"),
+        (lambda data: data.assign(mode=data["mode"].astype(float)), "mode has the type float64"),
+        (
+            lambda data: data.assign(force=data["force"].assign_attrs(units="2")),
+            "force has units '2', not '1'",
+        ),
     ],
 )
-def test_tolerance_and_radius(step, radius, tolerance, passes):
-    values = np.c_[VALUES, [7.0, 8.0]]
-    values[1, 0] += step
-    changed = result(size=(("a", "x"), values, {"units": "length"}))
-    check = only(compare("data", changed, golden(radius), {"size": tolerance}), "size")
-    assert check.passed is passes
-    assert "a=two, x=0.0: computed 4.0000000000000" in check.where
-    assert check.error == pytest.approx(step, rel=0.3, abs=0)
-    assert check.ulp == pytest.approx(check.error / np.spacing(4.0))
+def test_what_is_not_a_number_is_compared_too(found, wanted, change, problem):
+    assert any(problem in each.problem for each in failed(change(found), wanted))
 
 
-def test_the_low_part_counts():
-    data = golden()
-    data["size_low"][:] = 1e-17
-    assert not only(compare("data", result(), data, {}), "size").passed
-    tolerance = {"size": Tolerance(absolute=2e-17)}
-    assert only(compare("data", result(), data, tolerance), "size").passed
+def test_versions_of_packages_may_differ(found, wanted):
+    assert not failed(found.assign_attrs(versions="newest"), wanted)
 
 
-@pytest.mark.parametrize("value", [np.inf, -np.inf, 3.0])
-def test_infinities_are_values(value):
-    values = np.c_[VALUES, [7.0, 8.0]]
-    values[0, 2] = value
-    changed = result(size=(("a", "x"), values, {"units": "length"}))
-    generous = {"size": Tolerance(ulp=1e300, absolute=1e300)}
-    check = only(compare("data", changed, golden(), generous), "size")
-    assert check.passed is (value == np.inf)
+def test_a_variable_without_a_tolerance_must_be_exact(found, wanted):
+    loose = compare("one", found.assign(force=found["force"] * (1 + 1e-14)), wanted, TOLERANCES)
+    strict = compare(
+        "one", found.assign(force=found["force"] * (1 + 1e-14)), wanted, TolerancesFile()
+    )
+    assert [each.passed for each in loose if each.variable == "force"] == [True]
+    assert [each.passed for each in strict if each.variable == "force"] == [False]
 
 
-def test_a_full_turn_is_a_difference():
-    angles = np.array([10.0, 380.0, 30.0, 40.0])
-    changed = result(turn=(("x",), angles, {"units": "degree"}))
-    assert not only(compare("data", changed, golden(), {}), "turn").passed
+def test_a_dataset_has_tolerances_of_its_own():
+    own = {"every": {"force": Tolerance(ulp=1)}, "one": {"force": Tolerance(ulp=2)}}
+    file = TolerancesFile(tolerances=own)
+    assert file.of("one", "force").ulp == 2
+    assert file.of("one/group", "force").ulp == 2
+    assert file.of("two", "force").ulp == 1
+    assert file.of("two", "mode") == Tolerance()
 
 
-def test_a_wrong_count_fails():
-    changed = result(count=(("a",), np.array([1, 3], np.int8), {"units": "1"}))
-    check = only(compare("data", changed, golden(), {"count": Tolerance(ulp=4)}), "count")
-    assert (check.passed, check.failed) == (False, 1)
-
-
-@pytest.mark.parametrize(
-    ("changed", "problem"),
-    [
-        (result().drop_vars("size"), "is missing from the result"),
-        (result(size=(("a", "x"), np.c_[VALUES, [7.0, 8.0]], {"units": "1"})),
-         "has units '1', not 'length'"),
-        (result(size=(("a", "x"), np.full((2, 4), np.nan), {"units": "length"})),
-         "has NaN, or none, at 6 points"),
-        (result().isel(x=[0, 2, 3]), "has no x 1.0"),
-        (result(size=(("a",), np.ones(2), {"units": "length"})), r"has the dims \('a',\), not"),
-        (result().assign_coords(x=("x", [0.0, 1.0, 2.0, 3.0], {"units": "degree"})),
-         "has x in 'degree'"),
-    ],
-)  # fmt: skip
-def test_problems_fail(changed, problem):
-    check = only(compare("data", changed, golden(), {"size": Tolerance(absolute=1e9)}), "size")
-    assert not check.passed
-    assert re.match(problem, check.problem), check.problem
+def test_the_package_has_tolerances():
+    assert load_tolerances().tolerances["every"]

@@ -14,7 +14,7 @@ from functools import lru_cache
 
 from flint import arb, fmpq
 
-from planar_pushing.certified.balls import Exact, cosine_sine, precise, rational, sign
+from planar_pushing.certified.balls import Exact, cosine_sine, norm, precise, rational, sign
 from planar_pushing.certified.contact import slips
 from planar_pushing.certified.contact.sticking import Motion, Sticking, sticking
 from planar_pushing.certified.line_of_force import (
@@ -29,6 +29,7 @@ from planar_pushing.certified.setting import (
     Effects,
     Heading,
     Slider,
+    direction,
     edge,
     heading,
     lean,
@@ -103,6 +104,21 @@ def contact_modes(
         spins = _slips(slider, effects, law.friction_coefficient, side, size, pusher)
         found[mode] = [Motion(spin, force.degrees) for spin in spins]
     return found
+
+
+@precise
+def speed(
+    slider: Slider, law: Law, mode: Mode, motion: Motion, magnitude: fmpq, pusher: Heading
+) -> arb:
+    """Speed of the slider's center in a consistent motion: the contact keeps up with the pusher."""
+    force = direction(motion.force_angle)
+    x, y = contact_motion(slider, force, motion.spin_ratio)
+    if mode is Mode.STICK:
+        return magnitude / norm(x, y)
+    if pusher.y == 0:  # of a slip along the fence, whose force tells its size
+        motions, _ = cover(slider, law.friction_coefficient, SLIPS[mode])
+        return motions.speed(abs(motion.spin_ratio))
+    return magnitude * pusher.y / y
 
 
 def outcome(found: dict[Mode, list[Motion]]) -> int:

@@ -90,7 +90,6 @@ def modes(
         known to be so, or where a load moves the slider against friction alone.
     """
 
-
     def found() -> list[Solution]:
         return list(_solutions(_Problem(resistance(scene), scene, law, pusher, size)))
 

@@ -96,7 +96,9 @@ def motion_cone(values: Values, effects: str, length: float, angle: float, mu: f
 def contact_laws(values: Values, label: str) -> Record:
     """Angle of friction of a contact law."""
     law = labelled_law(label)
-    return {"friction_angle": friction_angle(math.nan if law.adhesive else law.friction_coefficient)}
+    return {
+        "friction_angle": friction_angle(math.nan if law.adhesive else law.friction_coefficient)
+    }
 
 
 def coefficients(values: Values, mu: float) -> Record:
@@ -114,7 +116,7 @@ def solutions(
     pusher = heading(pusher_angle)
     size = rational(values["slider"]["radius"])
     listed = [
-        solution(own, resisting, mode, motion, rational(magnitude), pusher)
+        solution(own, resisting, law, mode, motion, rational(magnitude), pusher)
         | {"continuum": continuum and mode is modes.Mode.STICK}
         | {"center": center(own, size, motion)}
         for mode, motions in found.items()
@@ -147,7 +149,13 @@ def columns(listed: list[Record]) -> Record:
 
 
 def solution(
-    own: Slider, effects: Effects, mode: modes.Mode, motion: Motion, size: Any, pusher: Heading
+    own: Slider,
+    effects: Effects,
+    law: modes.Law,
+    mode: modes.Mode,
+    motion: Motion,
+    size: Any,
+    pusher: Heading,
 ) -> Record:
     """Force and motion of a solution; the rotation of the twist is R omega."""
     if mode is modes.Mode.SEPARATE:
@@ -157,7 +165,7 @@ def solution(
     along, k = direction(motion.force_angle), motion.spin_ratio
     u = line_of_force.contact_motion(own, along, k)
     sticks = mode is modes.Mode.STICK
-    speed = size / (u[0] ** 2 + u[1] ** 2).sqrt() if sticks else size * pusher.y / u[1]
+    speed = modes.speed(own, law, mode, motion, size, pusher)
     force = arb(0)
     if effects is not Effects.INERTIA:
         force += own.weight * ring.profile(abs(k))[0]
@@ -200,7 +208,7 @@ def _center_at(values: Values, own: Slider, force: Heading, share: float) -> Rec
 
 
 def region_ends(values: Values, length: float, angle: float, force_angle: float) -> Record:
-    """Ends of both regions of acceleration centers under one line of force, from the contact (Sec. 4).
+    """Ends of both regions of centers under one line of force, from the contact (Sec. 4).
 
     Of the exact one: friction alone and inertia alone. Of the paper's bound: a line that misses the ring has
     its centers inside it, one that meets it outside.

@@ -20,7 +20,7 @@ from planar_pushing.study.figures import GALLERY, draws
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import computes
-from planar_pushing.study.store import group_names, read_dataset
+from planar_pushing.study.store import group_names, read_attributes, read_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
@@ -102,6 +102,8 @@ def _check_file(name: str, path: Path, golden: Path, tolerances: TolerancesFile)
             Check(file=f"{name}/{group}", problem="is no group of this dataset")
             for group in set(found) - set(wanted)
         ]
+        if "" not in wanted:
+            checks += compare(name, _root(path), _root(golden), tolerances)
         for group, each in wanted.items():
             result = read_dataset(path, group or None).load()
             checks += compare(f"{name}/{group}" if group else name, result, each, tolerances)
@@ -119,3 +121,8 @@ def _golden_groups(path: Path) -> dict[str, xr.Dataset]:
     except InvalidFile:
         remedy = "take it from the repository, or make it anew with make golden WRITE=1"
         raise InvalidFile(f"{path}: is a damaged golden file; {remedy}") from None
+
+
+def _root(path: Path) -> xr.Dataset:
+    """The attributes of a file with groups."""
+    return xr.Dataset(attrs=read_attributes(path))

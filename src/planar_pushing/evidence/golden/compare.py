@@ -27,7 +27,10 @@ Floats = npt.NDArray[np.float64]
 #: Root attribute of a golden file that says how its numbers are known, a `Kind`.
 KIND = "golden_kind"
 #: Attributes that are those of a golden file, or of the packages that a result was computed with.
-ASIDE = (KIND, "golden_method", "golden_checked_by_integrals", "golden_versions", "versions")
+ASIDE = (
+    KIND, "golden_method", "golden_checked_by_integrals", "golden_versions", "golden_precision_bits",
+    "versions",
+)  # fmt: skip
 
 
 class Kind(StrEnum):
@@ -179,9 +182,7 @@ def _unlike(found: xr.DataArray, wanted: xr.DataArray) -> str:
     return f"has the type {found.dtype}, not {wanted.dtype}" if one != other else ""
 
 
-def _compared(
-    check: Check, found: xr.DataArray, golden: xr.Dataset, tolerance: Tolerance
-) -> Check:
+def _compared(check: Check, found: xr.DataArray, golden: xr.Dataset, tolerance: Tolerance) -> Check:
     wanted = golden[check.variable]
     name = f"{check.variable}{RADIUS}"
     radius = radii(golden[name].values) if name in golden else np.zeros(wanted.shape)
@@ -219,8 +220,14 @@ def judged(
     Units in the last place are those of `scale`.
     """
     if middle.dtype.kind != "f":
-        wrong = computed.astype(str) != middle.astype(str) if middle.dtype.kind in "OU" else computed != middle
-        found = replace(check, labels=middle.size, failed=int(wrong.sum()), error=float(wrong.any()))
+        wrong = (
+            computed.astype(str) != middle.astype(str)
+            if middle.dtype.kind in "OU"
+            else computed != middle
+        )
+        found = replace(
+            check, labels=middle.size, failed=int(wrong.sum()), error=float(wrong.any())
+        )
         return _described(found, computed, middle, wrong.astype(float), label)
     finite = np.isfinite(middle)
     size = np.where(np.isfinite(scale), np.abs(scale), 0.0)

@@ -11,16 +11,16 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from flint import arb
 from tqdm import tqdm
 
 from planar_pushing.certified import ring
 from planar_pushing.certified.balls import Undecided, precise
 from planar_pushing.certified.integrals import printed
+from planar_pushing.certified.storage import stored
 from planar_pushing.certified.supports.pressure import integrals, moments
 from planar_pushing.evidence.golden import cells, supports
 from planar_pushing.evidence.golden.cells import Record, Values
-from planar_pushing.evidence.golden.enclosures import EXACT, RADIUS, packed
+from planar_pushing.evidence.golden.enclosures import EXACT, RADIUS
 from planar_pushing.terms.errors import InvalidResult
 
 Point = tuple[Any, ...]
@@ -94,7 +94,7 @@ def _nested(value: Any) -> Any:
     """Numbers as pairs of midpoint and exponent, in the lists in which they are."""
     if isinstance(value, list):
         return [_nested(each) for each in value]
-    return packed(value) if isinstance(value, arb) else (value, EXACT)
+    return stored(value)
 
 
 def records(
@@ -112,9 +112,7 @@ def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
     return list(itertools.product(*axes))
 
 
-def certified(
-    name: str, values: Values, template: xr.Dataset, processes: int
-) -> xr.Dataset:
+def certified(name: str, values: Values, template: xr.Dataset, processes: int) -> xr.Dataset:
     """A dataset with the certified values in place of its own, and the exponents of their radii.
 
     Parameters

@@ -54,7 +54,7 @@ def scene_values(values: Mapping[str, Any]) -> Record:
     found = modes.contact_modes(own, effects, law, float(magnitude), degrees)
     continuum = modes.is_continuum(own, effects, law, degrees)
     listed = [
-        solution(own, effects, mode, motion, magnitude, pusher)
+        solution(own, effects, law, mode, motion, magnitude, pusher)
         | {"center": center(own, size, motion), "pivot": -1, "force_end": []}
         | {"continuum": continuum and mode is modes.Mode.STICK}
         for mode, motions in found.items()
@@ -76,9 +76,7 @@ def scene_values(values: Mapping[str, Any]) -> Record:
         "support_motion": [motion for motion, _ in rubbing],
         "support_force": [force for _, force in rubbing],
     }
-    own_columns = {
-        name: each for name, each in columns(listed).items() if name not in ELSEWHERE
-    }
+    own_columns = {name: each for name, each in columns(listed).items() if name not in ELSEWHERE}
     return given | own_columns | _cones(own, effects, law, size)
 
 

@@ -23,6 +23,7 @@ from flint import __FLINT_VERSION__ as FLINT
 from tqdm import tqdm
 
 from planar_pushing.certified.balls import PRECISION
+
 log_values = None
 from planar_pushing.evidence.golden.check import result_names
 from planar_pushing.evidence.golden.compare import ASIDE, KIND, Kind
@@ -42,7 +43,7 @@ from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import group_names, read_dataset, write_dataset
+from planar_pushing.study.store import group_names, read_attributes, read_dataset, write_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidResult
@@ -53,8 +54,8 @@ METHOD = {
     Kind.PLAIN: "stored as computed",
 }
 #: Values kept of each axis for the second route: a rod of no length, a line of force tangent to the ring
-#: (k = 1), along and across the rod, the fence itself, mu = 0 and infinity, every law; centers off the lines
-#: and rims of supports.
+#: (k = 1), along and across the rod, the fence itself, mu = 0 and infinity, every law; centers off the
+#: lines and rims of supports.
 SECOND: dict[str, tuple[Any, ...]] = {
     "rod_length": (0, 1, 2, 10),
     "rod_angle": (45, 90),
@@ -80,9 +81,7 @@ ONCE = ("numbers",)
 Groups = dict[str, xr.Dataset]
 
 
-def golden_groups(
-    study: StudyFile, name: str, result: Path, processes: int
-) -> tuple[Kind, Groups]:
+def golden_groups(study: StudyFile, name: str, result: Path, processes: int) -> tuple[Kind, Groups]:
     """The golden datasets of a result by group, from the result and the certified route."""
     groups = {
         group: read_dataset(result, group or None).load() for group in group_names(result) or [""]
@@ -237,7 +236,9 @@ def _update(file: str, args: argparse.Namespace) -> int:
         changed += len(found)
         print("\n".join(found) if found else f"{name}: unchanged", flush=True)
         if found and args.write:
-            write_dataset(new[""] if set(new) == {""} else new, golden / f"{name}.nc")
+            root = xr.Dataset(attrs=read_attributes(folder / dataset_place(name)[0]))
+            whole = {"/": _described(root, kind, count)} | new
+            write_dataset(new.get("", whole), golden / f"{name}.nc")
     print(f"{checked} numbers lie in the enclosures of both routes")
     return changed
 
@@ -245,9 +246,8 @@ def _update(file: str, args: argparse.Namespace) -> int:
 def _described(dataset: xr.Dataset, kind: Kind, count: int) -> xr.Dataset:
     marks: dict[str, Any] = {KIND: str(kind), "golden_method": METHOD[kind]}
     if kind is not Kind.PLAIN:
-        marks["golden_versions"] = (
-            f"python-flint {version('python-flint')}, FLINT {FLINT}, {PRECISION} bits"
-        )
+        marks["golden_versions"] = f"python-flint {version('python-flint')}, FLINT {FLINT}"
+        marks["golden_precision_bits"] = PRECISION
     if count:
         marks["golden_checked_by_integrals"] = count
     return dataset.assign_attrs(marks)

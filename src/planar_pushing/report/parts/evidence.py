@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 from planar_pushing.report.quantities import Numbers, Quantity, claimed, counted
-from planar_pushing.report.verdict import golden_numbers, rule_count, verdict_count, verdict_word
+from planar_pushing.report.verdict import (
+    KINDS,
+    kind_count,
+    label_count,
+    mark_count,
+    verdict_word,
+)
 
 #: Verdicts that the ledger can expect.
 VERDICTS = [verdict for verdict in Verdict if verdict is not Verdict.UNDECIDED]
@@ -16,10 +22,11 @@ def _verdicts(verdict: Verdict) -> Quantity:
 
 GOLDEN: Numbers = {
     "golden-verdict": verdict_word(),
-    "golden-values": verdict_count("values"),
-    "golden-variables": verdict_count("variables"),
-    **{f"checked-{rule}": rule_count(rule) for rule in ("residual", "exact", "derived")},
-    **golden_numbers(),
+    **{f"golden-{kind}": kind_count(kind) for kind in KINDS},
+    "golden-variables": kind_count("enclosed", "variables"),
+    "golden-labels": label_count(),
+    "golden-by-integrals": mark_count("golden_checked_by_integrals", sum),
+    "golden-precision": mark_count("golden_precision_bits", min),
 }
 
 CLAIMS: Numbers = {

@@ -24,7 +24,7 @@ PACKAGES = {
     "dataset": LIBRARY,
     "simulation": (*LIBRARY, "simulation"),
     "figure": (*LIBRARY, "figures"),
-    "golden": (*LIBRARY, "simulation", "figures", "certified", "evidence"),
+    "golden": (*LIBRARY, *EVIDENCE, "evidence.golden"),
     "claims": (*LIBRARY, *EVIDENCE, "certified", "evidence.claims"),
     "hard_cases": (*LIBRARY, *EVIDENCE, "certified", "evidence.hard_cases"),
     "costs": (*LIBRARY, *EVIDENCE, "simulation", "certified", "evidence.costs"),
