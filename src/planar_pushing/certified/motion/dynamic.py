@@ -81,9 +81,7 @@ def _weight(file: File) -> fmpq:
 class _Part:
     """Motion during a piece of the fence's motion."""
 
-    def __init__(
-        self, of: Body, weight: fmpq, piece: Piece, place: Vector, scheme: Scheme
-    ) -> None:
+    def __init__(self, of: Body, weight: fmpq, piece: Piece, place: Vector, scheme: Scheme) -> None:
         self.of, self.weight, self.piece, self.place, self.scheme = of, weight, piece, place, scheme
         self.phase = Phase(of, weight, piece.velocity, Mode.STICK)
         self.rest: Now | None = None

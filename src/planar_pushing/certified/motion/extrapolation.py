@@ -70,7 +70,7 @@ def _over(rates: Rates, state: State, step: arb, scheme: Scheme, halvings: int) 
 
 def extrapolated(rates: Rates, state: State, step: arb, scheme: Scheme) -> State | None:
     """The state after one step, None where the last two rows differ by more than the tolerance."""
-    slope, row = rates(state), []
+    slope, row = rates(state), list[State]()
     for j in range(1, scheme.columns + 1):
         above, row = row, [_midpoint(rates, state, slope, step, 2 * j)]
         for i, coarser in enumerate(above, start=1):

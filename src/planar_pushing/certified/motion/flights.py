@@ -16,13 +16,14 @@ from planar_pushing.certified.contact.modes import Mode
 from planar_pushing.certified.motion import impulses
 from planar_pushing.certified.motion.impulses import Body
 from planar_pushing.certified.motion.instants import (
+    NOTHING,
     ZERO,
     File,
     Instant,
     Vector,
     ahead,
     of_event,
-    pieces,
+    only_piece,
     rod_of,
     spin_ratio,
 )
@@ -46,8 +47,8 @@ class _Flight:
     velocity: Vector
     spin: arb
     gap: fmpq
-    work: arb = arb(0)
-    lost: arb = arb(0)
+    work: arb = NOTHING
+    lost: arb = NOTHING
     solutions: int = 1
 
     def turned(self, time: arb) -> arb:
@@ -97,7 +98,7 @@ def flying(file: File, times: Sequence[fmpq]) -> list[Instant]:
     Undecided
         Where the fence does not move evenly, the slider starts on it, or stays on it after the impact.
     """
-    (piece,), of, end = pieces(file), impulses.body(file), arb(times[-1])
+    piece, of, end = only_piece(file), impulses.body(file), arb(times[-1])
     first = _begun(file, of, piece.velocity)
     touch = _touch(first, arb(0), end, DEPTH)
     if touch is None:
@@ -105,8 +106,10 @@ def flying(file: File, times: Sequence[fmpq]) -> list[Instant]:
     event, second = of_event(times, touch), _bounced(file, first, touch)
     _shown_open(second, end)
     found = [(first if time < touch else second).at(arb(time)) for time in times]
-    at_touch = {"gap": arb(0), "solutions": second.solutions, "event": TOUCHES}
-    found[event] = replace(second.at(touch), **at_touch)
+    found[event] = replace(
+        second.at(arb(times[event])), time=touch, gap=NOTHING, event=TOUCHES,
+        solutions=second.solutions,
+    )  # fmt: skip
     return found
 
 

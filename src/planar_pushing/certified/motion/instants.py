@@ -13,7 +13,8 @@ from planar_pushing.certified.contact.modes import Mode
 
 File = Mapping[str, Any]
 Vector = tuple[arb, arb]
-ZERO: Vector = (arb(0), arb(0))
+NOTHING = arb(0)
+ZERO: Vector = (NOTHING, NOTHING)
 NO_EVENT, NO_PIVOT = -1, -1
 #: A stored instant this near to an event, as a fraction of the last instant, is that of the event.
 NEAR = fmpq(1, 10**8)
@@ -58,7 +59,7 @@ class Instant:
     work: arb
     rubbed: arb
     lost: arb
-    kinetic: arb = arb(0)
+    kinetic: arb = NOTHING
     pivot: int = NO_PIVOT
     event: int = NO_EVENT
 
@@ -100,6 +101,14 @@ def pieces(file: File) -> list[Piece]:
         Piece(start, end, rational(each["angle"]), rational(speed))
         for each, speed, start, end in zip(given, speeds, ends, ends[1:], strict=False)
     ]
+
+
+def only_piece(file: File) -> Piece:
+    """The one velocity of a fence that moves evenly."""
+    found = pieces(file)
+    if len(found) != 1:
+        raise Undecided("certified motion of this kind is that of a fence of one velocity")
+    return found[0]
 
 
 def during(times: Sequence[fmpq], piece: Piece, last: bool) -> list[fmpq]:

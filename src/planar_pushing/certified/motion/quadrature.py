@@ -46,9 +46,7 @@ def _profile(k: acb, analytic: bool) -> _Profile:
     force = m.hypgeom_2f1(-half, half, acb(1))
     torque = k / 2 * m.hypgeom_2f1(half, half, acb(2))
     rise = m.hypgeom_2f1(half, 3 * half, acb(2)) / 2
-    return _Profile(
-        force, torque, torque / force, rise * (force + k * torque) / (force * force)
-    )
+    return _Profile(force, torque, torque / force, rise * (force + k * torque) / (force * force))
 
 
 class Integral:

@@ -22,8 +22,8 @@ from planar_pushing.certified.motion.instants import (
     Piece,
     Vector,
     ahead,
-    center_motion,
     during,
+    only_piece,
     pieces,
     rod_of,
 )
@@ -38,6 +38,7 @@ from planar_pushing.certified.motion.quadrature import (
     stick_spin,
 )
 
+UNIT_SPEED = "certified motion is that of a fence of unit speed"
 #: Relative width of the root that a piece of the motion starts from.
 WIDTH = arb(2) ** -160
 #: A relative step of Newton's method below which the next one is a rounding error.
@@ -57,7 +58,7 @@ def rod_length(file: File) -> fmpq:
 def _unit_pieces(file: File) -> list[Piece]:
     found = pieces(file)
     if any(piece.speed != 1 for piece in found):
-        raise Undecided("certified motion is that of a fence of unit speed")
+        raise Undecided(UNIT_SPEED)
     return found
 
 
@@ -129,8 +130,8 @@ class _Stick:
         return Instant(
             time=arb(time), angle=angle, position=(fence[0] + rod[0], fence[1] + rod[1]),
             contact=fence, fence=fence, twist=(size * cosine, size * sine, size * k),
-            mode=Mode.STICK, solutions=len(modes), spin=k, force=(force * cosine, force * sine), slip=arb(0), gap=arb(0), work=work,
-            rubbed=work, lost=arb(0),
+            mode=Mode.STICK, solutions=len(modes), spin=k, force=(force * cosine, force * sine),
+            slip=arb(0), gap=arb(0), work=work, rubbed=work, lost=arb(0),
         )  # fmt: skip
 
     def _spin(self, path: fmpq) -> arb:
@@ -168,7 +169,9 @@ def slipping(file: File, times: Sequence[fmpq]) -> list[Instant]:
     The ring's center keeps its height, so ``l sin psi`` falls as the fence rises. The slip is shown to go
     to the right, between the instants too.
     """
-    length, (piece,) = rod_length(file), _unit_pieces(file)
+    length, piece = rod_length(file), only_piece(file)
+    if piece.speed != 1:
+        raise Undecided(UNIT_SPEED)
     if file["contact"] != {"law": "infinite_friction", "at_zero_normal": "free"}:
         raise Undecided("certified slip is that of infinite friction")
     slide = _Slide(file, length, piece)

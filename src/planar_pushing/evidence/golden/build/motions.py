@@ -8,14 +8,8 @@ from typing import Any
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import in_degrees, rational
-from planar_pushing.certified.motion.trajectories import (
-    File,
-    Instant,
-    Vector,
-    pulled,
-    rod_length,
-    slipping,
-)
+from planar_pushing.certified.motion.instants import File, Instant, Vector
+from planar_pushing.certified.motion.trajectories import pulled, rod_length, slipping
 from planar_pushing.evidence.golden.build.packing import Values
 
 Study = Mapping[str, Any]
