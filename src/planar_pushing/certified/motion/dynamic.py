@@ -24,8 +24,7 @@ from planar_pushing.certified.motion.instants import (
     File,
     Instant,
     Piece,
-    Vector,
-    ahead,
+    displacement,
     during,
     of_event,
     pieces,
@@ -53,11 +52,11 @@ def driven(file: File, times: Sequence[fmpq], scheme: Scheme) -> list[Instant]:
         raise Undecided("certified motion with friction and inertia begins at rest on the fence")
     of, weight = impulses.body(file), _weight(file)
     angle = (arb.pi() * rational(file["slider"]["rod_angle"]) / 180).mid()
-    now, before, place = Now(angle, *[arb(0)] * 7), ZERO, ZERO
+    now, past = Now(angle, *[arb(0)] * 7), None
     found: list[Instant] = []
     for piece in fence:
-        part = _Part(of, weight, piece, place, scheme)
-        now = part.hit(now, before, section["on_ambiguity"])
+        part = _Part(of, weight, fence, piece, scheme)
+        now = part.hit(now, past, section["on_ambiguity"])
         inside, last = during(times, piece, piece is fence[-1]), times[-1] <= piece.end
         part.look_for_rest(now, times)
         for time in inside:
@@ -66,7 +65,7 @@ def driven(file: File, times: Sequence[fmpq], scheme: Scheme) -> list[Instant]:
         if last:
             break
         now = part.moved(now, piece.end)
-        before, place = piece.velocity, ahead(place, piece.velocity, piece.end - piece.start)
+        past = piece
     return found
 
 
@@ -81,17 +80,27 @@ def _weight(file: File) -> fmpq:
 class _Part:
     """Motion during a piece of the fence's motion."""
 
-    def __init__(self, of: Body, weight: fmpq, piece: Piece, place: Vector, scheme: Scheme) -> None:
-        self.of, self.weight, self.piece, self.place, self.scheme = of, weight, piece, place, scheme
+    def __init__(
+        self, of: Body, weight: fmpq, fence: Sequence[Piece], piece: Piece, scheme: Scheme
+    ) -> None:
+        self.of, self.fence, self.piece, self.scheme = of, fence, piece, scheme
         self.phase = Phase(of, weight, piece.velocity, Mode.STICK)
         self.rest: Now | None = None
         self.event: fmpq | None = None
 
-    def hit(self, now: Now, before: Vector, policy: str) -> Now:
+    def hit(self, now: Now, past: Piece | None, policy: str) -> Now:
         """Choose the mode, and return the state after the impact that begins the piece."""
+        if past is not None and (past.degrees, past.speed) == (
+            self.piece.degrees,
+            self.piece.speed,
+        ):
+            raise Undecided("certified pieces of the fence's motion differ in velocity")
         of, (w_x, w_y), rod = self.of, self.piece.velocity, rod_of(self.of.length, now.angle)
+        before = ZERO if past is None else past.velocity
         apart = before[0] + now.rate - w_x, before[1] - w_y
         hit = impulses.impact(of, rod, apart, policy)
+        if hit.mode is Mode.SEPARATE:
+            raise Undecided(f"the slider leaves the fence at the time {self.piece.start}")
         x, y = hit.impulse
         after = now._replace(
             spin=now.spin + impulses.torque(rod, hit.impulse) / of.moment, rate=hit.slip,
@@ -100,7 +109,7 @@ class _Part:
         after = Now(*(each.mid() for each in after))
         free = self.phase.forces(after).free
         mode = chosen(impulses.consistent(of, rod, after.rate, free), policy)
-        if Mode.SEPARATE in (hit.mode, mode):
+        if mode is Mode.SEPARATE:
             raise Undecided(f"the slider leaves the fence at the time {self.piece.start}")
         self.phase = replace(self.phase, mode=mode)
         return after
@@ -127,7 +136,7 @@ class _Part:
         now = self.moved(now, time)
         rests = now is self.rest
         stops = rests and time == self.event
-        fence = ahead(self.place, self.piece.velocity, time - self.piece.start)
+        fence = displacement(self.fence, time)
         rod, contact = rod_of(self.of.length, now.angle), (fence[0] + now.slip, fence[1])
         found = Instant(
             time=now.time if stops else arb(time), angle=now.angle, contact=contact, fence=fence,

@@ -14,12 +14,14 @@ from planar_pushing.certified.effects.modes import edge
 from planar_pushing.certified.effects.under import Moved, about, under
 from planar_pushing.certified.motion.choices import consistent
 from planar_pushing.certified.motion.impulses import SENSE
-from planar_pushing.certified.motion.instants import File, Vector, center_motion, rod_of
+from planar_pushing.certified.motion.instants import File, Piece, Vector, center_motion, rod_of
 from planar_pushing.certified.potential.direction import Direction, relative, returned
 from planar_pushing.certified.potential.push import Push
 from planar_pushing.certified.potential.resistance import Resistance, resistance
 
 ONE = fmpq(1)
+#: A pivot lasts up to this excess: a stored time may be a little before that of its start.
+SLACK = arb(2) ** -20
 
 
 class Slip(NamedTuple):
@@ -38,9 +40,9 @@ class Edges:
     pivots, -1 without one.
     """
 
-    def __init__(self, file: File, mode: Mode, fence: Vector) -> None:
-        self.scene, self.law = given.scene(file), given.law(file)
-        self.mode, self.side, self.fence = mode, SLIPS[mode], fence
+    def __init__(self, file: File, mode: Mode, piece: Piece) -> None:
+        self.scene, self.law, self.piece = given.scene(file), given.law(file), piece
+        self.mode, self.side, self.fence = mode, SLIPS[mode], piece.velocity
 
     @property
     def feet(self) -> range:
@@ -80,7 +82,7 @@ class Edges:
         lasts = found.force > 0 and scale > 0
         if not lasts or sign(contact[0] - self.fence[0]) != SENSE[self.mode]:
             raise Undecided(f"the slip {self.mode.name} ends")
-        if found.pivot != foot or (foot >= 0 and not self.excess(angle, foot) < 0):
+        if found.pivot != foot or (foot >= 0 and not self.excess(angle, foot) < SLACK):
             raise Undecided("a pivot begins or ends")
         velocity = center_motion(rod_of(self.scene.length, angle), contact, spin)
         return Slip(contact, velocity, spin, (found.force * toward[0], found.force * toward[1]))

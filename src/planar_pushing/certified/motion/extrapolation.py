@@ -7,8 +7,9 @@ is the difference between two runs with other orders and steps.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import count, islice, pairwise
 
 from flint import arb
 
@@ -27,22 +28,22 @@ class Scheme:
 
     Attributes
     ----------
-    columns : int
-        Rows of Neville's scheme; the order is twice as many.
+    rows : int
+        Largest number of rows of Neville's scheme; the order is twice as many.
     tolerance : arb
-        Largest difference between the last two of them that a step may have.
+        Difference of the last values of two rows at which a step is done.
     steps : int
         Number of equal steps at first.
     """
 
-    columns: int
+    rows: int
     tolerance: arb
     steps: int = 1
 
 
 #: Two schemes of other orders and steps: the result is by the first.
-FINE = Scheme(14, arb(2) ** -122)
-COARSE = Scheme(10, arb(2) ** -112, steps=2)
+FINE = Scheme(16, arb(2) ** -122)
+COARSE = Scheme(12, arb(2) ** -108, steps=2)
 
 
 def advance(rates: Rates, state: State, time: arb, scheme: Scheme) -> State:
@@ -59,32 +60,36 @@ def advance(rates: Rates, state: State, time: arb, scheme: Scheme) -> State:
 
 
 def _over(rates: Rates, state: State, step: arb, scheme: Scheme, halvings: int) -> State:
-    found = extrapolated(rates, state, step, scheme)
-    if found is not None:
-        return found
+    for before, now in pairwise(islice(extrapolated(rates, state, step), scheme.rows)):
+        if _apart(before, now) < scheme.tolerance:
+            return now
     if halvings == 0:
         raise Undecided("the extrapolation does not converge: the motion is not smooth")
     middle = _over(rates, state, step / 2, scheme, halvings - 1)
     return _over(rates, middle, step / 2, scheme, halvings - 1)
 
 
-def extrapolated(rates: Rates, state: State, step: arb, scheme: Scheme) -> State | None:
-    """The state after one step, None where the last two rows differ by more than the tolerance."""
+def extrapolated(rates: Rates, state: State, step: arb) -> Iterator[State]:
+    """The state after a step by methods of order 2, 4, 6 and so on."""
     slope, row = rates(state), list[State]()
-    for j in range(1, scheme.columns + 1):
+    for j in count(1):
         above, row = row, [_midpoint(rates, state, slope, step, 2 * j)]
         for i, coarser in enumerate(above, start=1):
             factor = arb(j * j) / ((j - i) * (j - i)) - 1
             row.append(_line(row[-1], _line(row[-1], coarser, arb(-1)), 1 / factor))
-    apart = (abs(a - b) for a, b in zip(row[-1], row[-2], strict=True))
-    return row[-1] if all(each < scheme.tolerance for each in apart) else None
+        yield row[-1]
 
 
-def _midpoint(rates: Rates, state: State, slope: State, step: arb, count: int) -> State:
+def _apart(a: State, b: State) -> arb:
+    """Largest difference between two states."""
+    return max((abs(x - y) for x, y in zip(a, b, strict=True)), key=float)
+
+
+def _midpoint(rates: Rates, state: State, slope: State, step: arb, parts: int) -> State:
     """The state after a number of steps of the midpoint rule, the first of Euler's."""
-    size = (step / count).mid()
+    size = (step / parts).mid()
     before, now = state, _line(state, slope, size)
-    for _ in range(count - 1):
+    for _ in range(parts - 1):
         before, now = now, _line(before, rates(now), 2 * size)
     return now
 

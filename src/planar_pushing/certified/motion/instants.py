@@ -4,11 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpq_poly
 
-from planar_pushing.certified.balls import Undecided, cosine_sine, norm, rational
+from planar_pushing.certified.balls import (
+    Exact,
+    Undecided,
+    cosine_sine,
+    exact_direction,
+    has_exact_direction,
+    norm,
+    rational,
+    settle,
+)
 from planar_pushing.certified.contact.modes import Mode
 
 File = Mapping[str, Any]
@@ -116,7 +126,23 @@ def during(times: Sequence[fmpq], piece: Piece, last: bool) -> list[fmpq]:
     return [t for t in times if piece.start <= t and (t < piece.end or (last and t == piece.end))]
 
 
-def ahead(start: Vector, velocity: Vector, time: arb | fmpq) -> Vector:
+def displacement(fence: Sequence[Piece], time: fmpq) -> Vector:
+    """Displacement of the fence; zeros are exact where the directions of the pieces are."""
+    paths = [(min(time, each.end) - each.start, each) for each in fence if each.start < time]
+    sums = (sum((path * piece.velocity[i] for path, piece in paths), NOTHING) for i in (0, 1))
+    if not all(has_exact_direction(piece.degrees) for _, piece in paths):
+        x, y = sums
+        return x, y
+
+    def exact(i: int) -> Exact:
+        terms = (path * piece.speed * exact_direction(piece.degrees)[i] for path, piece in paths)
+        return sum(terms, fmpq_poly([0]))
+
+    x, y = (settle(each, partial(exact, i)) for i, each in enumerate(sums))
+    return x, y
+
+
+def ahead(start: Vector, velocity: Vector, time: arb) -> Vector:
     """Place after a time at a constant velocity."""
     return start[0] + time * velocity[0], start[1] + time * velocity[1]
 

@@ -99,7 +99,7 @@ def log_values(scene: Mapping[str, Any], times: Sequence[float]) -> LogValues:
     - a ring that sticks, or slips under infinite friction (figures 14 and 15): integrals over the spin
       ratio, validated;
     - inertia alone, a flight with one impact: a closed form and one root, validated;
-    - a ring with inertia from rest on the fence: extrapolation of order 28, not validated;
+    - a ring with inertia from rest on the fence: extrapolation of order up to 32, not validated;
     - a support of points that slips and then pivots: Chebyshev series over the rod angle, not validated.
 
     A log holds each event of a motion at the time that the library found. The stored instant next to an

@@ -22,10 +22,9 @@ from planar_pushing.certified.motion.edges import Edges
 from planar_pushing.certified.motion.impulses import SENSE
 from planar_pushing.certified.motion.instants import (
     NO_PIVOT,
-    ZERO,
     File,
     Instant,
-    ahead,
+    displacement,
     of_event,
     only_piece,
     rod_of,
@@ -68,7 +67,7 @@ def pivoting(file: File, times: Sequence[fmpq], nodes: int) -> list[Instant]:
     mode = chosen([each.mode for each in may], file["simulate"]["on_ambiguity"])
     if mode not in SENSE or file["slider"]["radius"] != 1:
         raise Undecided(f"certified pivots follow a slip, with R = 1, not the mode {mode.name}")
-    edges = Edges(file, mode, piece.velocity)
+    edges = Edges(file, mode, piece)
     foot, angle = _pivot(edges, start)
     slip = _Phase(edges, NO_PIVOT, start, angle, nodes, Sums(*[arb(0)] * 4))
     begins = slip.last.time
@@ -139,7 +138,7 @@ class _Phase:
         begins = time == self.first.time
         angle = self.start if begins else self._angle(time)
         sums = self.first if begins else self._sums(angle)
-        now, fence = self.edges.slip(angle, self.foot), ahead(ZERO, self.edges.fence, time)
+        now, fence = self.edges.slip(angle, self.foot), displacement([self.edges.piece], time)
         rod, contact = rod_of(self.edges.scene.length, angle), (fence[0] + sums.slip, fence[1])
         return Instant(
             time=arb(time), angle=angle, position=(contact[0] + rod[0], contact[1] + rod[1]),

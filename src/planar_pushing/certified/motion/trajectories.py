@@ -20,8 +20,7 @@ from planar_pushing.certified.motion.instants import (
     File,
     Instant,
     Piece,
-    Vector,
-    ahead,
+    displacement,
     during,
     only_piece,
     pieces,
@@ -69,46 +68,50 @@ def pulled(file: File, times: Sequence[fmpq]) -> list[Instant]:
     Every force is shown to lie in the friction cone, between the instants too.
     """
     length, fence = rod_length(file), _unit_pieces(file)
-    policy, angle = file["simulate"]["on_ambiguity"], arb.pi()
-    angle, found = angle * rational(file["slider"]["rod_angle"]) / 180, []
-    place, work, last = ZERO, arb(0), None
+    angle, work = arb.pi() * rational(file["slider"]["rod_angle"]) / 180, arb(0)
+    found: list[Instant] = []
+    last: Instant | None = None
     for piece in fence:
+        if not any(time >= piece.start for time in times):
+            break
         inside = during(times, piece, piece is fence[-1])
-        mode = chosen(ring_modes(file, length, angle, piece.velocity), policy)
-        if mode is Mode.SEPARATE and last is not None:
-            return found + [_left(file, last, piece, time) for time in inside]
+        modes = ring_modes(file, length, angle, piece.velocity)
+        mode = chosen(modes, file["simulate"]["on_ambiguity"])
+        if mode is Mode.SEPARATE and last is not None and piece is fence[-1]:
+            return found + [_left(file, last, fence, time) for time in inside]
         if mode is not Mode.STICK:
             raise Undecided(f"the contact does not stick at the time {piece.start}: {mode.name}")
-        stick = _Stick(file, length, piece, angle, place, work)
+        stick = _Stick(file, length, fence, piece, angle, work)
         found += [stick.at(time) for time in inside]
-        if piece is not fence[-1] and any(time >= piece.end for time in times):
+        if any(time >= piece.end for time in times):
             last = stick.at(piece.end)
-            angle, place, work = last.angle, last.fence, last.work
+            angle, work = last.angle, last.work
     return found
 
 
-def _left(file: File, last: Instant, piece: Piece, time: fmpq) -> Instant:
-    """The slider at rest, the fence moving away."""
-    fence = ahead(last.fence, piece.velocity, time - piece.start)
-    # The contact is open from the first instant on, after which only separation is consistent.
+def _left(file: File, last: Instant, fence: Sequence[Piece], time: fmpq) -> Instant:
+    """The slider at rest, the fence moving away in its last piece."""
+    piece = fence[-1]
+    # Behind the first instant the contact is open, and separation alone is consistent.
     closed = time == piece.start
     count = len(ring_modes(file, rod_length(file), last.angle, piece.velocity)) if closed else 1
     return replace(
-        last, time=arb(time), fence=fence, gap=last.fence[1] - fence[1], mode=Mode.SEPARATE,
-        solutions=count, spin=arb(0), force=ZERO, twist=(arb(0),) * 3,
+        last, time=arb(time), fence=displacement(fence, time), mode=Mode.SEPARATE,
+        gap=(piece.start - time) * piece.velocity[1], solutions=count, spin=arb(0), force=ZERO,
+        twist=(arb(0),) * 3,
     )  # fmt: skip
 
 
 class _Stick:
-    """Sticking during a piece of the fence's motion, from a rod angle, a place and a work on.
+    """Sticking during a piece of the fence's motion, from a rod angle and a work on.
 
     The spin ratio rises with the time: instants are asked for in order.
     """
 
     def __init__(
-        self, file: File, length: fmpq, piece: Piece, angle: arb, place: Vector, work: arb
+        self, file: File, length: fmpq, fence: Sequence[Piece], piece: Piece, angle: arb, work: arb
     ) -> None:
-        self.file, self.length, self.piece, self.place = file, length, piece, place
+        self.file, self.length, self.fence, self.piece = file, length, fence, piece
         self.heading = arb.pi() * piece.degrees / 180
         self.mu = rational(file["contact"]["friction_coefficient"])
         self.start, self.done = stick_spin(length, angle - self.heading, WIDTH), work
@@ -121,12 +124,12 @@ class _Stick:
         holds(self._in_cone, self.shown, k)
         self.shown = k
         angle = self.heading + stick_angle(self.length, k)
-        fence = ahead(self.place, self.piece.velocity, time - self.piece.start)
+        fence = displacement(self.fence, time)
         rod, toward = rod_of(self.length, angle), self._force_angle(k)
         (force, torque), (sine, cosine) = ring.profile(k), toward.sin_cos()
         size = (1 + 2 * k * torque / force + (k * self.length) ** 2).rsqrt()
         modes = ring_modes(self.file, self.length, angle, self.piece.velocity)
-        work = self.done + self.work.to(k)
+        work = self.done if time == self.piece.start else self.done + self.work.to(k)
         return Instant(
             time=arb(time), angle=angle, position=(fence[0] + rod[0], fence[1] + rod[1]),
             contact=fence, fence=fence, twist=(size * cosine, size * sine, size * k),
@@ -190,18 +193,20 @@ class _Slide:
     def at(self, time: fmpq) -> Instant:
         """The instant at a time of the piece."""
         length, across = self.length, self.piece.velocity
-        fence = ahead(ZERO, across, time)
+        fence = displacement([self.piece], time)
         sine = self.start[1] - fence[1] / length
         q = slide_spin(length, sine)
-        path, rubbed, pull = (each.to(q) if time else arb(0) for each in self.sums)
-        holds(self._goes_right, self.shown, q)
-        self.shown, angle = q, sine.asin()
+        angle = sine.asin()
         modes = ring_modes(self.file, length, angle, across)
-        if Mode.SLIP_RIGHT not in modes:
-            raise Undecided(f"no slip to the right at the time {time}")
+        if modes != [Mode.SLIP_RIGHT]:
+            raise Undecided(f"a slip to the right is not the only solution at the time {time}")
+        holds(self._goes_right, self.shown, q)
+        path, rubbed, pull = (each.to(q) if time else arb(0) for each in self.sums)
+        self.shown = q
         turn = -across[1] / (length * angle.cos())
         position = length * self.start[0] - path, length * self.start[1]
-        contact, work = position[0] - length * angle.cos(), -pull * across[0] / across[1]
+        contact = position[0] - length * angle.cos() if time else arb(0)
+        work = -pull * across[0] / across[1]
         velocity = q * turn, arb(0)
         return Instant(
             time=arb(time), angle=angle, position=position, contact=(contact, fence[1]),
