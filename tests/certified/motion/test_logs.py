@@ -32,6 +32,12 @@ OWN = {
 }
 
 
+@pytest.fixture(scope="module", params=SCENES)
+def name(request):
+    """Tests of one scene are run in a row, which certify it once."""
+    return request.param
+
+
 @cache
 def file(name):
     return load_scene_file(f"workflow/scenes/{name}.yaml")
@@ -69,7 +75,6 @@ def differences(name, found, dataset):
     }
 
 
-@pytest.mark.parametrize("name", SCENES)
 def test_every_number_of_the_log_is_that_of_the_library(name):
     found = certified(name)
     beyond = {each: by for each, by in differences(name, found, log(name)).items() if by > 0}
@@ -77,7 +82,6 @@ def test_every_number_of_the_log_is_that_of_the_library(name):
     assert found.validated == (name in VALIDATED)
 
 
-@pytest.mark.parametrize("name", SCENES)
 def test_the_variables_are_those_of_the_log(name):
     found, dataset = certified(name).values, log(name)
     assert set(found) == {*dataset.data_vars, "time"} - {"evaluations"}
@@ -88,7 +92,6 @@ def test_the_variables_are_those_of_the_log(name):
 
 
 @pytest.mark.parametrize("flag", FLAGS)
-@pytest.mark.parametrize("name", SCENES)
 def test_every_flag_of_the_log_is_that_of_the_library(name, flag, request):
     if name == "figure_14b" and flag in ("outcome", "solutions"):
         reason = "the log counts contact modes of a fence that has left the contact"
@@ -104,7 +107,6 @@ def test_an_open_contact_has_one_solution():
     assert solutions[log("figure_14b").time.values == 0.5] == 3
 
 
-@pytest.mark.parametrize("name", SCENES)
 def test_every_number_is_narrow_enough_to_store(name):
     for _, rows in certified(name).values.values():
         for each in flat(rows):
@@ -113,7 +115,6 @@ def test_every_number_is_narrow_enough_to_store(name):
                 assert radius <= RESOLUTION * abs(high + low)
 
 
-@pytest.mark.parametrize("name", SCENES)
 def test_energies_balance(name):
     found = {each: rows for each, (_, rows) in certified(name).values.items()}
     initial = found["kinetic_energy"][0] if name == "impact" else arb(0)

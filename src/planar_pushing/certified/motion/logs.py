@@ -28,6 +28,8 @@ from planar_pushing.certified.motion.trajectories import pulled, slipping
 Values = dict[str, tuple[tuple[str, ...], Any]]
 #: Numbers of nodes of the two runs of a slider on feet; the result is by the first.
 NODES = 72, 60
+#: Relative error that both runs may share, by the widths of roots and by rounding.
+SHARED = arb(2) ** -100
 #: Variables of a log but `dissipated`: dimensions after time, and the value of an instant.
 VARIABLES: dict[str, tuple[tuple[str, ...], Callable[[Instant], Any]]] = {
     "time": ((), lambda now: now.time),
@@ -63,7 +65,8 @@ class LogValues:
         of the log: angles in degrees, rotations in radians per time, x along the fence, y normal to it.
     validated : bool
         Whether the balls are proved to enclose the numbers. Otherwise their radius is the difference from a
-        second run of the same equations by a method of another order and with other steps.
+        second run of the same equations by a method of another order and with other steps, and at least
+        2^-100 of the number, which covers the errors that both runs share.
     """
 
     values: Values
@@ -157,4 +160,6 @@ def _joined(fine: Any, coarse: Any) -> Any:
     apart = (fine - coarse).abs_upper()
     if apart > RESOLUTION * abs(fine):
         raise Undecided(f"two runs differ by too much: {fine}, {coarse}")
-    return arb(fine.mid(), apart)
+    if apart == 0 and fine == float(fine):  # a number that is given, or a zero
+        return fine
+    return arb(fine.mid(), arb.max(apart, (SHARED * abs(fine)).abs_upper()))
