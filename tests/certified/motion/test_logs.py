@@ -179,6 +179,7 @@ def test_two_runs_that_differ_are_refused(monkeypatch):
 BACK = [{"time": 0.0, "angle": 190.0, "speed": 1.0}]
 TWICE = [{"time": t, "angle": 10.0, "speed": 1.0} for t in (0.0, 0.5)]
 POLICIES = [{"time": 0.0, "policy": "separate"}]
+RING = [{"type": "ring_friction", "weight": 1.0}]
 VISCOUS = [{"type": "viscous", "coefficient": 1.0, "support": {"shape": "disc", "radius": 1.0}}]
 ASIDE = [{"type": "inertia", "mass": 1.0, "gyration_radius": 1.0, "center": (0.1, 0.0)}]
 
@@ -188,6 +189,9 @@ ASIDE = [{"type": "inertia", "mass": 1.0, "gyration_radius": 1.0, "center": (0.1
     [
         (("figure_14a", {}), [0.0, 0.0], "instants increase"),
         (("figure_14a", {}), [0.0, 1.6], "within the duration"),
+        (("figure_14a", {}), [], "one at least"),
+        (("figure_14a", {"simulate": None}), [0.0], "no section simulate"),
+        (("figure_14a", {"effects": 2 * RING}), [0.0], "one effect of a kind"),
         (("figure_14a", {"effects": VISCOUS}), [0.0], "not known under viscous"),
         (("figure_14a", {"slider": {"radius": 2.0}}), [0.0], "ring of unit radius"),
         (("figure_14a", {"contact": {"friction_coefficient": 0.5}}), [0.0], "does not stick"),

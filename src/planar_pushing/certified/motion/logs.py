@@ -112,8 +112,10 @@ def log_values(scene: Mapping[str, Any], times: Sequence[float]) -> LogValues:
     likewise those just after it.
     """
     exact = [rational(time) for time in times]
-    if any(b <= a for a, b in pairwise(exact)):
-        raise Undecided("certified instants increase")
+    if not exact or any(b <= a for a, b in pairwise(exact)):
+        raise Undecided("certified instants increase, and there is one at least")
+    if scene["simulate"] is None:
+        raise Undecided("the scene file has no section simulate")
     effects, runs = [each["type"] for each in scene["effects"]], _runs(scene, exact)
     found = [_columns(run(), effects, len(exact)) for run in runs]
     if len(found) == 1:
@@ -126,6 +128,8 @@ def log_values(scene: Mapping[str, Any], times: Sequence[float]) -> LogValues:
 def _runs(scene: Mapping[str, Any], times: list[fmpq]) -> list[Callable[[], list[Instant]]]:
     """One validated run of a scene, or two that are compared."""
     kinds = {each["type"] for each in scene["effects"]}
+    if len(kinds) < len(scene["effects"]):
+        raise Undecided("certified motion is that of one effect of a kind")
     if kinds == {"inertia"}:
         return [lambda: flying(scene, times)]
     if kinds == {"ring_friction", "inertia"}:
