@@ -9,6 +9,7 @@ import pytest
 from flint import arb, ctx, fmpq
 
 from planar_pushing.certified.balls import PRECISION, Undecided, in_degrees
+from planar_pushing.certified.contact.modes import Mode
 from planar_pushing.certified.motion import trajectories
 from planar_pushing.certified.motion.quadrature import stick_angle
 from planar_pushing.evidence.golden.build import motions
@@ -96,8 +97,11 @@ def changed(file, part, **values):
 
 
 def test_a_force_that_leaves_the_cone_is_not_certified():
-    file = scene("figure_14a")
-    slippery = changed(file, "contact", friction_coefficient=0.5)
+    pushed = scene("figure_14a")
+    pushed = changed(pushed, "simulate", pusher=[{"time": 0.0, "angle": 90.0, "speed": 1.0}])
+    leaning = changed(pushed, "slider", rod_angle=120.0)
+    slippery = changed(leaning, "contact", friction_coefficient=0.5)
+    assert trajectories.pulled(slippery, [fmpq(0)])[0].mode == Mode.STICK
     with pytest.raises(Undecided, match="the condition of the mode is open"):
         trajectories.pulled(slippery, [fmpq(1, 4)])
 

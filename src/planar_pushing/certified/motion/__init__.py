@@ -1,1 +1,1 @@
-"""Motion over time within a mode, as integrals over the spin ratio."""
+"""Motion over time: validated where it is an integral or a closed form, elsewhere to some thirty digits."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import pairwise
+from typing import NamedTuple
 
 from flint import acb, arb, fmpq
 
@@ -15,6 +16,7 @@ from planar_pushing.certified import ring
 from planar_pushing.certified.balls import Undecided
 from planar_pushing.certified.roots import increasing_root
 
+Integrand = Callable[[acb, bool], acb]
 #: Ends of the range of spin ratios that the quadrature covers.
 LEAST, MOST = arb(2) ** -20, 1 - arb(2) ** -20
 #: Parts of a span of k on which a condition is shown by balls.
@@ -27,18 +29,50 @@ def arm(k: arb) -> arb:
     return torque / force
 
 
-def _arm(k: acb, analytic: bool) -> tuple[acb, acb]:
-    """H and its derivative at a complex k, by Gauss's series, which stay narrow on wide balls."""
+class _Profile(NamedTuple):
+    """Force, torque, moment arm H and its derivative at a complex spin ratio."""
+
+    force: acb
+    torque: acb
+    arm: acb
+    rise: acb
+
+
+def _profile(k: acb, analytic: bool) -> _Profile:
+    """The ring by Gauss's series, which stay narrow on wide balls."""
     m, half = k * k, acb(0.5)
     if analytic and m.imag.contains(0) and not m.real < 1:
-        return acb("nan"), acb("nan")
+        return _Profile(*[acb("nan")] * 4)
     force = m.hypgeom_2f1(-half, half, acb(1))
     torque = k / 2 * m.hypgeom_2f1(half, half, acb(2))
     rise = m.hypgeom_2f1(half, 3 * half, acb(2)) / 2
-    return torque / force, rise * (force + k * torque) / (force * force)
+    return _Profile(force, torque, torque / force, rise * (force + k * torque) / (force * force))
 
 
-def _integral(integrand: Callable[[acb, bool], acb], start: arb, end: arb) -> arb:
+class Integral:
+    """An integral from a start to one end after the other; both are balls.
+
+    It runs over exact places; how far these are from the ends counts by the integrand there.
+    """
+
+    def __init__(self, integrand: Integrand, start: arb) -> None:
+        self.integrand, self.place = integrand, start.mid()
+        self.sum = (self.place - start) * self.rate(start)
+
+    def rate(self, place: arb) -> arb:
+        """The integrand at a place."""
+        return self.integrand(acb(place), False).real
+
+    def to(self, end: arb) -> arb:
+        """The integral up to an end; the next one starts there."""
+        middle = end.mid()
+        if middle != self.place:
+            self.sum += _integral(self.integrand, self.place, middle)
+            self.place = middle
+        return self.sum if end.is_exact() else self.sum + (end - middle) * self.rate(end)
+
+
+def _integral(integrand: Integrand, start: arb, end: arb) -> arb:
     found = acb.integral(integrand, start, end).real
     if not found.is_finite():
         raise Undecided(f"no enclosure of an integral from {start} to {end}")
@@ -59,37 +93,55 @@ def stick_spin(length: fmpq, angle: arb, width: arb) -> arb:
     return increasing_root(lambda k: stick_angle(length, k) - angle, LEAST, MOST, width)
 
 
-def stick_time(length: fmpq, start: arb, end: arb) -> arb:
-    """Path of the fence, or time at unit speed, while k goes from one value to another.
+def stick_rates(length: fmpq) -> tuple[Integrand, Integrand]:
+    """Rates of the path of the fence, or the time at unit speed, and of its work by the spin ratio.
 
-    ``d path = d angle / omega``, where omega is ``k / size`` for a contact of unit speed.
+    ``d path = d angle / omega``, where omega is ``k / size`` for a contact of unit speed. The work on a
+    path is the energy that friction dissipates: ``(f + k t) / size``.
     """
 
-    def integrand(k: acb, analytic: bool) -> acb:
-        h, rise = _arm(k, analytic)
-        sine, slope = h / length, rise / length
+    def turn(k: acb, now: _Profile, analytic: bool) -> tuple[acb, acb]:
+        sine, slope = now.arm / length, now.rise / length
         cosine = (1 - sine * sine).sqrt(analytic=analytic)
-        across, square = sine + k * length, 1 + 2 * k * h + (k * length) ** 2
-        turn = ((slope + length) * cosine + across * sine * slope / cosine) / square
-        return turn * square.sqrt(analytic=analytic) / k
+        across, square = sine + k * length, 1 + 2 * k * now.arm + (k * length) ** 2
+        return ((slope + length) * cosine + across * sine * slope / cosine) / square, square
 
-    return _integral(integrand, start, end)
+    def path(k: acb, analytic: bool) -> acb:
+        rate, square = turn(k, _profile(k, analytic), analytic)
+        return rate * square.sqrt(analytic=analytic) / k
+
+    def work(k: acb, analytic: bool) -> acb:
+        now = _profile(k, analytic)
+        return turn(k, now, analytic)[0] * (now.force + k * now.torque) / k
+
+    return path, work
 
 
-def slide_path(length: fmpq, start: arb, end: arb) -> arb:
-    """Path of the ring center under a force along the fence, while 1 / |k| goes between two values.
+def slide_rates(length: fmpq) -> tuple[Integrand, Integrand, Integrand]:
+    """Rates by ``q = 1 / |k|`` of a slip under a force along the fence, at a rod angle below 90 degrees.
 
-    It is the integral of ``d psi / k`` with ``l sin psi = H(|k|) = 1 / H(1 / |k|)``, a rod angle below
-    90 degrees.
+    Of the path of the ring's center, which is the integral of ``d psi / k`` with
+    ``l sin psi = H(|k|) = 1 / H(q)``; of the energy that friction of the support dissipates; and of the
+    integral of the force over the height of the fence. By duality ``f(|k|) = t(q)``, ``t(|k|) = f(q)``.
     """
 
-    def integrand(q: acb, analytic: bool) -> acb:
-        h, rise = _arm(q, analytic)
-        sine = 1 / (length * h)
+    def path_of(q: acb, now: _Profile, analytic: bool) -> acb:
+        sine = 1 / (length * now.arm)
         cosine = (1 - sine * sine).sqrt(analytic=analytic)
-        return q * rise / (length * h * h * cosine)
+        return q * now.rise / (length * now.arm * now.arm * cosine)
 
-    return _integral(integrand, start, end)
+    def path(q: acb, analytic: bool) -> acb:
+        return path_of(q, _profile(q, analytic), analytic)
+
+    def rubbed(q: acb, analytic: bool) -> acb:
+        now = _profile(q, analytic)
+        return path_of(q, now, analytic) * (now.torque + now.force / q)
+
+    def pull(q: acb, analytic: bool) -> acb:
+        now = _profile(q, analytic)
+        return now.torque * now.rise / (now.arm * now.arm)
+
+    return path, rubbed, pull
 
 
 def slide_spin(length: fmpq, sine: arb) -> arb:

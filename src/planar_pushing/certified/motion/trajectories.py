@@ -1,4 +1,4 @@
-"""Certified motion over time of the simulations of figures 14 and 15.
+"""Validated motion over time of a ring that sticks to the fence, or slips under infinite friction.
 
 Lengths are in units of R = 1, times exact. In a mode the motion is an integral over the spin ratio
 (`quadrature`); the instants that are asked for are roots of the time in it.
@@ -7,44 +7,43 @@ Lengths are in units of R = 1, times exact. In a mode the motion is an integral 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 from flint import arb, fmpq
 
 from planar_pushing.certified import ring
 from planar_pushing.certified.balls import Undecided, cosine_sine, precise, rational
+from planar_pushing.certified.contact.modes import Mode
+from planar_pushing.certified.motion.choices import chosen, ring_modes
+from planar_pushing.certified.motion.instants import (
+    ZERO,
+    File,
+    Instant,
+    Piece,
+    displacement,
+    during,
+    only_piece,
+    pieces,
+    rod_of,
+)
 from planar_pushing.certified.motion.quadrature import (
+    Integral,
     arm,
     holds,
-    slide_path,
+    slide_rates,
     slide_spin,
     stick_angle,
+    stick_rates,
     stick_spin,
-    stick_time,
 )
-from planar_pushing.certified.roots import increasing_root
 
-File = dict[str, Any]
-Vector = tuple[arb, arb]
-ZERO: Vector = (arb(0), arb(0))
-#: Bits by which the roots of a piece of the fence's motion are wider than those that it starts from.
-STEP = 16
-SEPARATE, STICK, SLIP_RIGHT = 0, 1, 2
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Instant:
-    """Where slider and fence are; the angle in radians, the others as in the logs."""
-
-    angle: arb
-    contact: Vector
-    fence: Vector
-    mode: int
-    spin: arb
-    force: Vector
-    slip: arb
-    gap: arb
+UNIT_SPEED = "certified motion is that of a fence of unit speed"
+#: Relative width of the root that a piece of the motion starts from.
+WIDTH = arb(2) ** -160
+#: A relative step of Newton's method below which the next one is a rounding error.
+CLOSE = arb(2) ** -100
+#: Steps of Newton's method to an instant; from the instant before some five are enough.
+STEPS = 20
 
 
 def rod_length(file: File) -> fmpq:
@@ -55,20 +54,11 @@ def rod_length(file: File) -> fmpq:
     return rational(slider["rod_length"])
 
 
-def _pieces(file: File) -> list[tuple[fmpq, fmpq]]:
-    """Start times and angles in degrees of a fence of unit speed."""
-    section = file["simulate"]
-    given = section["pusher"] or [
-        {"time": 0, "angle": section["pusher_angle"], "speed": section["pusher_speed"] or 1}
-    ]
-    if any(piece["speed"] != 1 for piece in given):
-        raise Undecided("certified motion is that of a fence of unit speed")
-    return [(rational(piece["time"]), rational(piece["angle"])) for piece in given]
-
-
-def _ahead(start: Vector, degrees: fmpq, path: fmpq) -> Vector:
-    x, y = cosine_sine(degrees)
-    return start[0] + path * x, start[1] + path * y
+def _unit_pieces(file: File) -> list[Piece]:
+    found = pieces(file)
+    if any(piece.speed != 1 for piece in found):
+        raise Undecided(UNIT_SPEED)
+    return found
 
 
 @precise
@@ -77,73 +67,95 @@ def pulled(file: File, times: Sequence[fmpq]) -> list[Instant]:
 
     Every force is shown to lie in the friction cone, between the instants too.
     """
-    length, pieces = rod_length(file), _pieces(file)
-    mu = rational(file["contact"]["friction_coefficient"])
-    leaves = file["simulate"]["on_ambiguity"] == "separate"
-    angle, fence, last, found = (
-        arb.pi() * rational(file["slider"]["rod_angle"]) / 180,
-        ZERO,
-        None,
-        [],
-    )
-    ends = [start for start, _ in pieces[1:]] + [None]
-    for number, ((start, degrees), end) in enumerate(zip(pieces, ends, strict=True)):
-        inside = [time for time in times if time >= start and (end is None or time < end)]
-        if leaves and last is not None and cosine_sine(degrees)[1] < 0:
-            found += [_left(last, degrees, time - start) for time in inside]
-            continue
-        if not inside and end is not None and not any(time >= end for time in times):
-            continue
-        piece = _Stick(length, mu, degrees, angle, fence, width=arb(2) ** (STEP * number - 128))
-        found += [piece.after(time - start) for time in inside]
-        if end is not None and any(time >= end for time in times):
-            last = piece.after(end - start)
-            angle, fence = last.angle, last.fence
+    length, fence = rod_length(file), _unit_pieces(file)
+    angle, work = arb.pi() * rational(file["slider"]["rod_angle"]) / 180, arb(0)
+    found: list[Instant] = []
+    last: Instant | None = None
+    for piece in fence:
+        if not any(time >= piece.start for time in times):
+            break
+        inside = during(times, piece, piece is fence[-1])
+        modes = ring_modes(file, length, angle, piece.velocity)
+        mode = chosen(modes, file["simulate"]["on_ambiguity"])
+        if mode is Mode.SEPARATE and last is not None and piece is fence[-1]:
+            return found + [_left(file, last, fence, time) for time in inside]
+        if mode is not Mode.STICK:
+            raise Undecided(f"the contact does not stick at the time {piece.start}: {mode.name}")
+        stick = _Stick(file, length, fence, piece, angle, work)
+        found += [stick.at(time) for time in inside]
+        if any(time >= piece.end for time in times):
+            last = stick.at(piece.end)
+            angle, work = last.angle, last.work
     return found
 
 
-def _left(last: Instant, degrees: fmpq, path: fmpq) -> Instant:
-    """The slider at rest, the fence moving away."""
-    fence = _ahead(last.fence, degrees, path)
-    gap = last.fence[1] - fence[1]
-    return replace(last, fence=fence, gap=gap, mode=SEPARATE, spin=arb(0), force=ZERO)
+def _left(file: File, last: Instant, fence: Sequence[Piece], time: fmpq) -> Instant:
+    """The slider at rest, the fence moving away in its last piece."""
+    piece = fence[-1]
+    # Behind the first instant the contact is open, and separation alone is consistent.
+    closed = time == piece.start
+    count = len(ring_modes(file, rod_length(file), last.angle, piece.velocity)) if closed else 1
+    return replace(
+        last, time=arb(time), fence=displacement(fence, time), mode=Mode.SEPARATE,
+        gap=(piece.start - time) * piece.velocity[1], solutions=count, spin=arb(0), force=ZERO,
+        twist=(arb(0),) * 3,
+    )  # fmt: skip
 
 
 class _Stick:
-    """Sticking under one velocity of the fence, from a rod angle on; `width` is relative, of roots."""
+    """Sticking during a piece of the fence's motion, from a rod angle and a work on.
+
+    The spin ratio rises with the time: instants are asked for in order.
+    """
 
     def __init__(
-        self, length: fmpq, mu: fmpq, degrees: fmpq, angle: arb, fence: Vector, *, width: arb
+        self, file: File, length: fmpq, fence: Sequence[Piece], piece: Piece, angle: arb, work: arb
     ) -> None:
-        self.length, self.mu, self.degrees, self.fence = length, mu, degrees, fence
-        self.heading, self.width = arb.pi() * degrees / 180, width * arb(2) ** (STEP // 2)
-        self.start = stick_spin(length, angle - self.heading, width)
+        self.file, self.length, self.fence, self.piece = file, length, fence, piece
+        self.heading = arb.pi() * piece.degrees / 180
+        self.mu = rational(file["contact"]["friction_coefficient"])
+        self.start, self.done = stick_spin(length, angle - self.heading, WIDTH), work
+        self.shown = self.start
+        self.path, self.work = (Integral(rate, self.start) for rate in stick_rates(length))
 
-    def after(self, path: fmpq) -> Instant:
-        """Instant after a path of the fence."""
-        k = self._spin(path)
+    def at(self, time: fmpq) -> Instant:
+        """The instant at a time of the piece."""
+        k = self._spin(time - self.piece.start)
+        holds(self._in_cone, self.shown, k)
+        self.shown = k
         angle = self.heading + stick_angle(self.length, k)
-        fence, toward = _ahead(self.fence, self.degrees, path), self._force_angle(k)
-        size = ring.profile(k)[0]
-        force = size * toward.cos(), size * toward.sin()
-        still = {"slip": arb(0), "gap": arb(0)}
+        fence = displacement(self.fence, time)
+        rod, toward = rod_of(self.length, angle), self._force_angle(k)
+        (force, torque), (sine, cosine) = ring.profile(k), toward.sin_cos()
+        size = (1 + 2 * k * torque / force + (k * self.length) ** 2).rsqrt()
+        modes = ring_modes(self.file, self.length, angle, self.piece.velocity)
+        work = self.done if time == self.piece.start else self.done + self.work.to(k)
         return Instant(
-            angle=angle, contact=fence, fence=fence, mode=STICK, spin=k, force=force, **still
-        )
+            time=arb(time), angle=angle, position=(fence[0] + rod[0], fence[1] + rod[1]),
+            contact=fence, fence=fence, twist=(size * cosine, size * sine, size * k),
+            mode=Mode.STICK, solutions=len(modes), spin=k, force=(force * cosine, force * sine),
+            slip=arb(0), gap=arb(0), work=work, rubbed=work, lost=arb(0),
+        )  # fmt: skip
 
     def _spin(self, path: fmpq) -> arb:
+        """The spin ratio after a path of the fence: Newton's method, whose last step is proved."""
         if path == 0:
             return self.start
-        low = self.start.upper()
-        high = ((low + 1) / 2).mid()
-        while not self._passed(high) > path:
-            high = ((high + 1) / 2).mid()
-        k = increasing_root(lambda k: self._passed(k) - path, low, high, self.width)
-        holds(self._in_cone, self.start, k)
-        return k
+        k = self.path.place
+        for _ in range(STEPS):
+            lack = path - self.path.to(k)
+            step = lack / self.path.rate(k)
+            if abs(step.mid()) < k * CLOSE:
+                return k + self._proved(k + arb(0, 2 * abs(step).upper() + k * WIDTH), lack)
+            k = (k + step).mid()
+        raise Undecided(f"no spin ratio after the path {path}")
 
-    def _passed(self, k: arb) -> arb:
-        return stick_time(self.length, self.start, k)
+    def _proved(self, near: arb, lack: arb) -> arb:
+        """How far the root is from the middle of a ball that holds it, by the mean value theorem."""
+        step = lack / self.path.rate(near)
+        if not near.contains(near.mid() + step):
+            raise Undecided(f"no enclosure of the spin ratio at {near}")
+        return step
 
     def _force_angle(self, k: arb) -> arb:
         return self.heading + stick_angle(self.length, k) - (arm(k) / self.length).asin()
@@ -160,34 +172,50 @@ def slipping(file: File, times: Sequence[fmpq]) -> list[Instant]:
     The ring's center keeps its height, so ``l sin psi`` falls as the fence rises. The slip is shown to go
     to the right, between the instants too.
     """
-    length, ((_, degrees),) = rod_length(file), _pieces(file)
+    length, piece = rod_length(file), only_piece(file)
+    if piece.speed != 1:
+        raise Undecided(UNIT_SPEED)
     if file["contact"] != {"law": "infinite_friction", "at_zero_normal": "free"}:
         raise Undecided("certified slip is that of infinite friction")
-    c, s = cosine_sine(rational(file["slider"]["rod_angle"]))
-    begin = slide_spin(length, s)
-    across = cosine_sine(degrees)
+    slide = _Slide(file, length, piece)
+    return [slide.at(time) for time in times]
 
-    def right(q: arb) -> bool:
-        height = 1 / arm(q)
-        run = (length * length - height * height).sqrt()
-        return bool(-across[1] * (q + height) / run > across[0])
 
-    found = []
-    for time in times:
-        fence = _ahead(ZERO, degrees, time)
-        sine = s - fence[1] / length
+class _Slide:
+    """Slip during a piece of the fence's motion; instants are asked for in order."""
+
+    def __init__(self, file: File, length: fmpq, piece: Piece) -> None:
+        self.file, self.length, self.piece = file, length, piece
+        self.start = cosine_sine(rational(file["slider"]["rod_angle"]))
+        self.shown = slide_spin(length, self.start[1])
+        self.sums = [Integral(rate, self.shown) for rate in slide_rates(length)]
+
+    def at(self, time: fmpq) -> Instant:
+        """The instant at a time of the piece."""
+        length, across = self.length, self.piece.velocity
+        fence = displacement([self.piece], time)
+        sine = self.start[1] - fence[1] / length
         q = slide_spin(length, sine)
-        path = arb(0)
-        if time:
-            path = slide_path(length, begin, q)
-            holds(right, begin, q)
         angle = sine.asin()
-        contact = length * (c - angle.cos()) - path
-        found.append(
-            Instant(
-                angle=angle, contact=(contact, fence[1]), fence=fence, mode=SLIP_RIGHT,
-                spin=-1 / q, force=(-ring.profile(1 / q)[0], arb(0)), slip=contact - fence[0],
-                gap=arb(0),
-            )
+        modes = ring_modes(self.file, length, angle, across)
+        if modes != [Mode.SLIP_RIGHT]:
+            raise Undecided(f"a slip to the right is not the only solution at the time {time}")
+        holds(self._goes_right, self.shown, q)
+        path, rubbed, pull = (each.to(q) if time else arb(0) for each in self.sums)
+        self.shown = q
+        turn = -across[1] / (length * angle.cos())
+        position = length * self.start[0] - path, length * self.start[1]
+        contact = position[0] - length * angle.cos() if time else arb(0)
+        work = -pull * across[0] / across[1]
+        velocity = q * turn, arb(0)
+        return Instant(
+            time=arb(time), angle=angle, position=position, contact=(contact, fence[1]),
+            fence=fence, twist=(*velocity, turn), mode=Mode.SLIP_RIGHT, solutions=len(modes),
+            spin=-1 / q, force=(-ring.profile(1 / q)[0], arb(0)), slip=contact - fence[0],
+            gap=arb(0), work=work, rubbed=rubbed, lost=work - rubbed,
         )  # fmt: skip
-    return found
+
+    def _goes_right(self, q: arb) -> bool:
+        height, across = 1 / arm(q), self.piece.velocity
+        run = (self.length * self.length - height * height).sqrt()
+        return bool(-across[1] * (q + height) / run > across[0])

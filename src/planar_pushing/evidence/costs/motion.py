@@ -10,7 +10,8 @@ import numpy as np
 from flint import fmpq
 
 from planar_pushing.certified.balls import in_degrees, precise
-from planar_pushing.certified.motion.trajectories import Instant, pulled, slipping
+from planar_pushing.certified.motion.instants import Instant
+from planar_pushing.certified.motion.trajectories import pulled, slipping
 from planar_pushing.evidence.costs.timing import seconds
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
