@@ -1,7 +1,5 @@
 """Signs that are never guessed, and numbers stored as two doubles and a radius."""
 
-import math
-
 import pytest
 from flint import arb, ctx, fmpq
 
@@ -11,7 +9,6 @@ from planar_pushing.certified.balls import (
     exact_cosine,
     exact_sine,
     fold,
-    pack,
     rational,
     sign,
 )
@@ -47,23 +44,6 @@ def test_exact_trigonometry_of_degrees():
 
 def test_folded_angles_share_their_sine():
     assert [fold(fmpq(d)) for d in (0, 45, 135, -45, 225, 360, -90)] == [0, 45, 45, 45, 45, 0, 90]
-
-
-@pytest.mark.parametrize("number", ["sqrt(2)", "-1e9 pi", "1/3", "0", "0.1"])
-def test_stored_parts_enclose_the_number(number):
-    values = arb(2).sqrt(), -arb.pi() * 10**9, arb(1) / 3, arb(0), arb(0.1)
-    value = dict(zip(("sqrt(2)", "-1e9 pi", "1/3", "0", "0.1"), values, strict=True))[number]
-    high, low, radius = pack(value)
-    with ctx.workprec(4 * PRECISION):
-        assert abs(value - high - low) <= radius
-    assert radius <= 1e-25 * abs(high)
-    assert math.frexp(radius)[0] in (0.0, 0.5)
-
-
-def test_infinities_are_stored_and_wide_balls_are_not():
-    assert pack(arb.neg_inf()) == (-math.inf, 0.0, 0.0)
-    with pytest.raises(Undecided, match="too wide"):
-        pack(arb(1, 1e-20))
 
 
 def test_doubles_are_taken_as_exact():

@@ -7,12 +7,12 @@ from pathlib import Path
 import mpmath as mp
 import pytest
 from flint import arb, ctx, fmpq
+from planar_pushing.evidence.golden.build import motions
 
 from planar_pushing.certified.balls import PRECISION, Undecided, in_degrees
 from planar_pushing.certified.contact.modes import Mode
 from planar_pushing.certified.motion import trajectories
 from planar_pushing.certified.motion.quadrature import stick_angle
-from planar_pushing.evidence.golden.build import motions
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.store import read_dataset
 

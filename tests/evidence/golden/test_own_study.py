@@ -9,8 +9,8 @@ import pytest
 from planar_pushing.commands import main
 from planar_pushing.evidence.golden import update
 from planar_pushing.study import build
-from planar_pushing.study.slices import computes, study_slice
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.slices import computes, study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 
@@ -19,7 +19,10 @@ slider: {radius: 2, rod_angle: 60}
 support_friction: {weight: 3}
 inertia: {mass: 0.5, gyration_radius: 2}
 supports:
-  quadruped: {shape: points, positions: [[-0.8, -0.6], [0.8, -0.6], [0.8, 0.6], [-0.8, 0.6]], weights: [1, 1, 1, 1]}
+  quadruped:
+    shape: points
+    positions: [[-0.8, -0.6], [0.8, -0.6], [0.8, 0.6], [-0.8, 0.6]]
+    weights: [1, 1, 1, 1]
   disc: {shape: disc, radius: 1}
 grid:
   effects: [support_friction, support_friction+inertia]

@@ -1,4 +1,4 @@
-"""Random changes of stored results are seen: 999 of 1000 changes of a number by 1e-9 of itself, and others."""
+"""Random changes of stored results are seen: 999 of 1000 of a number by 1e-9 of itself, and others."""
 
 import numpy as np
 import pytest

@@ -10,7 +10,6 @@ from typing import Any
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import (
-    RESOLUTION,
     Undecided,
     in_degrees,
     precise,
@@ -24,6 +23,8 @@ from planar_pushing.certified.motion.instants import Instant
 from planar_pushing.certified.motion.pivoting import pivoting
 from planar_pushing.certified.motion.trajectories import pulled, slipping
 
+#: Largest difference of two runs, relative to a number.
+RESOLUTION = 1e-25
 #: Dimensions and nested lists of balls, or of flags.
 Values = dict[str, tuple[tuple[str, ...], Any]]
 #: Numbers of nodes of the two runs of a slider on feet; the result is by the first.

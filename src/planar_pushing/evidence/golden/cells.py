@@ -210,8 +210,8 @@ def _center_at(values: Values, own: Slider, force: Heading, share: float) -> Rec
 def region_ends(values: Values, length: float, angle: float, force_angle: float) -> Record:
     """Ends of both regions of centers under one line of force, from the contact (Sec. 4).
 
-    Of the exact one: friction alone and inertia alone. Of the paper's bound: a line that misses the ring has
-    its centers inside it, one that meets it outside.
+    Of the exact one: friction alone and inertia alone. Of the paper's bound: a line that misses the ring
+    has its centers inside it, one that meets it outside.
     """
     own, force = slider(values, length, angle), heading(rational(force_angle))
     exact = [_center_at(values, own, force, share) for share in (0.0, 1.0)]

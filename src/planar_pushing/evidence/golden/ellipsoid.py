@@ -1,7 +1,7 @@
 """Errors of the ellipsoid in place of a support: means, and maxima where a search ends.
 
-Means are over the motions that `fit_ellipsoid` names: spread over half a sphere of (v_x, v_y, a omega) by the
-golden angle. That no motion is worse than the one at which a maximum is enclosed rests on the search.
+Means are over the motions that `fit_ellipsoid` names: spread over half a sphere of (v_x, v_y, a omega) by
+the golden angle. That no motion is worse than the one at which a maximum is enclosed rests on the search.
 """
 
 from __future__ import annotations

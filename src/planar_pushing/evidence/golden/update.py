@@ -23,8 +23,7 @@ from flint import __FLINT_VERSION__ as FLINT
 from tqdm import tqdm
 
 from planar_pushing.certified.balls import PRECISION
-
-log_values = None
+from planar_pushing.certified.motion.logs import log_values
 from planar_pushing.evidence.golden.check import result_names
 from planar_pushing.evidence.golden.compare import ASIDE, KIND, Kind
 from planar_pushing.evidence.golden.enclosures import RADIUS, apart, radii

@@ -66,8 +66,10 @@ def choose(system, run, policy, excluded):
 
 @compiled
 def solutions_now(system, run, time, state):
-    """How many modes hold at an instant within a step of the chosen one."""
+    """How many modes hold at an instant within a step of the chosen one: one where the contact is open."""
     count = 1
+    if base.clearance(system, state) > base.SLACK:
+        return count
     for i in range(run.count):
         if i != run.chosen and run.kinds[i] != NO_KIND:
             other = at.candidate(system, run, i)

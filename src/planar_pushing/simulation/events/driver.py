@@ -70,7 +70,10 @@ def advance(system, task, run, rows):
 @inlined
 def _log(system, task, run, row):
     """Write down where the run is; one row."""
-    _row(system, run, run.time, run.vectors[at.STATE], run.solutions, row)
+    state, solutions = run.vectors[at.STATE], run.solutions
+    if run.chosen >= 0:  # the choice may have been made long before
+        solutions = choice.solutions_now(system, run, run.time, state)
+    _row(system, run, run.time, state, solutions, row)
     # Samples of that time count as done.
     while run.sample < len(task.times) and task.times[run.sample] <= run.time:
         run.sample += 1
