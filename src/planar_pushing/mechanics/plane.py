@@ -160,7 +160,8 @@ def center_from(v_x, v_y, spin):
         return -v_y / spin, v_x / spin
     # A translation along an axis, to rounding, has its center on the other axis.
     x = -copysign(inf, v_y) if abs(v_y) > ALONG * abs(v_x) else 0.0
-    return x, copysign(inf, v_x) if abs(v_x) > ALONG * abs(v_y) or x == 0.0 else 0.0
+    # A zero of either sign is one.
+    return x, copysign(inf, v_x + 0.0) if abs(v_x) > ALONG * abs(v_y) or x == 0.0 else 0.0
 
 
 @kernel

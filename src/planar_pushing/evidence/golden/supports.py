@@ -22,6 +22,8 @@ from planar_pushing.evidence.golden.cells import Record, Values, columns
 from planar_pushing.evidence.golden.ellipsoid import errors
 
 ONE = fmpq(1)
+#: Distance of a motion center at which it is that of a translation, to a double.
+FAR = 10**15
 #: A ball of zero that is smaller is one of a number that vanishes by symmetry.
 NOTHING = 1e-30
 
@@ -138,7 +140,7 @@ def _ratio(own: Pieces, v: Vector, spin: arb) -> arb:
 
 def _center(motion: Vector, own: Vector, v: Vector, spin: arb) -> list[arb]:
     """Motion center from the contact; of a translation the limit of slow rotations to the left."""
-    if not spin.is_zero():
+    if not spin.is_zero() and abs(spin) * FAR > norm(*v):
         return [-motion[1] / spin, motion[0] / spin]
     if all(each.is_zero() for each in v):  # at rest
         return [own[0], arb.pos_inf()]
