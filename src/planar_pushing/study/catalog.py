@@ -49,7 +49,7 @@ TABLES = {
     "golden_verdict.json": "the comparison with the golden data, every variable",
     "golden_verdict.txt": "the same to read, worst first",
     "golden_summary.csv": "the same in short, by dataset",
-    "claims.json": "every claim of the ledger with its verdict, and its checks with argument, value and margin",
+    "claims.json": "every claim of the ledger with its verdict, and its checks with argument and numbers",
     "claims.csv": "the same as a table, one line for each check",
     "numbers.json": "the numbers of the report's prose, each with its unit and where it was read",
     "figures.json": "captions and margins of the figures",

@@ -174,7 +174,7 @@ def pulls_where_it_slips() -> Evidence:
     A slip in a push has a force along the fence, and u_y > 0. The reversed motion has the reversed
     force, by identities at each point: it is along the fence, so that it belongs to the closed cone,
     and the motion is a pull that sticks. Conversely, let a pull stick. If its force has f_y > 0, the
-    way of motions from w to (0, w_y) crosses a force along the fence, as in the entry pull-has-a-slip;
+    path of motions from w to (0, w_y) crosses a force along the fence, as in the entry pull-has-a-slip;
     otherwise its own force is along the fence. Either way a force along the fence moves the contact
     with u_y < 0. The reversed motion has u_y > 0, and is a slip in a push by a pusher with this normal
     part that is ahead of it. Under definition 2 no force is along the fence, and nothing slips.

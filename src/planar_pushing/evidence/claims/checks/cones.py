@@ -62,12 +62,12 @@ def acceleration_turns_with_force() -> Evidence:
 
 @proof
 def left_force_pushes() -> Evidence:
-    """N . v_s > 0 for k < 0; here b is -k.
+    """The normal velocity is positive where the line of force passes on the left; here b is -k.
 
-    For psi <= 90 degrees a force into the slider that passes the center on the left has h < 0, and so k
-    < 0: t / k is at least 1/2 on boxes of [0, 1], and t rises beyond. The normal velocity of the
-    contact is sin(phi) - k l cos(psi), with no negative term and at least one positive one, for every l
-    > 0.
+    A force into the slider that passes the center on the left has h < 0, and so k < 0: t / k is at
+    least 1/2 on boxes of [0, 1], and t rises beyond. The normal velocity of the contact is sin(phi) - k
+    l cos(psi), the sum of a term that is not negative and one that is positive, for every l > 0 and psi
+    < 90 degrees.
     """
     normal = ids.replaced(ids.MOTION[1], k=-ids.b)
     found = {"no negative term": all(term > 0 for term in normal.coeffs())}
@@ -142,7 +142,7 @@ def every_rod_pulls_and_slips() -> Evidence:
 def aligned_without_rod() -> Evidence:
     """With l = 0 the motion is along the force.
 
-    With l = 0 the contact is the ring's center, which moves along the force: motion and force have one
+    With l = 0 the contact is the ring's center, which moves along the force. Motion and force have one
     direction, an identity, and the two cones are the same.
     """
     motion = tuple(ids.replaced(each, l=0 * ids.ONE) for each in ids.MOTION)
@@ -185,11 +185,11 @@ def between_cones() -> Evidence:
 def slips_beyond_edge(rod_length: float, pusher_angle: float, effects: str) -> Evidence:
     """From this pusher angle to below 180 degrees slip to the right is the only mode, definition 1.
 
-    The pusher's direction is beyond the left edges of the cones of friction and of inertia, which a
-    change of sign encloses; a motion under both effects lies between the two at any magnitude. So no
-    force into the slider sticks, and the contact cannot break since the pusher approaches. Under the
-    force at 180 degrees, the left edge, the normal motion takes every positive value as the force
-    grows; a motion with the pusher's normal part lags behind the pusher, and the slip to the right is
+    The pusher's direction is beyond the left edge of the cone of each effect, which a change of sign
+    encloses; a motion under both effects lies between the two pure ones at any magnitude. So no force
+    into the slider sticks, and the contact cannot break since the pusher approaches. Under the force at
+    180 degrees, the left edge, the normal motion takes every positive value as the force grows; the
+    motion with the pusher's normal part lags behind the pusher, and the slip to the right is
     consistent. The right edge is below the pusher's direction too, so that a slip to the left is not.
     """
     return _beyond_left_edge(rod_length, pusher_angle, effects)
@@ -199,10 +199,9 @@ def slips_beyond_edge(rod_length: float, pusher_angle: float, effects: str) -> E
 def no_solution_beyond_edge(rod_length: float, pusher_angle: float, effects: str) -> Evidence:
     """From this pusher angle to below 180 degrees nothing is consistent under definition 2.
 
-    The pusher's direction is beyond the left edges of the cones of friction and of inertia, which a
-    change of sign encloses, so that no force into the slider sticks, at any magnitude; the contact
-    cannot break since the pusher approaches; and under definition 2 there is no force along the fence
-    under which it could slip.
+    The pusher's direction is beyond the left edge of the cone of each effect, which a change of sign
+    encloses, so that no force into the slider sticks, at any magnitude. The contact cannot break since
+    the pusher approaches, and there is no force along the fence under which it could slip.
     """
     return _beyond_left_edge(rod_length, pusher_angle, effects)
 

@@ -98,7 +98,7 @@ def inertia_threshold(rod_length: float, threshold: float) -> Evidence:
 
     Under the force of the right edge, f_x = mu f_y, Eq. (13) is linear in mu with a negative slope, and
     its left side vanishes at the threshold, in exact arithmetic of cos(45 degrees). The enclosed edges
-    of the acceleration cone agree: no pulling at the threshold, and pulling 2^-40 above it.
+    of the acceleration cone agree: no pulling at the threshold, and pulling just above it.
     """
     (normal, tangential), exact = _coefficients(rod_length)
     mu, slider = rational(threshold), Slider.of(rod_length)

@@ -17,7 +17,7 @@ from planar_pushing.certified.contact.modes import (
     cover,
 )
 from planar_pushing.certified.inverse import spin_of_arm
-from planar_pushing.certified.line_of_force import contact_motion, motion_angle, spin_ratio
+from planar_pushing.certified.line_of_force import motion_angle, spin_ratio
 from planar_pushing.certified.roots import increasing_root
 from planar_pushing.certified.setting import (
     FRICTION,
@@ -82,16 +82,15 @@ def moment_arm(rod_length: float, force_angle: float) -> arb:
     return slider.rod_length * lean(slider, heading(force_angle))[1]
 
 
-@quantity(spin_ratio="1", normal="1", angle="degree")
-def motion(rod_length: float, force_angle: float) -> tuple[arb, arb, arb]:
+@quantity(spin_ratio="1", angle="degree")
+def motion(rod_length: float, force_angle: float) -> tuple[arb, arb]:
     """Motion under a force and support friction.
 
     The spin ratio is enclosed by a change of sign in the balance of torque; the motion of the contact
-    follows from it, per unit speed of the center.
+    follows from it.
     """
     slider, force = Slider.of(rod_length), heading(force_angle)
-    spin = spin_ratio(slider, force, FRICTION)
-    return spin, contact_motion(slider, force, spin)[1], motion_angle(slider, force, FRICTION)
+    return spin_ratio(slider, force, FRICTION), motion_angle(slider, force, FRICTION)
 
 
 @quantity("R")
