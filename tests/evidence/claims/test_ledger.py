@@ -1,4 +1,4 @@
-"""The ledger file: complete, honest in its wording, and clear about what is wrong in it."""
+"""The ledger file: complete, honest in its wording, and clear about its errors."""
 
 import re
 

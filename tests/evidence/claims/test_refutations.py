@@ -92,14 +92,14 @@ WRONG = [
 SAMPLED = {name for name, check in CHECKS.items() if check.kind is Verdict.SAMPLED}
 
 
-def what(entry):
+def function_of(entry):
     """The function of a check, without the part of its numbers."""
     return entry.check or (entry.number or "modes").partition(".")[0]
 
 
 def test_every_check_that_takes_numbers_has_a_wrong_one():
-    wrong = {what(entries()[claim, name]) for claim, name, _ in WRONG}
-    given = {what(entry) for entry in entries().values() if entry.claimed or entry.at}
+    wrong = {function_of(entries()[claim, name]) for claim, name, _ in WRONG}
+    given = {function_of(entry) for entry in entries().values() if entry.claimed or entry.at}
     assert given - wrong == SAMPLED | {"rotation-sense"}  # refuted as it is
 
 

@@ -1,4 +1,4 @@
-"""Evidence from balls: what holds, what is refuted, and what is neither."""
+"""Evidence from balls: claims that hold, that are refuted, and neither."""
 
 import pytest
 from flint import arb, ctx

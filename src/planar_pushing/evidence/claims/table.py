@@ -29,16 +29,15 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Found:
-    """A check, how it argues, and the evidence that it found."""
+    """A check and the evidence that it found."""
 
     entry: CheckEntry
-    how: str
     evidence: Evidence
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Judged:
-    """A claim and what each of its checks found."""
+    """A claim and the findings of its checks."""
 
     claim: Claim
     checks: tuple[Found, ...]
@@ -63,15 +62,14 @@ def judge(claim: Claim) -> Judged:
 
 def judge_check(claim: str, entry: CheckEntry) -> Found:
     """Run one check of the claim with this id; errors as in `judge`."""
-    check = entry.resolved()
     try:
-        evidence = check.run()
+        evidence = entry.resolved().run()
     except (ArithmeticError, ValueError) as error:
         raise InvalidFile(
             f"{claim}.{entry.title}: {entry.claimed or entry.at} given; allowed: numbers for which it is "
             f"defined ({error}); change them"
         ) from None
-    return Found(entry=entry, how=check.how, evidence=evidence)
+    return Found(entry=entry, evidence=evidence)
 
 
 def judge_all(ledger: Ledger) -> list[Judged]:
@@ -118,17 +116,8 @@ def _difference(judged: Judged) -> str:
 
 
 def _claim(judged: Judged) -> Row:
-    claim = judged.claim
-    return {
-        "id": claim.id,
-        "section": claim.section,
-        "equations": claim.equations,
-        "figures": claim.figures,
-        "origin": claim.origin,
-        "statement": claim.statement,
-        "verdict": str(judged.verdict),
-        "reason": claim.reason,
-    }
+    row = judged.claim.model_dump(exclude={"expect", "reason", "checks"})
+    return row | {"verdict": str(judged.verdict), "reason": judged.claim.reason}
 
 
 @precise
@@ -139,7 +128,7 @@ def _check(found: Found) -> Row:
         "name": found.entry.title,
         "statement": found.entry.statement,
         "verdict": str(evidence.verdict),
-        "how": found.how,
+        "how": found.entry.resolved().how,
         "value": text,
         "radius": radius,
         "unit": evidence.unit if text is not None else None,

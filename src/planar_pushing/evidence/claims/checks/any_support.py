@@ -1,4 +1,4 @@
-"""Secs. 3, 3.1 and 3.2 for any slider: what holds at each of its points holds for their sum.
+"""Secs. 3, 3.1 and 3.2 for any slider: a statement on each of its points holds for their sum.
 
 In a motion whose contact has the velocity u, and the rotation k, a point at r from the contact slides at
 v = u + k J r (J turns by +90 degrees). Friction takes the force v / |v| per unit weight there, and inertia

@@ -1,4 +1,4 @@
-"""Checks that the ledger states in full: a number against what is claimed, and the modes of a push."""
+"""Checks that the ledger states in full: a number against the claimed one, and the modes of a push."""
 
 from __future__ import annotations
 
