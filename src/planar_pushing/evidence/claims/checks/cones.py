@@ -164,21 +164,7 @@ def _beyond_left_edge(rod_length: float, pusher_angle: float, effects: str) -> E
     beyond = inequality(margin, value=pusher - margin, unit="degree", claimed=pusher_angle)
     inside = inequality(least([*lefts, *(180 - left for left in lefts)]), unit="degree")
     below = inequality(least(pusher - right for right in rights), unit="degree")
-    return together(beyond, inside, below, between_cones())
-
-
-def between_cones() -> Evidence:
-    """Evidence that motions under both effects lie between those under each, at one force angle.
-
-    The balance of torque is a positive combination of one that rises through zero at the spin ratio of
-    friction and one that does at that of inertia: its root is between. And u x du/dk does not depend on
-    k.
-    """
-    rate = ids.l * ids.q, -ids.l * ids.p  # of the motion with k
-    turning = ids.cross(ids.MOTION, rate) + ids.l * ids.LEAN
-    return together(
-        identity({"u x du/dk": ids.normal(turning)}), lemmas.rising_arm(), lemmas.rising_torque()
-    )
+    return together(beyond, inside, below, both_effects_lie_between())
 
 
 @proof
@@ -217,7 +203,14 @@ def both_effects_lie_between() -> Evidence:
     k. So at each force angle it lies between the two pure ones, which rise with the force angle, and
     the edges of the pure cones bound it.
     """
-    return together(between_cones(), lemmas.turning(), lemmas.inertial_turning())
+    rate = ids.l * ids.q, -ids.l * ids.p  # of the motion with k
+    turning = ids.cross(ids.MOTION, rate) + ids.l * ids.LEAN
+    return together(
+        identity({"u x du/dk": ids.normal(turning)}),
+        lemmas.rising_arm(),
+        lemmas.turning(),
+        lemmas.inertial_turning(),
+    )
 
 
 @proof
