@@ -181,8 +181,8 @@ def normal_motion_dip(rod_length: float, friction_coefficient: float) -> tuple[a
     """Least n . u under the right edge with both effects, the force there, and the force at its zero.
 
     The spin ratios between those of friction and of inertia are covered by parts on which balls show
-    that n . u is monotone in the spin ratio, and by one gap of relative width 2^-40 that holds the
-    minimum.
+    that n . u is monotone in the spin ratio, and by one gap, narrower than 1e-12 of it, that holds
+    the minimum.
     """
     motions, parts = cover(Slider.of(rod_length), friction_coefficient, 1)
     gaps = [part.low.union(part.high) for part in parts if part.rise == 0]
