@@ -181,7 +181,7 @@ def normal_motion_dip(rod_length: float, friction_coefficient: float) -> tuple[a
     """Least n . u under the right edge with both effects, the force there, and the force at its zero.
 
     The spin ratios between those of friction and of inertia are covered by parts on which balls show
-    that n . u is monotone in the spin ratio, and by one gap, narrower than 1e-12 of it, that holds
+    that n . u is monotone in the spin ratio, and by one gap, narrower than 1e-12 of k, that holds
     the minimum.
     """
     motions, parts = cover(Slider.of(rod_length), friction_coefficient, 1)
