@@ -7,6 +7,7 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
+from planar_pushing.evidence.claims.table import COLUMNS
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
 from planar_pushing.report.quantities import Numbers
@@ -21,19 +22,7 @@ PICTURE = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="40pt" height="20pt" viewBox="0 0 40 20">'
     '<circle cx="20" cy="10" r="8"/></svg>'
 )
-NOTHING = {
-    "section": None,
-    "equation": None,
-    "figure": None,
-    "value": None,
-    "radius": None,
-    "unit": None,
-    "claimed": None,
-    "margin": None,
-    "points": None,
-    "method": None,
-    "reason": None,
-}
+NOTHING = dict.fromkeys(COLUMNS)
 #: Pictures of the supplement.
 PICTURES = ("accuracy_wrench", "accuracy_cone", "accuracy_study", "accuracy_motion", "effects")
 CONES = "rod length," + ",".join(f"{side} {i}" for i in range(4) for side in "rl") + "\n"
@@ -73,10 +62,16 @@ def zeros(numbers: Numbers) -> Entries:
     }
 
 
-def claim(name: str, **values: object) -> dict[str, object]:
+def claim(name: str, *checks: dict[str, object], **values: object) -> dict[str, object]:
     """A claim of the ledger as claims.json has it."""
+    place = {"section": "3", "equations": [], "figures": []}
     given = {"id": name, "origin": "paper", "statement": "A statement.", "verdict": "proved"}
-    return NOTHING | given | values
+    return place | given | {"reason": None, "checks": list(checks)} | values
+
+
+def check(name: str, **values: object) -> dict[str, object]:
+    """A check of a claim."""
+    return NOTHING | {"name": name, "verdict": "proved", "how": "An argument with psi."} | values
 
 
 def claims() -> list[dict[str, object]]:
@@ -85,11 +80,15 @@ def claims() -> list[dict[str, object]]:
         claim(f"claim-{i}", verdict=verdict, statement=f"Statement number {i} on mu and f_x.")
         for i, verdict in enumerate(VERDICTS)
     ]
-    shown = {"value": "-20.125", "unit": "degree", "margin": -1.5e-12, "section": "3.1"}
-    refuted = {"reason": "The sign is the other one.", "equation": 13, "figure": 5, "points": 4321}
-    marked[0] |= shown
-    marked[-1] |= refuted
-    return [*marked, claim("claim-ours", origin="ours", value="1.375", unit="1", margin=0.25)]
+    edge = {"verdict": "enclosed", "how": "A change of sign."}
+    shown = check("some-edge", value="-20.125", unit="degree", **edge)
+    sampled = check("some-sample", verdict="sampled", points=4321, statement="A part of it.")
+    alike = check("other-edge", value="1.5", unit="W", **edge)
+    unsaid = check("own-margin", value="0.875", unit="1", how="A proof.")
+    marked[0] |= {"section": "3.1", "checks": [shown, alike, sampled, unsaid]}
+    marked[-1] |= {"reason": "The sign is the other one.", "equations": [12, 13], "figures": [5]}
+    ours = check("own", value="1.375", unit="1", claimed=1.375, how="Another argument.")
+    return [*marked, claim("claim-ours", ours, origin="ours")]
 
 
 def set_up(root: Path) -> Setting:

@@ -36,7 +36,7 @@ from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from report.costs import write_costs
-from report.setting import claim, claims
+from report.setting import check, claim, claims
 
 STUDY = load_study("workflow/config/paper.yaml")
 SLIDERS = load_study("workflow/config/sliders.yaml")
@@ -60,28 +60,30 @@ CHECKS = [
 ]
 
 
-#: Claims on random supports, and values of others on any slider.
-ON_SAMPLES = (
-    "normal-push-on-random-supports",
-    "cones-of-random-supports",
-    "centers-of-random-supports",
-)
-ANY_SLIDER = {
-    "l-pulls-along-normal": "-4.32669445424",
-    "l-leans-against-its-rod": "-1.51435825277",
-    "curve-of-l-leans": "0.0423644914",
-    "least-force-of-l": "7.6664",
-    "one-pivot-for-many-forces": "70.528779365509308631",
-    "tripod-pivots": "3.7320508075688772935",
-    "corner-of-a-line": "306.86989764584402130",
-    "foot-ahead-holds": "0.18329875861916679000",
-    "center-beyond-bound": "1.9999992499999062500",
-    "integration-constant-of-square": "0.54107508004674399000",
-    "integration-constant-of-rectangle": "0.53060409794183500000",
-    "integration-constant-of-strip": "0.51455358851011300000",
-    "integration-constant-of-disc": "0.66666666666666666667",
-    "integration-constant-of-ring": "1.0000000000000000000",
-}
+#: Checks of the library on random supports, and values of others, by claim.
+ON_SAMPLES = ("normal-pushes", "cones", "centers")
+VALUES = {
+    "pulling-condition": {"threshold": "1.5", "threshold-short-rod": "3.0000000000000000000"},
+    "speed-decides-pulling": {"threshold": "1.2698754263747700920"},
+    "pulling-offset": {"long-rod": "0.16348563257178672762", "short-rod": "0.23612569068667347739"},
+    "normal-motion-dips": {
+        "least": "-0.040029606666", "force": "1.40897274354", "return-force": "2.2251848605567233649"
+    },
+    "cones-beyond-the-pure-ones": {"both": "-8.7465912257"},
+    "shape-of-an-l": {
+        "along-normal": "-4.3266944542353924701", "leaning": "-1.5143582527706850847",
+        "difference": "0.042364491403414912815", "least-force": "7.66640",
+    },
+    "pivots-of-a-tripod": {"span": "70.528779365509308631", "farthest": "3.7320508075688772935"},
+    "corner-of-a-line": {"span": "306.86989764584402130"},
+    "foot-ahead-holds": {"margin": "0.18329875861916679000"},
+    "center-beyond-bound": {"product": "1.9999992499999062500"},
+    "integration-constants": {
+        "square": "0.54107508004674399000", "rectangle": "0.53060409794183500000",
+        "strip": "0.51455358851011300000", "disc": "0.66666666666666666667",
+        "ring": "1.0000000000000000000",
+    },
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -108,18 +110,14 @@ def results(tmp_path_factory):
     for name in GALLERY:
         Image.new("RGB", (10, 20), "black").save(sliders / "figures" / f"{name}.png")
     write_costs(folder)
-    thresholds = [
-        claim("inertia-threshold", value="1.5"),
-        claim("inertia-threshold-figure-10", value="3.0000000000000000000"),
-        claim("friction-threshold", value="1.2698754263747700920"),
-        claim("normal-motion-dips", value="-0.040029606666"),
-        claim("force-at-the-dip", value="1.40897274354"),
-        claim("force-at-the-return", value="2.2251848605567233649"),
+    samples = [check(name, verdict="sampled", points=4321) for name in ON_SAMPLES]
+    known = [claim("library-on-random-supports", *samples, verdict="sampled")]
+    known += [
+        claim(name, *(check(part, value=value) for part, value in values.items()))
+        for name, values in VALUES.items()
     ]
-    thresholds += [claim(name, points=4321) for name in ON_SAMPLES]
-    thresholds += [claim(name, value=value) for name, value in ANY_SLIDER.items()]
     write_text(json_text(verdict(CHECKS)), folder / "tables/golden_verdict.json")
-    ledger = {"counts": {}, "claims": claims() + thresholds}
+    ledger = {"counts": {}, "claims": claims() + known}
     write_text(json.dumps(ledger), folder / "tables/claims.json")
     return Results(folder, Path("tests/golden"))
 
@@ -158,11 +156,16 @@ def numbers(results):
         ("golden-values", "340"),
         ("golden-variables", "3"),
         ("golden-precision", "192"),
-        ("claims", str(11 + len(ON_SAMPLES) + len(ANY_SLIDER))),
+        ("claims", str(7 + len(VALUES))),
         ("claims-ours", "1"),
-        ("claims-proved", str(8 + len(ON_SAMPLES) + len(ANY_SLIDER))),
+        ("claims-checks", str(5 + len(ON_SAMPLES) + sum(map(len, VALUES.values())))),
+        ("claims-proved", str(2 + len(VALUES))),
+        ("claims-enclosed", "1"),
+        ("claims-sampled", "2"),
         ("claims-not-reproducible", "1"),
         ("threshold-friction", "1.2699"),
+        ("pulling-offset", "0.163"),
+        ("beyond-both", "-8.75"),
         ("dip", "-0.0400"),
         ("random-cones", "4321"),
         ("l-cone-right", "-4.3"),
@@ -291,7 +294,11 @@ def test_missing_tables_and_claims_are_named(results, tmp_path):
     with pytest.raises(InvalidFile, match=r"golden_verdict\.json: no such table; build it"):
         _ = empty.verdict
     with pytest.raises(InvalidFile, match=r"claims\.json: no claim 'none'; allowed: claim-0"):
-        results.claim("none")
+        results.check("none", "threshold")
+    with pytest.raises(
+        InvalidFile, match=r"no claim-0: check 'none'; allowed: some-edge, other-edge"
+    ):
+        results.check("claim-0", "none")
     write_text("{", tmp_path / "tables/claims.json")
     with pytest.raises(InvalidFile, match=r"claims\.json: is not JSON"):
         _ = empty.claims

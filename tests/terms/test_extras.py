@@ -87,7 +87,7 @@ STUDY = "planar_pushing.study"
     ("report", "typst", "import planar_pushing.report.typeset"),
     ("manual", "furo", "from planar_pushing.report.manual import build_manual as b; b('a', 'b')"),
     ("golden", "flint", "import planar_pushing.certified.ring"),
-    ("golden", "flint", "import planar_pushing.evidence.claims.proofs.verdicts"),
+    ("golden", "flint", "import planar_pushing.evidence.claims.verdicts"),
     ("chunks", "dask", f"from {STUDY}.storage.chunk_files import open_chunks as o; o(0, {{}}, {{}})"),
 ])  # fmt: skip
 def test_a_missing_extra_is_named_where_it_is_needed(extra, missing, body):

@@ -119,21 +119,22 @@ def magnitude(
     return replace(number, read=read)
 
 
-def claimed(claim: str, field: str, *, digits: int, unit: str = "1") -> Quantity:
-    """A number of a claim's evidence."""
+def claimed(
+    claim: str, check: str, *, field: str = "value", digits: int, unit: str = "1"
+) -> Quantity:
+    """A number that a check of a claim found."""
 
     def read(results: Results) -> float:
-        return float(results.claim(claim)[field])
+        return float(results.check(claim, check)[field])
 
-    return Quantity(
-        read=read, digits=digits, unit=unit, source=f"tables/claims.json: {field} of {claim}"
-    )
+    source = f"tables/claims.json: {field} of {check} of {claim}"
+    return Quantity(read=read, digits=digits, unit=unit, source=source)
 
 
-def counted(what: str, holds: Callable[[dict[str, Any]], bool]) -> Quantity:
-    """Count the claims of the ledger for which something holds."""
+def counted(what: str, count: Callable[[dict[str, Any]], int]) -> Quantity:
+    """Add up a count over the claims of the ledger."""
 
     def read(results: Results) -> float:
-        return float(sum(holds(claim) for claim in results.claims["claims"]))
+        return float(sum(count(claim) for claim in results.claims["claims"]))
 
     return Quantity(read=read, digits=0, unit="1", source=f"tables/claims.json: {what}")

@@ -87,19 +87,27 @@ class Results:
         """Counts and claims of the ledger; errors as in `verdicts`."""
         return _json(self._table("claims.json"))
 
-    def claim(self, name: str) -> dict[str, Any]:
-        """One claim of the ledger.
+    def check(self, claim: str, name: str) -> dict[str, Any]:
+        """One check of a claim of the ledger.
 
         Raises
         ------
         InvalidFile
-            Where the ledger has no claim of this name.
+            Where the ledger has no claim, or the claim no check, of this name.
         """
-        claims: dict[str, dict[str, Any]] = {each["id"]: each for each in self.claims["claims"]}
-        if name not in claims:
-            path = self._table("claims.json")
-            raise InvalidFile(f"{path}: no claim {name!r}; allowed: {', '.join(claims)}; name one")
-        return claims[name]
+        claims = {each["id"]: each["checks"] for each in self.claims["claims"]}
+        found: dict[str, Any] = self._one(
+            {each["name"]: each for each in self._one(claims, claim, "claim")},
+            name,
+            f"{claim}: check",
+        )
+        return found
+
+    def _one(self, options: dict[str, Any], name: str, kind: str) -> Any:
+        if name not in options:
+            path, allowed = self._table("claims.json"), ", ".join(options)
+            raise InvalidFile(f"{path}: no {kind} {name!r}; allowed: {allowed}; name one")
+        return options[name]
 
     def _table(self, name: str) -> Path:
         return self.folder / "tables" / name

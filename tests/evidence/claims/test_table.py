@@ -11,18 +11,28 @@ from flint import arb, ctx, fmpq
 
 from evidence.claims.ledgers import judged, ledger
 from planar_pushing.certified.balls import PRECISION
-from planar_pushing.evidence.claims.proofs.verdicts import Verdict
 from planar_pushing.evidence.claims.table import (
+    COLUMNS,
     below,
     complaint,
     csv_text,
     digits,
     json_text,
 )
+from planar_pushing.evidence.claims.verdicts import Verdict
 
 KEYS = [
-    *("id", "section", "equation", "figure", "origin", "statement", "verdict", "value", "radius"),
-    *("unit", "claimed", "margin", "points", "method", "reason"),
+    *(
+        "id",
+        "section",
+        "equations",
+        "figures",
+        "origin",
+        "statement",
+        "verdict",
+        "reason",
+        "checks",
+    ),
 ]
 
 
@@ -34,20 +44,28 @@ def test_the_table_in_json():
     table = json.loads(json_text(judged()))
     assert [row["id"] for row in table["claims"]] == [claim.id for claim in ledger().claims]
     assert sum(table["counts"].values()) == len(table["claims"])
-    assert set(table["counts"]) <= {str(verdict) for verdict in Verdict} - {"undecided"}
+    assert set(table["counts"]) == {str(verdict) for verdict in Verdict} - {"undecided"}
     for row in table["claims"]:
         assert list(row) == KEYS
-        assert row["value"] is None or len(row["value"].strip("-").replace(".", "")) <= 24
-        assert (row["value"] is None) == (row["radius"] is None) == (row["unit"] is None)
-        if row["verdict"] == "proved" and row["margin"] is not None:
-            assert row["margin"] >= 0
+        for check in row["checks"]:
+            assert list(check) == list(COLUMNS)
+            assert check["how"]
+            assert check["value"] is None or len(check["value"].strip("-").replace(".", "")) <= 24
+            assert (check["value"] is None) == (check["radius"] is None) == (check["unit"] is None)
+            if check["verdict"] != "refuted" and check["margin"] is not None:
+                assert check["margin"] >= 0
 
 
-def test_the_table_in_csv_has_the_same_rows():
+def test_the_table_in_csv_has_a_line_for_each_check():
     rows = list(csv.DictReader(io.StringIO(csv_text(judged()))))
     table = json.loads(json_text(judged()))["claims"]
-    assert [row["id"] for row in rows] == [row["id"] for row in table]
-    assert [row["value"] or None for row in rows] == [row["value"] for row in table]
+    checks = [(row["id"], check) for row in table for check in row["checks"] or [{}]]
+    assert [row["id"] for row in rows] == [name for name, _ in checks]
+    for row, (_, check) in zip(rows, checks, strict=True):
+        assert (row["value"] or None) == check.get("value")
+        assert (row["check_verdict"] or None) == check.get("verdict")
+    figures = {row["id"]: row["figures"] for row in rows}
+    assert figures["pulling-is-ambiguous"] == "3 6 9 11"
 
 
 def test_the_bytes_are_the_same_every_time():
@@ -56,15 +74,27 @@ def test_the_bytes_are_the_same_every_time():
     assert csv_text(again) == csv_text(judged())
 
 
+def changed(one, **values):
+    first, *rest = one.checks
+    return replace(one, checks=(replace(first, evidence=replace(first.evidence, **values)), *rest))
+
+
 def test_a_verdict_that_is_not_expected_is_named():
     first, second, *rest = judged()
-    evidence = replace(first.evidence, verdict=Verdict.REFUTED, reason="off by 1")
-    changed = replace(first, evidence=evidence)
-    said = complaint([changed, second, *rest])
+    said = complaint([changed(first, verdict=Verdict.REFUTED, reason="off by 1"), second, *rest])
     assert said == (
         "1 claims have another verdict than the ledger expects\n"
-        f"{first.claim.id}: refuted, expected proved; off by 1"
+        f"{first.claim.id}: refuted, expected proved; {first.checks[0].entry.title}: off by 1"
     )
+    weaker = changed(first, verdict=Verdict.ENCLOSED)
+    assert f"{first.claim.id}: enclosed, expected proved" in complaint([weaker])
+
+
+def test_the_weakest_check_decides():
+    (one,) = (each for each in judged() if each.claim.id == "exact-cone-of-figure-12")
+    assert one.checks[0].evidence.verdict is Verdict.PROVED
+    assert one.verdict is Verdict.ENCLOSED
+    assert changed(one, verdict=Verdict.SAMPLED).verdict is Verdict.SAMPLED
 
 
 @pytest.mark.parametrize(

@@ -1,22 +1,26 @@
-"""The verdict on every claim, as a table: JSON, CSV and text."""
+"""The verdict on every claim and on each of its checks, as JSON, CSV and text."""
 
 from __future__ import annotations
 
 import math
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from flint import arb, fmpq
 
 from planar_pushing.certified.balls import precise
 from planar_pushing.evidence import writing
-from planar_pushing.evidence.claims.ledger import NO_CHECK, Claim, Ledger
-from planar_pushing.evidence.claims.proofs.registry import CHECKS
-from planar_pushing.evidence.claims.proofs.verdicts import Evidence, Verdict
+from planar_pushing.evidence.claims.ledger import CheckEntry, Claim, Ledger
+from planar_pushing.evidence.claims.verdicts import Evidence, Verdict, weakest
 from planar_pushing.terms.errors import InvalidFile
 
+#: Columns of a check.
+COLUMNS = (
+    *("name", "statement", "verdict", "how", "value", "radius", "unit"),
+    *("claimed", "margin", "points", "reason"),
+)
 #: Correct digits of an enclosure that the table prints.
 DIGITS = 20
 
@@ -24,43 +28,48 @@ Row = dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Judged:
-    """A claim and the evidence that its check found."""
+class Found:
+    """A check and the evidence that it found."""
 
-    claim: Claim
+    entry: CheckEntry
     evidence: Evidence
 
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judged:
+    """A claim and the findings of its checks."""
+
+    claim: Claim
+    checks: tuple[Found, ...]
+
     @property
-    def as_expected(self) -> bool:
-        """Whether the verdict is the one that the ledger expects."""
-        return self.evidence.verdict is self.claim.expected
+    def verdict(self) -> Verdict:
+        """The verdict of the weakest check."""
+        found = [each.evidence.verdict for each in self.checks]
+        return weakest(found) if found else Verdict.NOT_REPRODUCIBLE
 
 
 def judge(claim: Claim) -> Judged:
-    """Run the check of a claim on the numbers that it names.
+    """Run the checks of a claim.
 
     Raises
     ------
     InvalidFile
-        Where the check is not defined for these numbers, as for a rod of infinite length.
+        Where a check is not defined for the numbers that it is given, as for a rod of infinite length.
     """
-    if claim.check == NO_CHECK:
-        evidence = Evidence(verdict=Verdict.NOT_REPRODUCIBLE, method="none", reason=claim.reason)
-    else:
-        evidence = _checked(claim)
-        if claim.reason and evidence.verdict is claim.expected:
-            evidence = replace(evidence, reason=claim.reason)
-    return Judged(claim=claim, evidence=evidence)
+    return Judged(claim=claim, checks=tuple(judge_check(claim.id, each) for each in claim.checks))
 
 
-def _checked(claim: Claim) -> Evidence:
+def judge_check(claim: str, entry: CheckEntry) -> Found:
+    """Run one check of the claim with this id; errors as in `judge`."""
     try:
-        return CHECKS[claim.check](**claim.claimed)
+        evidence = entry.resolved().run()
     except (ArithmeticError, ValueError) as error:
         raise InvalidFile(
-            f"{claim.id}.claimed: {claim.claimed!r} given; allowed: numbers that the check "
-            f"{claim.check} is defined for ({error}); change them"
+            f"{claim}.{entry.title}: {entry.claimed or entry.at} given; allowed: numbers for which it is "
+            f"defined ({error}); change them"
         ) from None
+    return Found(entry=entry, evidence=evidence)
 
 
 def judge_all(ledger: Ledger) -> list[Judged]:
@@ -69,49 +78,63 @@ def judge_all(ledger: Ledger) -> list[Judged]:
 
 
 def json_text(judged: Iterable[Judged]) -> str:
-    """The table as JSON: counts of the verdicts, and a row for each claim."""
-    rows = [_row(each) for each in judged]
-    counts = Counter(row["verdict"] for row in rows)
+    """The table as JSON: counts of the verdicts, and each claim with its checks."""
+    listed = list(judged)
+    counts = Counter(each.verdict for each in listed)
     found = {str(verdict): counts[verdict] for verdict in Verdict if counts[verdict]}
+    rows = [_claim(each) | {"checks": [_check(one) for one in each.checks]} for each in listed]
     return writing.json_text({"counts": found, "claims": rows})
 
 
 def csv_text(judged: Iterable[Judged]) -> str:
-    """The table as CSV, one line for each claim."""
-    return writing.csv_text([_row(each) for each in judged])
+    """The table as CSV, one line for each check, and for a claim that has none."""
+    rows = []
+    for each in judged:
+        listed = {key: _plain(value) for key, value in _claim(each).items()}
+        checks = [_check(found) for found in each.checks] or [dict.fromkeys(COLUMNS)]
+        rows += [
+            listed | {f"check_{key}" if key in listed else key: one[key] for key in COLUMNS}
+            for one in checks
+        ]
+    return writing.csv_text(rows)
 
 
 def complaint(judged: Iterable[Judged]) -> str:
-    """What differs from the ledger's expectations; empty where nothing does."""
-    wrong = [each for each in judged if not each.as_expected]
-    lines = [
-        f"{each.claim.id}: {each.evidence.verdict}, expected {each.claim.expect}"
-        + (f"; {each.evidence.reason}" if each.evidence.reason else "")
-        for each in wrong
-    ]
+    """Differences from the ledger's expectations; empty where there are none."""
+    wrong = [each for each in judged if each.verdict is not each.claim.expected]
     head = [f"{len(wrong)} claims have another verdict than the ledger expects"] if wrong else []
-    return "\n".join(head + lines)
+    return "\n".join(head + [_difference(each) for each in wrong])
+
+
+def _difference(judged: Judged) -> str:
+    reasons = [
+        f"; {each.entry.title}: {each.evidence.reason}"
+        for each in judged.checks
+        if each.evidence.verdict is judged.verdict and each.evidence.reason
+    ]
+    return f"{judged.claim.id}: {judged.verdict}, expected {judged.claim.expect}{''.join(reasons)}"
+
+
+def _claim(judged: Judged) -> Row:
+    row = judged.claim.model_dump(exclude={"expect", "reason", "checks"})
+    return row | {"verdict": str(judged.verdict), "reason": judged.claim.reason}
 
 
 @precise
-def _row(judged: Judged) -> Row:
-    claim, evidence = judged.claim, judged.evidence
+def _check(found: Found) -> Row:
+    evidence = found.evidence
     text, radius = digits(evidence.value)
     return {
-        "id": claim.id,
-        "section": claim.section,
-        "equation": claim.equation,
-        "figure": claim.figure,
-        "origin": claim.origin,
-        "statement": claim.statement,
+        "name": found.entry.title,
+        "statement": found.entry.statement,
         "verdict": str(evidence.verdict),
+        "how": found.entry.resolved().how,
         "value": text,
         "radius": radius,
         "unit": evidence.unit if text is not None else None,
         "claimed": _plain(evidence.claimed),
         "margin": None if evidence.margin is None else below(evidence.margin),
         "points": evidence.points,
-        "method": evidence.method,
         "reason": evidence.reason,
     }
 
@@ -143,5 +166,8 @@ def _rounded(exact: arb, towards: float) -> float:
     return math.nextafter(number, towards) if beyond else number
 
 
-def _plain(number: float | None) -> float | None:
-    return number if number is not None and math.isfinite(number) else None
+def _plain(value: Any) -> Any:
+    """A value as a cell: a list of numbers as text, and no infinite number."""
+    if isinstance(value, tuple):
+        return " ".join(map(str, value))
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -6,32 +6,33 @@ from planar_pushing.report.quantities import Numbers, Quantity, claimed
 
 
 def _constant(support: str, digits: int = 4) -> Quantity:
-    """Make the integration constant of a support, in units of its weight and reach."""
-    return claimed(f"integration-constant-of-{support}", "value", digits=digits)
+    """Make the integration constant of a support, in units of its weight and extent."""
+    return claimed("integration-constants", support, digits=digits)
 
 
-def _points(claim: str) -> Quantity:
-    """Make the number of supports and contacts on which a claim was checked."""
-    return claimed(claim, "points", digits=0)
+def _points(check: str) -> Quantity:
+    """Make the number of supports and contacts at which the library was checked."""
+    return claimed("library-on-random-supports", check, field="points", digits=0)
 
 
-def _degrees(claim: str, digits: int = 1) -> Quantity:
-    return claimed(claim, "value", digits=digits, unit="degree")
+def _of_l(check: str) -> Quantity:
+    """Make an angle of the L."""
+    return claimed("shape-of-an-l", check, digits=1, unit="degree")
 
 
 CLAIMS: Numbers = {
-    "random-normal-pushes": _points("normal-push-on-random-supports"),
-    "random-cones": _points("cones-of-random-supports"),
-    "random-centers": _points("centers-of-random-supports"),
-    "l-cone-right": _degrees("l-pulls-along-normal"),
-    "l-leaning-right": _degrees("l-leans-against-its-rod"),
-    "l-difference": claimed("curve-of-l-leans", "value", digits=3, unit="W"),
-    "l-least-force": _degrees("least-force-of-l"),
-    "pivot-span": _degrees("one-pivot-for-many-forces"),
-    "pivot-offset": claimed("tripod-pivots", "value", digits=3),
-    "corner-span": _degrees("corner-of-a-line"),
-    "foot-margin": claimed("foot-ahead-holds", "value", digits=3, unit="W"),
-    "center-product": claimed("center-beyond-bound", "value", digits=6),
+    "random-normal-pushes": _points("normal-pushes"),
+    "random-cones": _points("cones"),
+    "random-centers": _points("centers"),
+    "l-cone-right": _of_l("along-normal"),
+    "l-leaning-right": _of_l("leaning"),
+    "l-difference": claimed("shape-of-an-l", "difference", digits=3, unit="W"),
+    "l-least-force": _of_l("least-force"),
+    "pivot-span": claimed("pivots-of-a-tripod", "span", digits=1, unit="degree"),
+    "pivot-offset": claimed("pivots-of-a-tripod", "farthest", digits=3),
+    "corner-span": claimed("corner-of-a-line", "span", digits=1, unit="degree"),
+    "foot-margin": claimed("foot-ahead-holds", "margin", digits=3, unit="W"),
+    "center-product": claimed("center-beyond-bound", "product", digits=6),
     "constant-ring": _constant("ring", 0),
     **{f"constant-{name}": _constant(name) for name in ("square", "rectangle", "strip", "disc")},
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_pushing.evidence.claims.proofs.verdicts import Verdict
+from planar_pushing.evidence.claims.verdicts import Verdict
 from planar_pushing.report.quantities import Numbers, Quantity, claimed, counted
 from planar_pushing.report.verdict import (
     KINDS,
@@ -17,7 +17,7 @@ VERDICTS = [verdict for verdict in Verdict if verdict is not Verdict.UNDECIDED]
 
 
 def _verdicts(verdict: Verdict) -> Quantity:
-    return counted(verdict, lambda claim: bool(claim["verdict"] == verdict))
+    return counted(verdict, lambda claim: int(claim["verdict"] == verdict))
 
 
 GOLDEN: Numbers = {
@@ -30,13 +30,17 @@ GOLDEN: Numbers = {
 }
 
 CLAIMS: Numbers = {
-    "claims": counted("claims", bool),
-    "claims-ours": counted("claims of ours", lambda claim: bool(claim["origin"] == "ours")),
+    "claims": counted("claims", lambda claim: 1),
+    "claims-ours": counted("claims of ours", lambda claim: int(claim["origin"] == "ours")),
+    "claims-checks": counted("checks", lambda claim: len(claim["checks"])),
     **{f"claims-{verdict.replace(' ', '-')}": _verdicts(verdict) for verdict in VERDICTS},
-    "threshold-inertia": claimed("inertia-threshold", "value", digits=1),
-    "threshold-inertia-short-rod": claimed("inertia-threshold-figure-10", "value", digits=1),
-    "threshold-friction": claimed("friction-threshold", "value", digits=4),
-    "dip": claimed("normal-motion-dips", "value", digits=4, unit="W/m"),
-    "dip-force": claimed("force-at-the-dip", "value", digits=3, unit="W"),
-    "return-force": claimed("force-at-the-return", "value", digits=3, unit="W"),
+    "threshold-inertia": claimed("pulling-condition", "threshold", digits=1),
+    "threshold-inertia-short-rod": claimed("pulling-condition", "threshold-short-rod", digits=1),
+    "threshold-friction": claimed("speed-decides-pulling", "threshold", digits=4),
+    "pulling-offset": claimed("pulling-offset", "long-rod", digits=3, unit="R"),
+    "pulling-offset-short-rod": claimed("pulling-offset", "short-rod", digits=3, unit="R"),
+    "dip": claimed("normal-motion-dips", "least", digits=4, unit="W/m"),
+    "dip-force": claimed("normal-motion-dips", "force", digits=3, unit="W"),
+    "return-force": claimed("normal-motion-dips", "return-force", digits=3, unit="W"),
+    "beyond-both": claimed("cones-beyond-the-pure-ones", "both", digits=2, unit="degree"),
 }

@@ -46,7 +46,7 @@ PAPER = by_name(
         needs=FRICTION,
         section=STATICS,
         caption=(
-            "Quasi-static pulling. The force f passes close by the ring centre on its other "
+            "Quasi-static pulling. The force f passes the ring centre on its other "
             "side: the contact sticks although the pusher moves away from the slider."
         ),
         promise="quasi-static pulling.",

@@ -1,11 +1,9 @@
-"""The checks, by theme; importing the package registers them all."""
+"""The checks that share no code with the mechanics, by theme; importing the package registers them all."""
 
-from planar_pushing.evidence.claims.checks import acceleration_centers as acceleration_centers
 from planar_pushing.evidence.claims.checks import any_support as any_support
-from planar_pushing.evidence.claims.checks import contact_laws as contact_laws
+from planar_pushing.evidence.claims.checks import cones as cones
 from planar_pushing.evidence.claims.checks import dynamics as dynamics
-from planar_pushing.evidence.claims.checks import findings as findings
-from planar_pushing.evidence.claims.checks import formulas as formulas
-from planar_pushing.evidence.claims.checks import infinite_friction as infinite_friction
 from planar_pushing.evidence.claims.checks import limit_curves as limit_curves
-from planar_pushing.evidence.claims.checks import velocity_cones as velocity_cones
+from planar_pushing.evidence.claims.checks import numbers as numbers
+from planar_pushing.evidence.claims.checks import ring as ring
+from planar_pushing.evidence.claims.checks import support_numbers as support_numbers

@@ -1,99 +1,71 @@
-"""Sec. 4: inertia alone, Eqs. (8)-(13), and its acceleration cones."""
+"""Sec. 4: Eqs. (8)-(13), and the geometry of acceleration centers."""
 
 from __future__ import annotations
 
 from flint import arb, fmpq
 
-from planar_pushing.certified.balls import cosine_sine, exact_direction, rational, sign
-from planar_pushing.certified.cones import motion_cone, pulls
-from planar_pushing.certified.contact.modes import Mode, coulomb
+from planar_pushing.certified import ring
+from planar_pushing.certified.balls import (
+    cosine_sine,
+    exact_direction,
+    in_degrees,
+    rational,
+    sign,
+)
+from planar_pushing.certified.cones import pulls
 from planar_pushing.certified.setting import Effects, Slider
-from planar_pushing.evidence.claims.checks.infinite_friction import slips_beyond_edge
-from planar_pushing.evidence.claims.checks.velocity_cones import EDGES, cone_edges
+from planar_pushing.evidence.claims.proofs import boxes, lemmas
 from planar_pushing.evidence.claims.proofs import identities as ids
-from planar_pushing.evidence.claims.proofs.examples import modes_are
-from planar_pushing.evidence.claims.proofs.registry import check
-from planar_pushing.evidence.claims.proofs.verdicts import (
+from planar_pushing.evidence.claims.registry import proof
+from planar_pushing.evidence.claims.verdicts import (
     Evidence,
     equal,
     facts,
     identity,
     inequality,
+    near,
     together,
 )
 
-_NEWTON = "Newton's law, exactly"
 _FORCE = ids.f * ids.x, ids.f * ids.y
-
-
-@check
-def acceleration_along_fence(mass: float) -> Evidence:
-    """Eq. (8) from m a_cx = f_x."""
-    return identity({"a_cx": rational(mass) * _FORCE[0] - _FORCE[0]}, _NEWTON)
-
-
-@check
-def acceleration_across_fence(mass: float) -> Evidence:
-    """Eq. (9) from m a_cy = f_y."""
-    return identity({"a_cy": rational(mass) * _FORCE[1] - _FORCE[1]}, _NEWTON)
-
-
-def _torque() -> ids.Polynomial:
-    """Torque about the center of a force at the contact, which lies at -l (cos psi, sin psi)."""
-    return ids.cross((-ids.l * ids.p, -ids.l * ids.q), _FORCE)
-
-
-@check
-def gyration_of_ring(gyration_radius: float) -> Evidence:
-    """A point of the ring at (cos, sin) has this distance from the center, squared."""
-    size = ids.c**2 + ids.s**2 - rational(gyration_radius) ** 2
-    return identity({"the mean square distance": ids.normal(size)}, "all mass is at R = 1, exactly")
-
-
-@check
-def angular_acceleration(gyration_radius: float) -> Evidence:
-    """Eq. (10) from m rho^2 alpha = torque."""
-    printed = _FORCE[0] * ids.l * ids.q - _FORCE[1] * ids.l * ids.p
-    size = rational(gyration_radius) ** 2
-    return identity({"alpha_c": ids.normal(size * printed - _torque())}, _NEWTON)
+#: Torque about the center of a force at the contact, which lies at -l (cos psi, sin psi).
+_TORQUE = ids.cross((-ids.l * ids.p, -ids.l * ids.q), _FORCE)
+#: Right sides of Eqs. (11) and (12).
+_PRINTED = (
+    _FORCE[0] * (1 + ids.l**2 * ids.q**2) - _FORCE[1] * ids.l**2 * ids.q * ids.p,
+    _FORCE[1] * (1 + ids.l**2 * ids.p**2) - _FORCE[0] * ids.l**2 * ids.q * ids.p,
+)
 
 
 def _rod_end(gyration_radius: float) -> tuple[ids.Polynomial, ids.Polynomial]:
     """a_s = a_c + alpha x r with r from the center to the contact."""
-    alpha = _torque() / rational(gyration_radius) ** 2
+    alpha = _TORQUE / rational(gyration_radius) ** 2
     return _FORCE[0] + alpha * ids.l * ids.q, _FORCE[1] - alpha * ids.l * ids.p
 
 
-def _printed_across() -> ids.Polynomial:
-    """Right side of Eq. (12) and left side of Eq. (13)."""
-    own = _FORCE[1] * (1 + ids.l**2 * ids.p**2)
-    return own - _FORCE[0] * ids.l**2 * ids.q * ids.p
+@proof
+def equations_of_motion(mass: float, gyration_radius: float) -> Evidence:
+    """Eqs. (8)-(12).
 
-
-@check
-def rod_end_along_fence(gyration_radius: float) -> Evidence:
-    """Eq. (11)."""
-    printed = _FORCE[0] * (1 + ids.l**2 * ids.q**2) - _FORCE[1] * ids.l**2 * ids.q * ids.p
-    return identity({"a_sx": ids.normal(_rod_end(gyration_radius)[0] - printed)}, _NEWTON)
-
-
-@check
-def rod_end_across_fence(gyration_radius: float) -> Evidence:
-    """Eq. (12)."""
-    difference = ids.normal(_rod_end(gyration_radius)[1] - _printed_across())
-    return identity({"a_sy": difference}, _NEWTON)
-
-
-@check
-def pulling_condition(rod_length: float, friction_coefficient: float) -> Evidence:
-    """Eq. (13): its left side is a_sy, and at an example it is negative where the fence can pull."""
-    difference = ids.normal(_rod_end(1.0)[1] - _printed_across())
-    length, mu = rational(rod_length), rational(friction_coefficient)
-    method = "the left side is a_sy, an identity for every l, psi and force"
-    value = 1 + length**2 / 2 - mu * length**2 / 2
-    example = inequality(arb(-value), method, value=arb(value), unit="f_y")
-    possible = facts({"pulls": pulls(Slider.of(rod_length), Effects.INERTIA, float(mu))}, method)
-    return together(example, possible, identity({"a_sy": difference}, method))
+    All mass of the ring is at the distance 1 from its center, which is therefore the radius of
+    gyration. Newton's law for a unit mass gives Eqs. (8) and (9), and with the moment of the force
+    about the center Eq. (10). The acceleration of the rod's end is that of the center plus alpha_c
+    times the lever, rotated by 90 degrees: Eqs. (11) and (12). The five are polynomial identities in
+    the force and in the sines and cosines of phi and psi.
+    """
+    size, rho = rational(mass), rational(gyration_radius)
+    printed = _FORCE[0] * ids.l * ids.q - _FORCE[1] * ids.l * ids.p
+    end = _rod_end(gyration_radius)
+    return identity(
+        {
+            "the radius of gyration": ids.normal(ids.c**2 + ids.s**2 - rho**2),
+            "a_cx": size * _FORCE[0] - _FORCE[0],
+            "a_cy": size * _FORCE[1] - _FORCE[1],
+            "alpha_c": ids.normal(rho**2 * printed - _TORQUE),
+            "a_sx": ids.normal(end[0] - _PRINTED[0]),
+            "a_sy": ids.normal(end[1] - _PRINTED[1]),
+        }
+    )
 
 
 def _coefficients(rod_length: float) -> tuple[tuple[arb, arb], tuple[ids.Polynomial, ...]]:
@@ -104,96 +76,152 @@ def _coefficients(rod_length: float) -> tuple[tuple[arb, arb], tuple[ids.Polynom
     return balls, (1 + square * cosine * cosine, square * sine * cosine)
 
 
-@check
-def condition_coefficients(rod_length: float, normal: float, tangential: float) -> Evidence:
-    """Below Eq. (13): 3 f_y - 2 mu f_y."""
+@proof
+def pulling_condition(rod_length: float, normal: float, tangential: float) -> Evidence:
+    """Eq. (13), and the form below it.
+
+    The left side of Eq. (13) is a_sy of Eq. (12), an identity for every l, psi and force. At psi = 45
+    degrees and l = 2 its coefficients are 3 and 2, in exact arithmetic of cos(45 degrees).
+    """
     balls, exact = _coefficients(rod_length)
-    method = "cos and sin of 45 degrees in exact arithmetic"
-    return together(
-        *(
-            equal(ball, claimed, method, known)
-            for claimed, ball, known in zip((normal, tangential), balls, exact, strict=True)
-        )
-    )
+    coefficients = [
+        equal(ball, claimed, known)
+        for claimed, ball, known in zip((normal, tangential), balls, exact, strict=True)
+    ]
+    printed = identity({"a_sy": ids.normal(_rod_end(1.0)[1] - _PRINTED[1])})
+    return together(*coefficients, printed)
 
 
-@check
+@proof
 def inertia_threshold(rod_length: float, threshold: float) -> Evidence:
-    """Below Eq. (13): the coefficient beyond which the fence pulls, exactly."""
+    """The coefficient beyond which the fence pulls under inertia, exactly.
+
+    Under the force of the right edge, f_x = mu f_y, Eq. (13) is linear in mu with a negative slope, and
+    its left side vanishes at the threshold, in exact arithmetic of cos(45 degrees). The enclosed edges
+    of the acceleration cone agree: no pulling at the threshold, and pulling just above it.
+    """
     (normal, tangential), exact = _coefficients(rod_length)
     mu, slider = rational(threshold), Slider.of(rod_length)
     rest = sign(normal - mu * tangential, lambda: exact[0] - mu * exact[1])
     found = {
         f"a_sy = 0 at mu = {threshold:g}": rest == 0,
+        "falling with mu": bool(tangential > 0),
         "no pulling at it": not pulls(slider, Effects.INERTIA, threshold),
         "pulling just beyond": pulls(slider, Effects.INERTIA, threshold + 2.0**-40),
     }
-    method = "ratio of the coefficients of Eq. (13) in exact arithmetic"
-    return facts(found, method, value=normal / tangential, unit="1", claimed=threshold)
+    return facts(found, value=normal / tangential, unit="1", claimed=threshold)
 
 
-@check
-def positive_inertial_work() -> Evidence:
-    """F . a_s = 1 + h^2 for a unit force on a unit mass with unit radius of gyration."""
-    work = ids.normal(ids.dot((ids.x, ids.y), _inertial()) - 1 - ids.ARM**2)
-    method = "f . a_s = 1 + h^2 >= 1, an identity; every force angle, l and psi"
-    return together(inequality(arb(1), method), identity({"f . a_s": work}, method))
-
-
-def _inertial() -> tuple[ids.Polynomial, ids.Polynomial]:
-    """Motion with k = h, Eq. (10)."""
-    return ids.replaced(ids.MOTION[0], k=ids.ARM), ids.replaced(ids.MOTION[1], k=ids.ARM)
-
-
-@check
-def acceleration_turns_with_force() -> Evidence:
-    """|a_s|^2 d theta / d phi = 1 + l^2, whatever the force angle."""
-    rate = ids.l * -(ids.p * ids.x + ids.q * ids.y)  # dh / dphi
-    turned = (-ids.y + rate * ids.l * ids.q, ids.x - rate * ids.l * ids.p)
-    difference = ids.normal(ids.cross(_inertial(), turned) - 1 - ids.l**2)
-    method = "|a_s|^2 d theta / d phi = 1 + l^2 >= 1, an identity; every l and psi"
-    return together(inequality(arb(1), method), identity({"the turning": difference}, method))
-
-
-@check
-def acceleration_cone(
-    rod_length: float, friction_coefficient: float, right: float, left: float, within: float
-) -> Evidence:
-    """Both edges of an acceleration cone, in degrees."""
-    return cone_edges(Effects.INERTIA, rod_length, friction_coefficient, (right, left), within)
-
-
-@check
-def acceleration_cone_reaches_away(
-    rod_length: float, friction_coefficient: float, pusher_angle: float
-) -> Evidence:
-    """The right edge is below the fence, and a pusher between both can pull."""
-    cone = motion_cone(Slider.of(rod_length), Effects.INERTIA, friction_coefficient)
-    away = inequality(-cone.right, EDGES, value=cone.right, unit="degree", claimed=0.0)
-    expected, law = (Mode.SEPARATE, Mode.STICK, Mode.SLIP_LEFT), coulomb(friction_coefficient)
-    pull = modes_are(expected, rod_length, Effects.INERTIA, law, pusher_angle)
-    return together(away, pull)
-
-
-@check
-def slip_with_inertia(rod_length: float, pusher_angle: float) -> Evidence:
-    """Slip is the only solution from this pusher angle up to 180 degrees."""
-    return slips_beyond_edge(Effects.INERTIA, rod_length, pusher_angle)
-
-
-@check
+@proof
 def rod_on_a_wall(numerator: float, denominator: float) -> Evidence:
-    """Eq. (13) with (l / rho)^2 = 3, a uniform rod held at its end.
+    """Eq. (13) of a uniform rod has the critical coefficient numerator / denominator.
 
-    The coefficient is (1 + 3 c^2) / (3 s c), least where the square (s - 2 c)^2 vanishes.
+    A uniform rod held at its end has (l / rho)^2 = 3. With c = cos(psi) and s = sin(psi) the condition
+    of Eq. (13) reads 1 + 3 c^2 - 3 mu s c < 0. At mu = 4/3 the left side is the square (s - 2 c)^2, an
+    identity, which vanishes at tan(psi) = 2 alone. A smaller mu leaves the left side positive for every
+    psi, a larger one makes it negative at tan(psi) = 2.
     """
     critical = rational(numerator) / rational(denominator)
     square = (ids.s - 2 * ids.c) ** 2
     rest = 1 + 3 * ids.c**2 - 3 * critical * ids.s * ids.c - square
-    method = "1 + 3 c^2 - 3 mu s c = (s - 2 c)^2 at the least mu, an identity"
     found = (1 + fmpq(3, 5)) / fmpq(6, 5)  # tan psi = 2: c^2 = 1/5 and s c = 2/5
     number = facts(
-        {"the coefficient": found == critical}, method, value=arb(found), unit="1",
-        claimed=numerator / denominator,
+        {"the coefficient": found == critical},
+        value=arb(found), unit="1", claimed=numerator / denominator,
     )  # fmt: skip
-    return together(number, identity({"the square": ids.normal(rest)}, method))
+    return together(number, identity({"the square": ids.normal(rest)}))
+
+
+@proof
+def centers_on_a_line(rod_length: float, distance: float) -> Evidence:
+    """Fig. 9: under inertia every center has the part rho^2 / l along the rod; rho = R = 1.
+
+    The center is at -1 / k on the x' axis, with k = h R / rho^2. Its coordinate along the rod, from the
+    ring's center, is rho^2 / l for every force angle, an identity: the centers are on one line
+    perpendicular to the rod, the force dual of the contact.
+    """
+    along = ids.l * ids.dot((ids.y, -ids.x), (ids.p, ids.q)) + ids.ARM  # times -1 / k, k = h
+    place = equal(1 / arb(rational(rod_length)), distance, unit="R")
+    return together(place, identity({"the part along the rod": ids.normal(along)}))
+
+
+def _forward() -> Evidence:
+    """F > 0: at least 2 / pi on [0, 1], and f(k) = t(1 / k) >= 1 / (2 k) beyond."""
+    return together(
+        boxes.positive(lambda _, high: ring.profile(high)[0]), boxes.positive(boxes.turn)
+    )
+
+
+@proof
+def lines_of_force() -> Evidence:
+    """Facts 1-3.
+
+    The integrand of Eq. (1) is odd, so that friction acts along y', and the inertial force is along the
+    acceleration of the ring's center, along y' too; the acceleration center is on x'. f is at least 2 /
+    pi on boxes of [0, 1], and k f(k) = t(q) / q >= 1/2 beyond, with q = 1 / k, by duality: friction
+    opposes the motion of the center for every k, as inertia does since m > 0. Both act along y' in one
+    sense, and so does their sum.
+    """
+    return together(lemmas.no_sideways_force(), _forward())
+
+
+@proof
+def lines_opposite_center() -> Evidence:
+    """Fact 4.
+
+    The center is at -1 / k on x'; the line of friction is at H(k) and that of inertia at k (rho = R =
+    1). Both have the sign of k, since t / k is at least 1/2 on boxes of [0, 1] and t rises beyond.
+    """
+    return together(lemmas.same_sense(), _forward())
+
+
+def _tangent(arm: float = 1.0) -> Evidence:
+    """H(1) = 1, by duality."""
+    force, torque = ring.profile(arb(1))
+    return together(near(torque / force, arm, 1e-30, "R"), lemmas.duality())
+
+
+@proof
+def line_and_center(moment_arm: float) -> Evidence:
+    """Facts 5-7: H - 1 has the sign of k - 1.
+
+    The integrands of Eqs. (2) and (3) agree at k = 1, so that H(1) = 1: the line is tangent to the
+    ring. H rises, with a positive slope on boxes of [0, 1] and by duality beyond, so that H - 1 has the
+    sign of k - 1. For inertia h = k, with rho = R = 1.
+    """
+    return together(_tangent(moment_arm), lemmas.rising_arm())
+
+
+@proof
+def cases_by_line_of_force() -> Evidence:
+    """Cases 1-7: center inside, on, outside the ring or at infinity; here b is h.
+
+    With the share a of inertia the balance of torque is (1 - a) (t - h f) + a (k - h), and rises with
+    k. At k = 1 it is (1 - h) ((1 - a) f + a), an identity, and at k = 0 it is -h: so k - 1 has the sign
+    of h - 1, and k that of h, for every share a in [0, 1].
+    """
+    rest = 1 - ids.a
+    on_ring = rest * (ids.f - ids.b * ids.f) + ids.a * (1 - ids.b)
+    still = rest * (0 - ids.b) - ids.a * ids.b  # f(0) = 1, t(0) = 0
+    found = {
+        "the balance at k = 1": on_ring - (1 - ids.b) * (rest * ids.f + ids.a),
+        "the balance at k = 0": still + ids.b,
+    }
+    return together(identity(found), lemmas.rising_arm())
+
+
+@proof
+def center_on_ring_pulls(rod_length: float) -> Evidence:
+    """Fig. 11: k = 1 under the tangent on the right, for every share.
+
+    At k = 1, where f = t, friction and inertia have one line of force, the tangent, whatever their
+    magnitudes. For the tangent on the right phi = psi - asin(1 / l), and n . a_s = sin(phi) - l
+    cos(psi) per acceleration of the center; for l = 5 and psi = 45 degrees it is negative, by balls,
+    while the force points into the slider.
+    """
+    length = arb(rational(rod_length))
+    tilt = in_degrees((1 / length).asin())
+    cosine, _ = cosine_sine(fmpq(45))
+    into = ((45 - tilt) / 180).sin_pi()
+    away = inequality(length * cosine - into, value=into - length * cosine)
+    return together(away, inequality(into), _tangent())

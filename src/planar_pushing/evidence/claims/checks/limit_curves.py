@@ -1,205 +1,150 @@
-"""The limit curve of Sec. 3: its shape, its extrema, its normal, its limits."""
+"""The limit surface and the limit curve of Sec. 3: shape, extrema, limits; the ellipse of Fig. 10."""
 
 from __future__ import annotations
 
-from flint import arb, fmpq
+from flint import arb
 
 from planar_pushing.certified import ring
 from planar_pushing.certified.balls import rational
-from planar_pushing.certified.inverse import spin_of_arm
-from planar_pushing.certified.line_of_force import limit_point, spin_ratio
-from planar_pushing.certified.roots import increasing_root
-from planar_pushing.certified.setting import FRICTION, Effects, Slider, heading, lean
+from planar_pushing.certified.setting import Slider, heading, lean
+from planar_pushing.evidence.claims.proofs import boxes, lemmas
 from planar_pushing.evidence.claims.proofs import identities as ids
-from planar_pushing.evidence.claims.proofs import lemmas, ring_boxes
-from planar_pushing.evidence.claims.proofs.cover import cover
-from planar_pushing.evidence.claims.proofs.registry import check
-from planar_pushing.evidence.claims.proofs.verdicts import (
+from planar_pushing.evidence.claims.proofs.boxes import positive
+from planar_pushing.evidence.claims.registry import proof
+from planar_pushing.evidence.claims.verdicts import (
     Evidence,
     facts,
     identity,
     inequality,
-    near,
     together,
 )
 
-_SLOPE = "t' > 0 on [0, 1], lower bound on boxes; Eq. (3)'s integrand makes it so for every k"
 
+@proof
+def limit_surface() -> Evidence:
+    """The surface is closed, convex, and holds the origin; the motion is normal to it.
 
-@check
-def surface_normal() -> Evidence:
-    """The twist (v, omega) is normal to the limit surface: f' + k t' = 0."""
-    return lemmas.rates()
-
-
-@check
-def surface_convex() -> Evidence:
-    """The normal (1, k) of the surface's meridian turns one way as (f, t) runs along it."""
-    turning = ids.cross((-ids.k * ids.e, ids.e), (-ids.k * ids.a - ids.e, ids.a))
-    method = "the meridian turns at the rate t'^2, an identity; least t' on [0, 1]"
+    The surface is that of revolution of the meridian (f, t), which runs from (1, 0) at k = 0 to (0, 1)
+    as k grows, and of its mirror images. By the integrands f' = -k t', so that the twist, proportional
+    to (1, k), is normal to the tangent (f', t'). The normal turns one way, at the rate t'^2 > 0, with
+    t' bounded from below on boxes that cover [0, 1] and positive beyond by its integrand. Since f > 0
+    and t / k > 0 the normal points away from the origin, which is inside.
+    """
     # e is t' and a is t'': the tangent is (-k e, e), and its derivative (-e - k a, a).
-    turned = identity({"turning minus t'^2": ids.normal(turning - ids.e**2)}, method)
-    inside = lemmas.same_sense("f > 0 and t / k > 0: the normal (1, k) points away from the origin")
-    return together(lemmas.rising_torque(method), turned, inside)
+    turning = ids.cross((-ids.k * ids.e, ids.e), (-ids.k * ids.a - ids.e, ids.a))
+    turned = identity({"turning minus t'^2": ids.normal(turning - ids.e**2)})
+    return together(lemmas.rising_torque(), turned, lemmas.same_sense())
 
 
-@check
+@proof
 def motion_normal_to_curve() -> Evidence:
-    """v_s is normal to the limit curve at f.
+    """v_s is normal to the limit curve at f; e is t', and f' = -k e.
 
-    In the frame of the rod f is (a, t / l) with ``a^2 = f^2 - t^2 / l^2`` and v_s is
-    ``(a, t / l + k l f)`` times 1 / f; e is t', and f' = -k e.
+    In the frame of the rod the force on the curve is (a, t / l) with a^2 = f^2 - t^2 / l^2, and the
+    contact moves along (a, t / l + k l f). The product of this motion with the tangent of the curve
+    vanishes by f' = -k t'; both are polynomial identities, for every l.
     """
     slope_along = ids.f * (-ids.k * ids.e) * ids.l**2 - ids.t * ids.e  # l^2 a a'
     work = slope_along + (ids.t + ids.k * ids.l**2 * ids.f) * ids.e
-    method = "v_s . df = 0 with f' = -k t', both identities"
-    return together(identity({"v_s . df": ids.normal(work)}, method), lemmas.rates())
+    return together(identity({"v_s . df": ids.normal(work)}), lemmas.rates())
 
 
-def _turn_from_force(method: str) -> Evidence:
-    """Evidence for f x v_s = -k l cos(psi - phi)."""
-    turn = ids.cross((ids.x, ids.y), ids.MOTION)
-    leaning = ids.l * ids.k * (ids.p * ids.x + ids.q * ids.y)
-    return identity({"f x v_s": ids.normal(turn + leaning)}, method)
+@proof
+def extreme_forces(along: float, across: float, force: float) -> Evidence:
+    """The force is greatest along and least across the rod, at these angles and half a turn on.
 
-
-@check
-def parallel_at_four_angles(along: float, across: float) -> Evidence:
-    """Force and v_s are parallel where k l cos(psi - phi) = 0, and nowhere else."""
-    method = "f x v_s = -k l cos(psi - phi), an identity; k = 0 only at phi = psi; exact angles"
-    found, slider = {}, Slider.of(1.0)
-    for degrees, part in ((along, 1), (along + 180, 1), (across, 0), (across + 180, 0)):
-        found[f"phi = {degrees:g}"] = lean(slider, heading(degrees))[part] == 0
-    return together(facts(found, method), _turn_from_force(method), lemmas.rising_torque(_SLOPE))
-
-
-@check
-def greatest_force(force_angle: float, force: float) -> Evidence:
-    """The force is greatest at phi and phi + 180, where the slider translates."""
-    method = "f falls with |k| from W at k = 0; k = 0 exactly where the line meets the centre"
-    slider, found = Slider.of(1.0), {}
-    for degrees in (force_angle, force_angle + 180):
-        spin = spin_ratio(slider, heading(degrees), FRICTION)
-        found[f"translation at {degrees:g}"] = bool(spin == 0)
-        found[f"force {force:g} W"] = bool(ring.profile(abs(spin))[0] == rational(force))
-    return together(facts(found, method), lemmas.rising_torque(_SLOPE))
-
-
-@check
-def least_force(force_angle: float) -> Evidence:
-    """The force is least at phi and phi + 180, where the moment arm is greatest."""
-    method = "f falls and the moment arm rises with |k|; the arm is l exactly across the rod"
-    sizes = {
-        f"arm at {degrees:g}": abs(lean(Slider.of(1.0), heading(degrees))[1]) == 1
-        for degrees in (force_angle, force_angle + 180)
+    The torque about the contact vanishes only with k = 0 where the line of force meets the center, that
+    is at the force angles along the rod, for every l > 0. There the slider translates and the force is
+    W. As the moment arm l |sin(psi - phi)| grows, |k| grows and f falls, because t' > 0 (a lower bound
+    on boxes of [0, 1], the integrand beyond); the arm is largest, l, at the force angles across the
+    rod.
+    """
+    arms = {
+        f"greatest at {angle:g}": lean(Slider.of(1.0), heading(angle))[1] == 0
+        for angle in (along, along + 180)
     }
-    return together(facts(sizes, method), lemmas.rising_torque(_SLOPE))
+    arms |= {
+        f"least at {angle:g}": abs(lean(Slider.of(1.0), heading(angle))[1]) == 1
+        for angle in (across, across + 180)
+    }
+    arms[f"force {force:g} W"] = bool(ring.profile(arb(0))[0] == rational(force))
+    return together(facts(arms), lemmas.rising_torque(), lemmas.rising_arm())
 
 
-@check
-def motion_along_force(along: float, across: float) -> Evidence:
-    """theta_s = phi along and across the rod, where f x v_s vanishes and f . v_s > 0."""
-    method = "f x v_s = -k l cos(psi - phi) vanishes, exactly; f . v_s = 1 + k h > 0"
-    slider, found = Slider.of(1.0), {}
-    for degrees in (along, across, along + 180, across + 180):
-        cosine, sine = lean(slider, heading(degrees))
-        found[f"phi = {degrees:g}"] = bool(cosine == 0 or sine == 0)
-    return together(facts(found, method), _turn_from_force(method), lemmas.positive_work(method))
+@proof
+def parallel_at_four_angles(along: float, across: float) -> Evidence:
+    """Force and v_s are parallel along and across the rod, and nowhere else; theta_s is phi there.
+
+    The cross product of the force direction and v_s, per speed of the center, is -k l cos(psi - phi),
+    an identity. Since k vanishes along the rod only, the product vanishes at the four angles and at no
+    other. The scalar product is 1 + k h >= 1, bounded on boxes, so that the two directions are equal
+    there and not opposite.
+    """
+    found = {}
+    for degrees, part in ((along, 1), (along + 180, 1), (across, 0), (across + 180, 0)):
+        found[f"phi = {degrees:g}"] = lean(Slider.of(1.0), heading(degrees))[part] == 0
+    turn = ids.cross((ids.x, ids.y), ids.MOTION) + ids.l * ids.k * ids.LEAN
+    crossed = identity({"f x v_s": ids.normal(turn)})
+    return together(facts(found), crossed, lemmas.rising_torque(), lemmas.positive_work())
 
 
-@check
+@proof
 def never_an_ellipse() -> Evidence:
-    """(1 - f^2) / t^2 would be constant on an ellipse; it is 2 at k = 0 and less at k = 1.
+    """(1 - f^2) / t^2 would be constant on an ellipse.
 
     In the frame of the rod the curve is (sqrt(f^2 - t^2 / l^2), t / l). It meets its axes at right
-    angles, so an ellipse would have these axes, and ``1 - f^2`` would be a multiple of t^2 on an
-    interval of k and hence, both being analytic, on all of [0, 1).
+    angles, so that an ellipse would have these axes, and 1 - f^2 would be a multiple of t^2 on an
+    interval of k. Both are analytic on [0, 1), so the multiple would be the same on all of it; but (1 -
+    f^2) / t^2 is 2 at k = 0 and smaller at k = 1, where its value is enclosed.
     """
     force, torque = ring.profile(arb(1))
-    start = 2 * ring_boxes.loss(arb(0), arb(0)) / ring_boxes.turn(arb(0), arb(0)) ** 2
-    end = (1 - force**2) / torque**2
-    method = (
-        "(1 - f^2) / t^2 at k = 0 minus at k = 1; it is constant if any limit curve is an ellipse"
-    )
-    return inequality(start - end, method)
+    start = 2 * boxes.loss(arb(0), arb(0)) / boxes.turn(arb(0), arb(0)) ** 2
+    return inequality(start - (1 - force**2) / torque**2)
 
 
-def limit_spin(length: arb) -> tuple[arb, arb]:
-    """Greatest spin ratio on the limit curve, and the force there."""
-    k = spin_of_arm(length, fmpq(1), FRICTION)
-    return k, ring.profile(k)[0]
-
-
-@check
-def distance_from_ellipse(rod_length: float, part: float, within: float) -> Evidence:
-    """Largest radial distance from the ellipse with the same extrema, as a part of its radius.
-
-    The curve is sqrt(f^2 + e t^2) of the ellipse's radius, which is 1 at both ends of the spin ratios.
-    Its slope has the sign of e H / k - 1, which rises: t / k rises and f falls on [0, 1], dually beyond.
-    """
-    length = arb(rational(rod_length))
-    end, tip = limit_spin(length)
-    squeeze = (1 / tip**2 - 1) / length**2
-
-    def place(size: arb) -> arb:
-        """Spin ratio at which the slope vanishes, for an exact e; it falls with e."""
-
-        def steepness(k: arb) -> arb:
-            force, torque = ring.profile(k)
-            return size * torque / (k * force) - 1
-
-        return increasing_root(steepness, arb(2) ** -20, end.lower())
-
-    lowest = place(squeeze.lower()).union(place(squeeze.upper()))
-    force, torque = ring.profile(lowest)
-    method = "at the one spin ratio of greatest distance, enclosed by a change of sign"
-    return near(1 - (force**2 + squeeze * torque**2).sqrt(), part, within, method)
-
-
-@check
+@proof
 def tends_to_circle(coefficient: float) -> Evidence:
-    """1 - f <= coefficient H^2 for every k in [0, 1]: the radii lie within that part of l^2."""
+    """1 - f <= coefficient H^2 for every k in [0, 1].
+
+    For l <= 1 a force on the curve has k in [0, 1] and H(k) <= l. The quotients (1 - f) / k^2 and H / k
+    are enclosed on boxes that cover [0, 1], and (1 - f) <= 1.1 H^2 holds on each, so that every radius
+    lies between (1 - 1.1 l^2) W and W.
+    """
     most = rational(coefficient)
 
     def margin(low: arb, high: arb) -> arb:
-        arm = ring_boxes.turn(low, low) / ring.profile(low)[0]
-        return most * arm**2 - ring_boxes.loss(high, high)
+        arm = boxes.turn(low, low) / ring.profile(low)[0]
+        return most * arm**2 - boxes.loss(high, high)
 
-    method = "coefficient * (H / k)^2 - (1 - f) / k^2 on boxes of [0, 1], that is l <= 1"
-    return cover(margin, arb(0), arb(1)).evidence(method)
-
-
-@check
-def tends_to_segment(rod_length: float, half_width: float, within: float) -> Evidence:
-    """The force across the rod is t W / l < W / l for every l; its greatest value at one l."""
-    _, tip = limit_spin(arb(rational(rod_length)))
-    number = near(
-        tip, half_width, within, "t < 1 for every k, so the half-width is below W / l", "W"
-    )
-    below = cover(ring_boxes.loss, arb(0), arb(1)).evidence("t(1 / k) = f(k) < 1 on (0, 1]")
-    return together(number, below)
+    return positive(margin)
 
 
-@check
-def ellipse_of_inertia(
-    rod_length: float, gyration_radius: float, ratio: float, within: float
-) -> Evidence:
-    """Fig. 10: F_along^2 + (1 + (l / rho)^2) F_across^2 = c^2, with the ratio of the axes."""
-    # v^2 (1 + e h^2) = 1 with e = 1 / rho^2: a^2 and b^2 are the squares of the parts of f / v.
-    arm = ids.l**2 * ids.s**2
-    unit = 1 + ids.e * arm
+@proof
+def tends_to_segment() -> Evidence:
+    """The force across the rod is t W / l < W / l for every l.
+
+    The component of the force across the rod is t W / l, and t(k) < 1 for every k: t rises, and t(1 /
+    k) = f(k) < 1 on (0, 1], by the lower bound of (1 - f) / k^2 on boxes. So the half-width is below W
+    / l, while the curve reaches W along the rod for every l.
+    """
+    return together(positive(boxes.loss), lemmas.duality(), lemmas.rising_torque())
+
+
+@proof
+def ellipse_of_inertia() -> Evidence:
+    """Fig. 10: the curve of inertia and its normal; e is 1 / rho^2.
+
+    The force m v of a unit kinetic energy, v^2 (1 + (h / rho)^2) = 1, with h = l sin(psi - phi),
+    satisfies F_along^2 + (1 + (l / rho)^2) F_across^2 = c^2 in the frame of the rod, an identity. By
+    Eqs. (11)-(12) the acceleration of the contact is proportional to the gradient of the left side.
+    """
+    unit = 1 + ids.e * ids.l**2 * ids.s**2
     curve = ids.c**2 + ids.s**2 * (1 + ids.e * ids.l**2) - unit
-    exact = identity({"the ellipse": ids.normal(curve)}, "kinetic energy of the motion, exactly")
-    slider = Slider.of(rod_length, gyration_radius=gyration_radius)
-    sizes = [limit_point(slider, Effects.INERTIA, heading(degrees))[0] for degrees in (45, 135)]
-    return together(near(sizes[1] / sizes[0], ratio, within, exact.method), exact)
-
-
-@check
-def acceleration_normal_to_ellipse() -> Evidence:
-    """Fig. 10: a_s is (cos, (1 + e l^2) sin) in the frame of the rod, the ellipse's gradient."""
     motion = ids.c, ids.s + ids.e * ids.l * ids.s * ids.l
     gradient = ids.c, (1 + ids.e * ids.l**2) * ids.s
     return identity(
-        {"a_s x gradient": ids.normal(ids.cross(motion, gradient))}, "Eqs. (11)-(12), exactly"
+        {
+            "the ellipse": ids.normal(curve),
+            "a_s x gradient": ids.normal(ids.cross(motion, gradient)),
+        }
     )

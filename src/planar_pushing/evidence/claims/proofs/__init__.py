@@ -1,5 +1,1 @@
-"""What the checks of the claims are made of."""
-
-from planar_pushing.terms.extras import require_extra
-
-require_extra("golden")
+"""Identities, lemmas and interval arguments from which the checks are composed."""

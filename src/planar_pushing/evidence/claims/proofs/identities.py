@@ -21,8 +21,10 @@ s, c, y, x, q, p, k, l, f, t, e, a, b = _RING.gens()  # noqa: E741
 
 ONE = _RING.constant(1)
 
-#: Moment arm of the line of force, Eq. (10), and the contact's motion per speed of the center.
+#: Moment arm of the line of force, Eq. (10); cosine of the angle from the rod to the force; motion of
+#: the contact per speed of the center.
 ARM = l * (q * x - p * y)
+LEAN = p * x + q * y
 MOTION = (x + k * l * q, y - k * l * p)
 
 _RELATIONS = (s**2 + c**2 - 1, y**2 + x**2 - 1, q**2 + p**2 - 1)

@@ -1,29 +1,28 @@
-"""What several claims rest on, each with its evidence; for every rod and every force angle."""
+"""Lemmas on the ring, each with its evidence; for every rod and every force angle."""
 
 from __future__ import annotations
 
 from flint import arb
 
 from planar_pushing.certified import ring
+from planar_pushing.evidence.claims.proofs import boxes
 from planar_pushing.evidence.claims.proofs import identities as ids
-from planar_pushing.evidence.claims.proofs import ring_boxes
-from planar_pushing.evidence.claims.proofs.cover import cover
-from planar_pushing.evidence.claims.proofs.verdicts import Evidence, identity, together
+from planar_pushing.evidence.claims.proofs.boxes import positive
+from planar_pushing.evidence.claims.verdicts import Evidence, identity, together
 
 #: Numerators of the integrands of Eqs. (2)-(3), and the square of their denominator.
 FORCE, TORQUE = 1 + ids.k * ids.c, ids.k + ids.c
 RADICAND = 1 + ids.k**2 + 2 * ids.k * ids.c
 
 
-def no_sideways_force(method: str) -> Evidence:
+def no_sideways_force() -> Evidence:
     """Evidence for Eq. (1): the integrand is odd about theta = pi."""
     odd = -ids.k * ids.s
     return identity(
         {
             "the numerator and its mirror image": odd + ids.replaced(odd, s=-ids.s),
             "the radicand": RADICAND - ids.replaced(RADICAND, s=-ids.s),
-        },
-        method,
+        }
     )
 
 
@@ -36,8 +35,7 @@ def rates() -> Evidence:
         {
             "t' minus the mean of sin^2 / speed^3": ids.normal(torque - ids.s**2),
             "f' + k t'": ids.normal(force + ids.k * torque),
-        },
-        "derivatives of the integrands with respect to k, as polynomials",
+        }
     )
 
 
@@ -47,8 +45,7 @@ def duality() -> Evidence:
         {
             "the radicand": RADICAND - _reversed(RADICAND, 2),
             "the numerator": TORQUE - _reversed(FORCE, 1),
-        },
-        "the integrand of Eq. (2) at 1 / k is that of Eq. (3) at k > 0, exactly",
+        }
     )
 
 
@@ -81,8 +78,7 @@ def torque_rate() -> Evidence:
                 ids.k * ids.s**2 + ids.c * RADICAND - whole
             ),
             "the right side": ids.normal(right + ids.c * (1 - ids.k**2)),
-        },
-        "the integrands, up to a derivative around the ring, as polynomials",
+        }
     )
 
 
@@ -102,47 +98,54 @@ def elliptic_rates() -> Evidence:
             - ids.k**2 * (ids.a - torque)
             + rest * torque,
             "f' by -k t'": (ids.a - ids.b) + steep,
-        },
-        "derivatives of the elliptic integrals, as polynomials",
+        }
     )
 
 
-def rising_torque(method: str) -> Evidence:
+def rising_torque() -> Evidence:
     """Evidence for t' > 0, and with it t > 0 and a falling f, at every k > 0."""
-    return together(cover(ring_boxes.slope, arb(0), arb(1)).evidence(method), rates())
+    return together(positive(boxes.slope), rates())
 
 
-def rising_arm(method: str) -> Evidence:
+def rising_arm() -> Evidence:
     """Evidence that H = t / f rises from 0 to infinity: on [0, 1] by boxes, beyond by duality."""
-    return together(
-        cover(ring_boxes.arm_slope, arb(0), arb(1)).evidence(method), rates(), duality()
-    )
+    return together(positive(boxes.arm_slope), rates(), duality())
 
 
-def same_sense(method: str) -> Evidence:
+def same_sense() -> Evidence:
     """Evidence that k and the moment arm have one sign: least t / k on [0, 1], t rises beyond."""
-    return together(cover(ring_boxes.turn, arb(0), arb(1)).evidence(method), rates())
+    return together(positive(boxes.turn), rates())
 
 
 def least_work(low: arb, high: arb) -> arb:
     """Lower bound of 1 + k h on a box: k h = k t / f >= 0 there, and so beyond by duality."""
-    return 1 + low**2 * ring_boxes.turn(low, low) / ring.profile(low)[0]
+    return 1 + low**2 * boxes.turn(low, low) / ring.profile(low)[0]
 
 
 def work() -> Evidence:
     """Evidence for f . u = 1 + k h with a unit force and a unit speed of the center."""
     done = ids.dot((ids.x, ids.y), ids.MOTION)
-    return identity({"f . u": ids.normal(done - 1 - ids.k * ids.ARM)}, "an identity")
+    return identity({"f . u": ids.normal(done - 1 - ids.k * ids.ARM)})
 
 
-def positive_work(method: str) -> Evidence:
+def positive_work() -> Evidence:
     """Evidence for f . u > 0, whatever the share of inertia: k h >= 0 for each."""
-    return together(cover(least_work, arb(0), arb(1)).evidence(method), work(), same_sense(method))
+    return together(positive(least_work), work(), same_sense())
 
 
 def turning() -> Evidence:
     """Evidence for u x du/dphi = 1 + k h - e l cos(psi - phi), with e = dk/dphi."""
     rate = -ids.y + ids.e * ids.l * ids.q, ids.x - ids.e * ids.l * ids.p
-    cosine = ids.p * ids.x + ids.q * ids.y
-    rest = 1 + ids.k * ids.ARM - ids.e * ids.l * cosine
-    return identity({"the turning": ids.normal(ids.cross(ids.MOTION, rate) - rest)}, "an identity")
+    rest = 1 + ids.k * ids.ARM - ids.e * ids.l * ids.LEAN
+    return identity({"the turning": ids.normal(ids.cross(ids.MOTION, rate) - rest)})
+
+
+def inertial_turning() -> Evidence:
+    """Evidence for u x du/dphi = 1 + e l^2 and f . u = 1 + e h^2 under inertia, e = (R / rho)^2."""
+    spin = ids.e * ids.ARM
+    motion = tuple(ids.replaced(each, k=spin) for each in ids.MOTION)
+    rate = ids.e * ids.l * -ids.LEAN  # of the spin ratio with phi
+    turned = -ids.y + rate * ids.l * ids.q, ids.x - rate * ids.l * ids.p
+    turning = ids.cross((motion[0], motion[1]), turned) - 1 - ids.e * ids.l**2
+    work = ids.dot((ids.x, ids.y), (motion[0], motion[1])) - 1 - ids.e * ids.ARM**2
+    return identity({"the turning": ids.normal(turning), "f . u": ids.normal(work)})

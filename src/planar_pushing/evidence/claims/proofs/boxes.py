@@ -1,7 +1,9 @@
-"""Statements about every point of an interval, by subdivision into boxes.
+"""Statements about every spin ratio of an interval, by subdivision into boxes, and the ring on a box.
 
 A box is an interval [low, high] with exact ends. A function of a box returns a ball that encloses, or
-bounds from below, its values on the box.
+bounds from below, its values on the box. On [0, 1] the power series in k of t, of t / k and of
+(1 - f) / k^2 have positive coefficients: all three rise, and the ends of a box enclose them. Duality,
+f(k) = t(1 / k), extends a statement to k > 1.
 """
 
 from __future__ import annotations
@@ -9,9 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from flint import arb
+from flint import arb, fmpq
 
-from planar_pushing.evidence.claims.proofs.verdicts import Evidence, Verdict
+from planar_pushing.certified import ring
+from planar_pushing.evidence.claims.verdicts import Evidence, Verdict
 
 OnBox = Callable[[arb, arb], arb]
 
@@ -28,7 +31,7 @@ class Cover:
     failure: arb | None = None
     open: bool = False
 
-    def evidence(self, method: str, unit: str = "1", value: arb | None = None) -> Evidence:
+    def evidence(self) -> Evidence:
         """Evidence for positive values on the whole interval."""
         verdict, reason = Verdict.PROVED, None
         if self.failure is not None:
@@ -39,9 +42,8 @@ class Cover:
             reason = f"open after {self.boxes} boxes"
         return Evidence(
             verdict=verdict,
-            method=method,
-            value=self.least if value is None else value,
-            unit=unit,
+            value=self.least,
+            unit="1",
             margin=self.least,
             points=self.boxes,
             reason=reason,
@@ -66,3 +68,29 @@ def cover(margin: OnBox, low: arb, high: arb, most: int = _MOST) -> Cover:
             return Cover(value, boxes, open=True)
         rest += [(middle, b), (a, middle)]
     return Cover(least, boxes)
+
+
+def positive(margin: OnBox) -> Evidence:
+    """Evidence for a positive value at every spin ratio from 0 to 1."""
+    return cover(margin, arb(0), arb(1)).evidence()
+
+
+def turn(low: arb, high: arb) -> arb:
+    """Lower bound of t / k, 1/2 at k = 0."""
+    return arb(fmpq(1, 2)) if low == 0 else ring.profile(low)[1] / low
+
+
+def loss(low: arb, high: arb) -> arb:
+    """Lower bound of (1 - f) / k^2, 1/4 at k = 0."""
+    return arb(fmpq(1, 4)) if low == 0 else (1 - ring.profile(low)[0]) / low**2
+
+
+def slope(low: arb, high: arb) -> arb:
+    """Lower bound of t', which rises from 1/2."""
+    return arb(fmpq(1, 2)) if low == 0 else ring.slope(low) if low < 1 else arb.pos_inf()
+
+
+def arm_slope(low: arb, high: arb) -> arb:
+    """Lower bound of the slope of the moment arm H = t / f, ``H' = t' (f + k t) / f^2``."""
+    (falling, rising), (last, _) = ring.profile(low), ring.profile(high)
+    return slope(low, high) * (last + low * rising) / falling**2

@@ -19,25 +19,33 @@ from planar_pushing.certified.balls import Exact, Undecided, rational, sign
 Identity = Any  # fmpq_mpoly in normal form
 
 
+class Fails(ArithmeticError):
+    """A claim about a number that does not exist; the message is the reason."""
+
+
 class Verdict(StrEnum):
-    """What a check found; of several the last in this order decides."""
+    """Verdict on a claim, from the strongest to the weakest; of several the weakest decides."""
 
     PROVED = "proved"
-    VERIFIED = "verified on the grid"
+    ENCLOSED = "enclosed"
+    SAMPLED = "sampled"
     NOT_REPRODUCIBLE = "not reproducible"
     UNDECIDED = "undecided"
     REFUTED = "refuted"
 
 
+def weakest(verdicts: Iterable[Verdict]) -> Verdict:
+    """Return the verdict that decides."""
+    return max(verdicts, key=list(Verdict).index)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Evidence:
-    """Verdict and what it rests on.
+    """Verdict and the numbers that it rests on.
 
     Parameters
     ----------
     verdict : Verdict
-    method : str
-        How the verdict was reached.
     value : arb, optional
         Enclosure of the number that the claim is about, in `unit`.
     claimed : float, optional
@@ -45,13 +53,12 @@ class Evidence:
     margin : arb, optional
         Distance from the boundary of the claim, in `unit`, > 0 where it supports the claim.
     points : int, optional
-        Points or boxes that were evaluated.
+        Points, boxes or identities that were evaluated.
     reason : str, optional
         Why the claim does not hold or cannot be decided.
     """
 
     verdict: Verdict
-    method: str
     value: arb | None = None
     unit: str | None = None
     claimed: float | None = None
@@ -59,26 +66,27 @@ class Evidence:
     points: int | None = None
     reason: str | None = None
 
+    def at_most(self, kind: Verdict) -> Evidence:
+        """Return the evidence with a verdict no stronger than the kind of its check."""
+        return replace(self, verdict=weakest((self.verdict, kind)))
+
 
 def inequality(
     margin: arb,
-    method: str,
     *,
     value: arb | None = None,
     unit: str = "1",
     claimed: float | None = None,
     points: int = 1,
-    holds: Verdict = Verdict.PROVED,
 ) -> Evidence:
-    """Evidence for ``margin > 0``; `holds` is the verdict where it is so."""
-    verdict, reason = holds, None
+    """Evidence for ``margin > 0``."""
+    verdict, reason = Verdict.PROVED, None
     if margin < 0:
         verdict, reason = Verdict.REFUTED, f"off by {(-margin).mid().str(6, radius=False)} {unit}"
     elif not margin > 0:
         verdict, reason = Verdict.UNDECIDED, f"the margin {margin.str(6)} contains zero"
     return Evidence(
         verdict=verdict,
-        method=method,
         value=margin if value is None else value,
         unit=unit,
         claimed=claimed,
@@ -88,84 +96,66 @@ def inequality(
     )
 
 
-def near(
-    value: arb,
-    claimed: float,
-    within: float,
-    method: str,
-    unit: str = "1",
-    holds: Verdict = Verdict.PROVED,
-) -> Evidence:
+def near(value: arb, claimed: float, within: float, unit: str = "1") -> Evidence:
     """Evidence for a number to within the accuracy that it is given with."""
     margin = arb(rational(within)) - abs(value - rational(claimed))
-    return inequality(margin, method, value=value, unit=unit, claimed=claimed, holds=holds)
+    return inequality(margin, value=value, unit=unit, claimed=claimed)
 
 
-def equal(
-    value: arb, claimed: float, method: str, exact: Exact | None = None, unit: str = "1"
-) -> Evidence:
+def equal(value: arb, claimed: float, exact: Exact | None = None, unit: str = "1") -> Evidence:
     """Evidence for a number that is claimed exactly; `exact` is the number in exact arithmetic."""
     goal = rational(claimed)
     try:
         apart = sign(value - goal, None if exact is None else lambda: exact - goal)
     except Undecided as error:
-        return Evidence(
-            verdict=Verdict.UNDECIDED, method=method, value=value, unit=unit, reason=str(error)
-        )
-    verdict = Verdict.REFUTED if apart else Verdict.PROVED
-    reason = f"the number is {value.str(12, radius=False)}" if apart else None
-    margin = -abs(value - goal) if apart else arb(0)
+        return Evidence(verdict=Verdict.UNDECIDED, value=value, unit=unit, reason=str(error))
     return Evidence(
-        verdict=verdict,
-        method=method,
+        verdict=Verdict.REFUTED if apart else Verdict.PROVED,
         value=value,
         unit=unit,
         claimed=claimed,
-        margin=margin,
+        margin=-abs(value - goal) if apart else arb(0),
         points=1,
-        reason=reason,
+        reason=f"the number is {value.str(12, radius=False)}" if apart else None,
     )
 
 
-def identity(differences: Mapping[str, Identity], method: str) -> Evidence:
+def identity(differences: Mapping[str, Identity]) -> Evidence:
     """Evidence for polynomial identities: each difference vanishes in normal form."""
     wrong = {name: each for name, each in differences.items() if each != 0}
     reason = "; ".join(f"{name} is off by {each}" for name, each in wrong.items())
     return Evidence(
         verdict=Verdict.REFUTED if wrong else Verdict.PROVED,
-        method=method,
         points=len(differences),
         reason=reason or None,
     )
 
 
-def facts(found: Mapping[str, bool], method: str, **numbers: Any) -> Evidence:
+def facts(found: Mapping[str, bool], **numbers: Any) -> Evidence:
     """Evidence for decided facts; each is named."""
     wrong = [name for name, holds in found.items() if not holds]
     return Evidence(
         verdict=Verdict.REFUTED if wrong else Verdict.PROVED,
-        method=method,
         points=len(found),
         reason=f"not so: {', '.join(wrong)}" if wrong else None,
         **numbers,
     )
 
 
-def on_grid(wrong: Sequence[str], points: int, method: str) -> Evidence:
-    """Evidence for a statement at every point of a grid or sample; `wrong` names where it fails."""
-    verdict = Verdict.REFUTED if wrong else Verdict.VERIFIED
+def at_points(wrong: Sequence[str], points: int) -> Evidence:
+    """Evidence for a statement at each of some points; `wrong` names those where it fails."""
+    verdict = Verdict.REFUTED if wrong else Verdict.SAMPLED
     reason = f"fails at {len(wrong)} points, first {wrong[0]}" if wrong else None
-    return Evidence(verdict=verdict, method=method, points=points, reason=reason)
+    return Evidence(verdict=verdict, points=points, reason=reason)
 
 
 def together(main: Evidence, *others: Evidence) -> Evidence:
     """Evidence for several statements at once: the numbers of the first, the weakest verdict."""
     every = (main, *others)
-    weakest = max(every, key=lambda each: list(Verdict).index(each.verdict))
+    verdict = weakest(each.verdict for each in every)
     points = sum(each.points or 0 for each in every)
-    if weakest is main or weakest.verdict is main.verdict:
-        return replace(main, points=points)
-    return replace(main, verdict=weakest.verdict, reason=weakest.reason, points=points)
+    reason = next(each.reason for each in every if each.verdict is verdict)
+    return replace(main, verdict=verdict, reason=reason, points=points)
 
 
 def least(margins: Iterable[arb]) -> arb:

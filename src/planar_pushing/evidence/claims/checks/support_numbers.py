@@ -1,0 +1,195 @@
+"""Numbers of any slider that the ledger can name: lengths in units of a, forces of W, angles in degrees."""
+
+from __future__ import annotations
+
+from flint import arb, fmpq
+
+from planar_pushing.certified.balls import in_degrees, rational
+from planar_pushing.certified.effects.under import Moved, under
+from planar_pushing.certified.potential import direction
+from planar_pushing.certified.potential.resistance import (
+    Effect,
+    Friction,
+    Inertia,
+    Resistance,
+    Scene,
+    resistance,
+)
+from planar_pushing.certified.setting import Effects
+from planar_pushing.certified.supports.pressure.pieces import pieces
+from planar_pushing.evidence.claims.registry import quantity
+from planar_pushing.evidence.claims.verdicts import Fails
+
+#: Share of a foot of a regular tripod.
+_FOOT = fmpq(1, 3)
+RING = pieces({"shape": "ring", "radius": 1.0})
+#: Degrees from the rod in which the chord of the limit curve bounds the force of the L, and a turn from the
+#: force to the motion that counts as none.
+_GAP, _FLAT = fmpq(1, 2), 2.0**-20
+#: Part of a turn that a step takes.
+_STRIDE = 0.9
+#: An L of two equal legs about its center of pressure, which no line along or across a leg mirrors.
+L_CORNERS = ((-5, -5), (7, -5), (7, 1), (1, 1), (1, 7), (-5, 7))
+L_SHAPE = pieces({"shape": "polygon", "vertices": L_CORNERS})
+
+
+def _tripod() -> tuple[arb, arb]:
+    """Force of the two feet that slide about the third, along its tangent, and their torque about it."""
+    apart = arb(3).sqrt()
+    return 2 * _FOOT * (fmpq(3, 2) / apart), 2 * _FOOT * apart
+
+
+@quantity(nearest="a", farthest="a")
+def tripod_offset() -> tuple[arb, arb]:
+    """Offsets of a push across a foot's radius that turn a tripod about that foot.
+
+    A push F at the offset d has the torque F (1 + d) about the foot, which the two other feet take by
+    sliding about it; the foot takes the rest of F, at most its share, with equality at both ends.
+    """
+    force, torque = _tripod()
+    return torque / (force + _FOOT) - 1, torque / (force - _FOOT) - 1
+
+
+@quantity("degree")
+def tripod_span(rod_length: float) -> arb:
+    """Force angles that turn a tripod about the foot on the rod's line.
+
+    The component of the force across the rod balances the torque of the two feet that slide about the
+    third; the component along the rod is free until the force of the third foot is its share, at both
+    ends.
+    """
+    force, torque = _tripod()
+    across = torque / (rational(rod_length) + 1)
+    along = (_FOOT**2 - (across - force) ** 2).sqrt()
+    return 2 * in_degrees((along / across).atan())
+
+
+@quantity("degree")
+def line_corner_span(distance: float, half_length: float) -> arb:
+    """180 degrees and twice the angle atan(d / b) of the contact's motion about an end of the line."""
+    half = arb.atan2(arb(rational(distance)), arb(rational(half_length)))
+    return 180 + 2 * in_degrees(half)
+
+
+@quantity("W")
+def foot_ahead_margin(distance: float, share: float, aside: float, beyond: float) -> arb:
+    """Share of a foot straight ahead less the force that it takes as the pivot of a force along the fence.
+
+    About the foot the contact moves along the fence. The other feet, of equal shares, at (aside,
+    beyond) and (-2 aside, -beyond) from it, slide about it; the force along the fence balances their
+    torque about it, and the foot takes the rest of the force, less than its share.
+    """
+    own, x, y = rational(share), rational(aside), rational(beyond)
+    rest, places = (1 - own) / 2, [(x, y), (-2 * x, -y)]
+    sizes = [arb(x * x + y * y).sqrt() for x, y in places]
+    slides = [(y / size, x / size) for (x, y), size in zip(places, sizes, strict=True)]
+    push = (sizes[0] + sizes[1]) / rational(distance)
+    along, across = push + slides[0][0] + slides[1][0], slides[0][1] + slides[1][1]
+    return own - rest * (along * along + across * across).sqrt()
+
+
+@quantity("1")
+def constant_of_rectangle(aspect: float) -> arb:
+    """The mean distance from the center, by triangles over the edges, over the half diagonal."""
+    long, short = arb(rational(aspect)), arb(1)
+    diagonal = (long**2 + short**2).sqrt()
+    first, second = (
+        one**3 * (other / one).asinh() + one * other * diagonal
+        for one, other in ((long, short), (short, long))
+    )
+    return (first + second) / (6 * long * short * diagonal)
+
+
+@quantity("1")
+def constant_of_annulus(hole: float) -> arb:
+    """The mean distance is 2/3 (1 + q + q^2) / (1 + q) of the outer radius, q the ratio of the radii."""
+    part = rational(hole)
+    return arb(fmpq(2, 3) * (1 + part + part**2) / (1 + part))
+
+
+def _scene(length: fmpq, angle: float, *effects: Effect) -> Resistance:
+    return resistance(Scene(length, direction.degrees(rational(angle)), effects))
+
+
+def _turned(total: Resistance, turn: fmpq, power: fmpq) -> tuple[Moved, arb]:
+    """Motion under a force at an angle from the rod, and the angle from the force to the motion."""
+    push = total.push(direction.degrees(turn))
+    moved = under(total, push, power)
+    x, y = moved.motion
+    across, along = push.x * y - push.y * x, push.x * x + push.y * y
+    return moved, in_degrees((across / along).atan())
+
+
+def _l_shape(rod_length: float, rod_angle: float = 90.0) -> Resistance:
+    """Friction of the L, with a rod whose length is the double next to this part of the L's extent."""
+    length = rational(float(rational(rod_length) * L_SHAPE.extent))
+    return _scene(length, rod_angle, Friction(L_SHAPE, fmpq(1)))
+
+
+@quantity("degree")
+def l_cone_right(rod_length: float, rod_angle: float) -> arb:
+    """Right edge of the cone of the L under infinite friction.
+
+    The motion under the force along the fence is enclosed in ball arithmetic on the closed forms of the
+    polygon's edges, with the rod's length, a multiple of the extent, rounded to a double.
+    """
+    return _turned(_l_shape(rod_length, rod_angle), -rational(rod_angle), fmpq(1))[1]
+
+
+@quantity("W")
+def l_force_difference(rod_length: float, turn: float) -> arb:
+    """Force of the L to the right of its rod less that to the left, at an angle from the rod.
+
+    The two forces are enclosed in ball arithmetic on the closed forms of the polygon's edges, with the
+    rod's length, a multiple of the extent, rounded to a double.
+    """
+    total, angle = _l_shape(rod_length), rational(turn)
+    right, left = (_turned(total, side * angle, fmpq(1))[0].force for side in (-1, 1))
+    return right - left
+
+
+@quantity("degree")
+def l_least_force_off(rod_length: float) -> arb:
+    """Angle from across the rod to the least force of the L.
+
+    The magnitude of the force falls with its angle where the motion is ahead of the force, and rises
+    where it is behind. The motion never turns back, so that its enclosure at one angle decides up to
+    the next: steps from the direction of the rod and from the opposite one cover half a turn, but for a
+    small interval around the least force and for half a degree about the rod, where the convex curve
+    lies outside of its chord.
+    """
+    total, ends = _l_shape(rod_length), (_GAP, 180 - _GAP)
+    low, high = (_marched(total, end, way) for end, way in zip(ends, (1, -1), strict=True))
+    bottom = _turned(total, (low + high) / 2, fmpq(1))[0].force
+    top = arb.min(*(_turned(total, end, fmpq(1))[0].force for end in ends))
+    if not top * arb.cos_pi_fmpq(_GAP / 180) > bottom:
+        raise Fails("the force is as small along the rod")
+    return abs(arb(low).union(arb(high)) - 90)
+
+
+def _marched(total: Resistance, start: fmpq, way: int) -> fmpq:
+    """The last angle up to which the force is known to fall, seen from the start."""
+    while (step := way * _turned(total, start, fmpq(1))[1]) > _FLAT:
+        start += way * rational(_STRIDE * float(step.lower()))
+    return start
+
+
+@quantity("degree")
+def motion_with_mass_aside(
+    rod_length: float, rod_angle: float, gyration_radius: float, mass_along: float,
+    mass_across: float, force_angle: float, effects: str, power: float = 1.0,
+) -> arb:  # fmt: skip
+    """Direction of the contact's motion with the mass center along and across the rod from the ring's.
+
+    The motion under a force of this direction e is enclosed in ball arithmetic as the root of the force
+    across e, among motions u of one product e . u, in W / m.
+    """
+    place = rational(mass_along), rational(mass_across)
+    own: dict[Effects, list[Effect]] = {
+        Effects.FRICTION: [Friction(RING, fmpq(1))],
+        Effects.INERTIA: [Inertia(fmpq(1), rational(gyration_radius) ** 2, place)],
+    }
+    own[Effects.BOTH] = own[Effects.FRICTION] + own[Effects.INERTIA]
+    total = _scene(rational(rod_length), rod_angle, *own[Effects(effects)])
+    force = rational(force_angle)
+    return force + _turned(total, force - rational(rod_angle), rational(power))[1]
