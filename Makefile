@@ -81,7 +81,8 @@ lint: $(INSTALLED)
 bench: $(COMPILED) ## print how fast the mechanics and simulations are, as ratios in one run
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
-golden: $(COMPILED) ## compute the golden data anew and print the differences; WRITE=1 stores them
+golden: $(COMPILED) ## make the golden data of the results anew and print the differences; WRITE=1 stores them
+	@$(LOCK); $(BIN)/snakemake data figures hard_cases
 	$(BIN)/python -m planar_pushing.evidence.golden.update $(if $(WRITE),--write)
 
 images: $(COMPILED) ## compare the figures with their stored images; WRITE=1 stores them
