@@ -99,7 +99,7 @@ COUNTS = (
 )
 #: Times that are measured on this machine, which nothing is compared with.
 TIMES = ["accuracy_time"] if COUNTS else []
-#: The datasets whose evaluations are counted.
+#: The datasets that are timed by effects.
 GRIDS = ["limit_curves", "motion_cones", "contact_modes"]
 #: What the report and its supplement are set from, beside the results.
 SOURCES = sorted(

@@ -1,6 +1,6 @@
 # Where the numbers get hard, and what accuracy and each effect cost. They are built with the study that the
 # golden data certify. Only the times of `accuracy_time` are measured by default, on this machine and outside
-# the golden check; `snakemake accuracy` measures the others, `snakemake sweep` a million random inputs.
+# the golden check; `snakemake accuracy` measures the others.
 rule hard_cases:
     input:
         expand("<results>/data/{name}.nc", name=COUNTS + TIMES),
@@ -24,22 +24,6 @@ rule hard_cases_data:
         marks=MARKS[STUDY_FILE]("hard_cases"),
     message:
         "Measuring the hard cases"
-    script:
-        "../scripts/run.py"
-
-
-rule sweep:
-    output:
-        path="<results>/tables/sweep.json",
-    log:
-        "<results>/logs/tables/sweep.log",
-    benchmark:
-        "<results>/benchmarks/tables/sweep.tsv"
-    params:
-        call="evidence.jobs:sweep",
-        code=code_of("hard_cases"),
-    message:
-        "Sweeping a million random and adversarial inputs"
     script:
         "../scripts/run.py"
 
@@ -71,12 +55,10 @@ rule evaluations:
     params:
         call="evidence.jobs:evaluations",
         code=code_of("costs", *map(builder, GRIDS)),
-        # Compiled code cannot be counted.
-        environment={"NUMBA_DISABLE_JIT": "1"},
         study=STUDY_FILE,
         marks=MARKS[STUDY_FILE]("evaluations"),
     message:
-        "Counting the evaluations of each effect"
+        "Counting what of each effect is compiled and evaluated"
     script:
         "../scripts/run.py"
 
@@ -117,8 +99,6 @@ rule accuracy_data:
 
 
 rule effects_data:
-    input:
-        counted="<results>/data/evaluations.nc",
     output:
         path="<results>/data/effects.nc",
     log:
@@ -130,7 +110,7 @@ rule effects_data:
         study=STUDY_FILE,
         marks=MARKS[STUDY_FILE]("effects"),
     message:
-        "Measuring what each effect costs"
+        "Measuring what each set of effects costs"
     script:
         "../scripts/run.py"
 

@@ -1,7 +1,6 @@
 """Call the function that a job names, with its named files and its parameters as keywords."""
 
 import inspect
-import os
 from pkgutil import resolve_name
 
 from planar_pushing.study.running.jobs import job_log
@@ -9,7 +8,6 @@ from planar_pushing.study.running.jobs import job_log
 given = dict(snakemake.params.items())
 for shown in ("code", "caption", "promise"):  # for Snakemake and its report
     given.pop(shown, None)
-os.environ |= given.pop("environment", {})
 
 with job_log(snakemake.log[0]):
     function = resolve_name(f"planar_pushing.{given.pop('call')}")

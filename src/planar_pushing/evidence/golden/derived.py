@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import pickle
 import pkgutil
-import subprocess
-import sys
 from collections.abc import Mapping
 from typing import Any
 
@@ -36,17 +32,13 @@ def hard_cases() -> xr.Dataset:
 
 def accuracy_errors() -> dict[str, xr.Dataset]:
     """Errors of every method against certified values."""
-    from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
+    from planar_pushing.evidence.costs import tables
 
-    return {"wrench": wrench_errors(), "cone": cone_errors()}
+    return tables.accuracy_errors()
 
 
 def evaluations(study: StudyFile) -> xr.Dataset:
-    """Counts of evaluations, in a process without the compiler: compiled code cannot be counted."""
-    command = [sys.executable, "-m", "planar_pushing.evidence.golden.recount"]
-    environment = os.environ | {"NUMBA_DISABLE_JIT": "1"}
-    done = subprocess.run(
-        command, input=pickle.dumps(study), env=environment, check=True, stdout=subprocess.PIPE
-    )
-    found: xr.Dataset = pickle.loads(done.stdout)
-    return found
+    """What of each effect is compiled, and how often it is evaluated."""
+    from planar_pushing.evidence.costs import effects
+
+    return effects.evaluations(study)
