@@ -58,7 +58,7 @@ rule evaluations:
         study=STUDY_FILE,
         marks=MARKS[STUDY_FILE]("evaluations"),
     message:
-        "Counting what of each effect is compiled and evaluated"
+        "Counting the functions and evaluations of each effect"
     script:
         "../scripts/run.py"
 

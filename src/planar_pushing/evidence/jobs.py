@@ -84,7 +84,7 @@ def accuracy(path: PathLike, *, marks: Attributes) -> None:
 
 
 def evaluations(path: PathLike, *, study: str, marks: Attributes) -> None:
-    """Count what of each effect is compiled, and how often it is evaluated."""
+    """Count the functions of each effect in machine code, and its evaluations over time."""
     from planar_pushing.evidence.costs.effects import evaluations
     from planar_pushing.study.study_file import load_study
 

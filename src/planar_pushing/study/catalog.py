@@ -35,7 +35,7 @@ FOLDERS = {SIMULATIONS: "data/simulations", FIGURES: "figures/data"}
 EVIDENCE = {
     "accuracy_errors": "errors and evaluations of every method, a group for each quantity",
     "accuracy_time": "errors of the methods for the friction wrench and their times on one machine",
-    "evaluations": "what of each effect is compiled, and how often it is evaluated",
+    "evaluations": "functions of each effect in machine code, and its evaluations over time",
     "hard_cases": "results in doubles against references of 40 digits, where numbers get hard",
 }
 #: Those that hold times of one machine and are written by `snakemake accuracy` alone.

@@ -49,7 +49,6 @@ DATASET: Quantities = {
     "effects": ("1", "effects that resist the motion"),
     "error_bound": ("1", "relative error that rounding the inputs causes: condition times epsilon"),
     "error_ulp": ("1", "error of the result in units in the last place of the reference"),
-    "evaluations": ("1", "how often the motion under the effect was evaluated in the log of a run"),
     "exact_end": ("1", "effect that alone resists at this end of the exact set"),
     "exact_x": ("length", "end of the exact set of motion centres, from the contact, x"),
     "exact_y": ("length", "end of the exact set of motion centres, from the contact, y"),
@@ -66,9 +65,7 @@ DATASET: Quantities = {
     "friction_cone_left": ("degree", "left edge of the friction cone"),
     "friction_cone_right": ("degree", "right edge of the friction cone"),
     "ill_conditioned": ("1", "whether double precision loses six digits whatever the algorithm"),
-    "functions": ("1", "number of the effect's functions in the machine code"),
     "inertia_share": ("1", "s / (1 + s) with s = m a / W: 0 is friction alone, 1 inertia alone"),
-    "integrator": ("1", "method that follows a motion over time"),
     "law": ("1", "type of the contact law"),
     "line": ("1", "hard place, 1 to 7: ring, ends, lengths, contact, speed, rest, Painleve"),
     "limit_force": ("force", "force on the limit curve"),
@@ -227,6 +224,14 @@ SLIDERS: Quantities = {
     "wrench_component": ("1", "component of a wrench"),
 }
 
+#: What the dataset `evaluations` holds; a name may mean something else than in the others.
+EVALUATIONS: Quantities = {
+    **DATASET,
+    "effect": ("1", "effect that is counted"),
+    "evaluations": ("1", "how often the motion under the effect was evaluated in the log of a run"),
+    "functions": ("1", "number of the effect's functions in the machine code"),
+    "integrator": ("1", "method that follows a motion over time"),
+}
 #: What the datasets on accuracy and its costs hold; a name may mean something else than in the others.
 COSTS: Quantities = {
     "method": ("1", "method"),

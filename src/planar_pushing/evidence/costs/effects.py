@@ -33,6 +33,7 @@ from planar_pushing.study.files.models import StudyFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED, EffectKind, Method
+from planar_pushing.terms.quantities import EVALUATIONS
 
 #: Modules and packages that hold the formulas of each effect.
 FORMULAS = {
@@ -88,7 +89,7 @@ COMPILED: dict[str, Callable[[Scene], object]] = {
 
 
 def evaluations(study: StudyFile) -> xr.Dataset:
-    """What of each effect is compiled and evaluated for one slider, the same on every machine.
+    """Functions and evaluations of each effect for one slider, the same on every machine.
 
     Returns
     -------
@@ -122,9 +123,10 @@ def evaluations(study: StudyFile) -> xr.Dataset:
     )
     return describe(
         dataset,
-        title="What of each effect is compiled, and how often it is evaluated",
+        title="Functions of each effect in machine code, and its evaluations over time",
         source="Secs. 3-4",
         parameters={"duration": DURATION, "steps": STEPS},
+        quantities=EVALUATIONS,
     )
 
 

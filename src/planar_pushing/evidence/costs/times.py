@@ -59,7 +59,7 @@ def accuracy_time(repeats: int = ROUNDS) -> xr.Dataset:
         `error`, the same as in `accuracy_errors`, and `wrench_seconds`, which has the dimension `repeat`
         as well. The attribute `machine` names the processor, its cores and the versions.
     """
-    errors = wrench_errors().sel(spin_ratio=TIMED).drop_vars("evaluations")
+    errors = wrench_errors().sel(spin_ratio=TIMED).drop_vars(["counted", "evaluations"])
     dataset = describe(
         _with_wrench_times(errors, repeats),
         title=EVIDENCE["accuracy_time"].capitalize(),

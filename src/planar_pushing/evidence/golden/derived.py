@@ -38,7 +38,7 @@ def accuracy_errors() -> dict[str, xr.Dataset]:
 
 
 def evaluations(study: StudyFile) -> xr.Dataset:
-    """What of each effect is compiled, and how often it is evaluated."""
+    """Functions of each effect in machine code, and its evaluations over time."""
     from planar_pushing.evidence.costs import effects
 
     return effects.evaluations(study)
