@@ -46,6 +46,8 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         ax.invert_yaxis()
         ax.set_xscale("log")
         ax.grid(True, axis="x")
+        decades = np.log10(ax.get_xlim())
+        ax.set_xlim(10.0 ** np.floor(decades[0]), 10.0 ** np.ceil(decades[1]))
         ax.set_xlabel("time (ms)")
         ax.set_title(title)
     handles, labels = axes[0].get_legend_handles_labels()
