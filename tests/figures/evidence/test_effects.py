@@ -9,7 +9,7 @@ from planar_pushing.figures.evidence.effects import PANELS
 from report.costs import effects
 
 
-@pytest.mark.parametrize(("panel", "scene"), enumerate(PANELS))
+@pytest.mark.parametrize(("panel", "scene"), list(enumerate(PANELS)))
 def test_markers_are_the_least_times_within_the_axis(panel, scene):
     data = effects("{}")
     picture = render.picture("effects", data)
