@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from planar_pushing.evidence.costs.tables import TIMED
+from planar_pushing.evidence.costs.times import TIMED
 from planar_pushing.study.store import read_dataset, write_dataset
 
 STORED = Path(__file__).parents[1] / "evidence/costs/golden_accuracy.nc"
@@ -19,27 +19,44 @@ COMPUTED = {
     "grid": ("limit_curves", "motion_cones", "contact_modes"),
     "figure_02": ("motion_cone", "limit_curve", "solve"),
 }
-#: Evaluations of friction and inertia by listed effects.
+#: Functions and evaluations of friction and inertia by listed effects.
 COUNTS = {"support_friction": (3, 0), "inertia": (0, 5), "support_friction+inertia": (70, 90)}
+OPERATIONS = ("solve", "motion_cone", "simulate", "simulate by time-stepping")
+METHODS = ("event-driven", "time-stepping")
 
 
 def evaluations() -> xr.Dataset:
+    counts = np.array(list(COUNTS.values()))
+    return xr.Dataset(
+        {
+            "functions": (("operation", "effects", "effect"), np.array([counts] * len(OPERATIONS))),
+            "evaluations": (
+                ("integrator", "effects", "effect"),
+                10 * np.array([counts] * len(METHODS)),
+            ),
+        },
+        coords={
+            "operation": list(OPERATIONS),
+            "integrator": list(METHODS),
+            "effects": list(COUNTS),
+            "effect": ["support_friction", "inertia"],
+        },
+    )
+
+
+def effects(machine: str) -> xr.Dataset:
+    """Times of each case, the least of which grows from case to case."""
     cases = [
         (scene, operation, effects)
         for scene, operations in COMPUTED.items()
         for operation in operations
         for effects in (COUNTS if scene != "figure_02" else ("support_friction",))
     ]
-    scene, operation, effects = map(list, zip(*cases, strict=True))
-    counts = [COUNTS[each] for each in effects]
+    names = zip(("scene", "operation", "effects"), zip(*cases, strict=True), strict=True)
     return xr.Dataset(
-        {"evaluations": (("case", "effect"), np.array(counts))},
-        coords={
-            "effect": ["support_friction", "inertia"],
-            "scene": ("case", scene),
-            "operation": ("case", operation),
-            "effects": ("case", effects),
-        },
+        {"time": (("case", "repeat"), growing(len(cases)))},
+        coords={name: ("case", list(labels)) for name, labels in names},
+        attrs={"machine": machine},
     )
 
 
@@ -74,10 +91,14 @@ def write_costs(folder: Path) -> None:
 def timed(data: xr.Dataset, name: str, machine: str) -> xr.Dataset:
     """The dataset with times of three repeats, the least of which grows from row to row."""
     axes = data.evaluations.dims if name == "wrench_seconds" else data.evaluations.dims[:1]
-    shape = tuple(data.sizes[axis] for axis in axes)
-    least = 1e-6 * (1 + np.arange(np.prod(shape)).reshape(shape))
-    times = np.stack([3 * least, least, 2 * least], axis=-1)
+    times = growing(*(data.sizes[axis] for axis in axes))
     return data.assign({name: ((*axes, "repeat"), times)}).assign_attrs(machine=machine)
+
+
+def growing(*shape: int) -> np.ndarray:
+    """Times of three repeats, the least of which grows by a microsecond."""
+    least = 1e-6 * (1 + np.arange(np.prod(shape)).reshape(shape))
+    return np.stack([3 * least, least, 2 * least], axis=-1)
 
 
 def motion(machine: str) -> xr.Dataset:
@@ -99,20 +120,10 @@ def motion(machine: str) -> xr.Dataset:
 def write_times(folder: Path, machine: str = '{"processor": "one"}') -> None:
     """Write what the supplement reads, measured on one machine, the effects on `machine`."""
     one = '{"processor": "one"}'
-    study = xr.Dataset(
-        {
-            "size_seconds": (("size", "repeat"), [[3.0, 2.0], [50.0, 40.0]]),
-            "size_memory": ("size", [10**6, 4 * 10**6]),
-            "interpolation_error": ("size", [1e-3, 2.5e-7]),
-        },
-        coords={"size": [10**3, 10**5]},
-        attrs={"machine": one},
-    )
     groups = {
         "wrench": timed(read_dataset(STORED, "wrench"), "wrench_seconds", one),
         "cone": timed(read_dataset(STORED, "cone"), "cone_seconds", one),
-        "study": study,
         "motion": motion(one),
     }
     write_dataset(groups, folder / "data/accuracy.nc")
-    write_dataset(timed(evaluations(), "time", machine), folder / "data/effects.nc")
+    write_dataset(effects(machine), folder / "data/effects.nc")

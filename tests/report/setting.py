@@ -24,7 +24,7 @@ PICTURE = (
 )
 NOTHING = dict.fromkeys(COLUMNS)
 #: Pictures of the supplement.
-PICTURES = ("accuracy_wrench", "accuracy_cone", "accuracy_study", "accuracy_motion", "effects")
+PICTURES = ("accuracy_wrench", "accuracy_cone", "accuracy_motion", "effects")
 CONES = "rod length," + ",".join(f"{side} {i}" for i in range(4) for side in "rl") + "\n"
 
 

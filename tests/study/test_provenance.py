@@ -11,7 +11,8 @@ from planar_pushing.study.provenance import provenance
 from planar_pushing.study.study_file import load_study
 
 CONFIG = "workflow/config"
-RESULTS = [*AXES, "scenes", "simulations/figure_15", *FIGURES, "evaluations", "hard_cases"]
+COSTS = {"evaluations", "effects"}
+RESULTS = [*AXES, "scenes", "simulations/figure_15", *FIGURES, *COSTS, "hard_cases"]
 
 
 @pytest.fixture
@@ -37,11 +38,11 @@ def digests(tmp_path):
         ("config/smoke.yaml", "title:", "# a comment\ntitle:", set()),
         ("config/smoke.yaml", "[0, 1.5, 2, inf]", "\n    - 0\n    - 1.50\n    - 2\n    - .inf", set()),
         ("scenes/figure_15.yaml", "title:", "# a comment\ntitle:", set()),
-        ("config/smoke.yaml", "step: 0.5}", "step: 0.25}", {"acceleration_centers", "evaluations"}),
-        ("config/smoke.yaml", "[0, 1.5, 2, inf]", "[0, 1.5, 2, 3, inf]", {"motion_cones", "evaluations"}),
+        ("config/smoke.yaml", "step: 0.5}", "step: 0.25}", {"acceleration_centers", *COSTS}),
+        ("config/smoke.yaml", "[0, 1.5, 2, inf]", "[0, 1.5, 2, 3, inf]", {"motion_cones", *COSTS}),
         ("config/smoke.yaml", "figure_12: {rod_length: 5}", "figure_12: {rod_length: 2}", {"figure_12"}),
-        ("config/smoke.yaml", "force_angle: 62", "force_angle: 63", {"scenes", "evaluations"}),
-        ("scenes/figure_02.yaml", "rod_length: 3", "rod_length: 4", {"scenes", "evaluations"}),
+        ("config/smoke.yaml", "force_angle: 62", "force_angle: 63", {"scenes", "effects"}),
+        ("scenes/figure_02.yaml", "rod_length: 3", "rod_length: 4", {"scenes", "effects"}),
         ("scenes/figure_15.yaml", "samples: 97", "samples: 11", {"simulations/figure_15"}),
     ],
 )  # fmt: skip

@@ -88,6 +88,12 @@ rule hard_cases:
         ),
 
 
+def counted(wildcards, name):
+    """The study whose effects are counted or timed."""
+    names = ("evaluations", "effects")
+    return {"study": FILES[wildcards.results]} if name in names else {}
+
+
 # Datasets on how this work computes.
 rule counts:
     output:
@@ -100,7 +106,10 @@ rule counts:
         counts=one_of(COUNTS),
     params:
         call="evidence.jobs:{counts}",
-        code=code_of("costs"),
+        code=lambda wildcards: code_of(
+            "hard_cases" if wildcards.counts == "hard_cases" else "costs"
+        ),
+        values=lambda wildcards: counted(wildcards, wildcards.counts),
         marks=lambda wildcards: MARKS[wildcards.results](wildcards.counts),
     message:
         "Computing {wildcards.counts}"
@@ -120,6 +129,7 @@ rule times:
     params:
         call="evidence.jobs:{times}",
         code=code_of("costs"),
+        values=lambda wildcards: counted(wildcards, wildcards.times),
         marks=lambda wildcards: MARKS[wildcards.results](wildcards.times),
     message:
         "Measuring {wildcards.times}"

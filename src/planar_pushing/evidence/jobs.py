@@ -8,7 +8,7 @@ from pathlib import Path
 from planar_pushing.evidence.writing import json_text, write_text
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.terms.errors import InvalidResult
 
 Attributes = Mapping[str, str]
@@ -62,47 +62,38 @@ def hard_cases(path: PathLike, *, marks: Attributes) -> None:
     write_dataset(of_study(build(), "hard_cases", marks), path)
 
 
-def sweep(path: PathLike) -> None:
-    """Count the failures over a million random and adversarial inputs."""
-    from planar_pushing.evidence.hard_cases.sweep.counts import FULL, sweep
-
-    write_text(json_text(sweep(FULL)), path)
-
-
 def accuracy_errors(path: PathLike, *, marks: Attributes) -> None:
     """Compute errors and counts of evaluations of every method, the same in every run."""
-    from planar_pushing.evidence.costs.tables import cone_errors, wrench_errors
+    from planar_pushing.evidence.costs.tables import accuracy_errors
 
-    found = {"wrench": wrench_errors(), "cone": cone_errors()}
-    write_dataset(of_study(found, "accuracy_errors", marks), path)
+    write_dataset(of_study(accuracy_errors(), "accuracy_errors", marks), path)
 
 
 def accuracy_time(path: PathLike, *, marks: Attributes) -> None:
     """Measure the time that the accuracy of a wrench costs on this machine."""
-    from planar_pushing.evidence.costs.measurements import accuracy_time
+    from planar_pushing.evidence.costs.times import accuracy_time
 
     write_dataset(of_study(accuracy_time(), "accuracy_time", marks), path)
 
 
 def accuracy(path: PathLike, *, marks: Attributes) -> None:
     """Measure what accuracy costs on this machine."""
-    from planar_pushing.evidence.costs.measurements import measured
+    from planar_pushing.evidence.costs.times import accuracy
 
-    write_dataset(of_study(measured(), "accuracy", marks), path)
+    write_dataset(of_study(accuracy(), "accuracy", marks), path)
 
 
 def evaluations(path: PathLike, *, study: str, marks: Attributes) -> None:
-    """Count how often each effect is evaluated; for a process that does not compile."""
+    """Count the functions of each effect in machine code, and its evaluations over time."""
     from planar_pushing.evidence.costs.effects import evaluations
     from planar_pushing.study.study_file import load_study
 
     write_dataset(of_study(evaluations(load_study(study)), "evaluations", marks), path)
 
 
-def effects(path: PathLike, *, counted: PathLike, study: str, marks: Attributes) -> None:
-    """Measure what each effect costs on this machine, beside its counts."""
-    from planar_pushing.evidence.costs.effects import measure
+def effects(path: PathLike, *, study: str, marks: Attributes) -> None:
+    """Measure what each set of effects costs on this machine."""
+    from planar_pushing.evidence.costs.effects import effects
     from planar_pushing.study.study_file import load_study
 
-    found = measure(load_study(study), read_dataset(counted))
-    write_dataset(of_study(found, "effects", marks), path)
+    write_dataset(of_study(effects(load_study(study)), "effects", marks), path)

@@ -12,7 +12,7 @@ from planar_pushing.report.quantities import Numbers, computed, magnitude
 from planar_pushing.report.results import EFFECTS, Results
 from planar_pushing.terms.errors import InvalidFile
 
-WRENCH, CONE, STUDY, MOTION = (f"accuracy/{each}" for each in ("wrench", "cone", "study", "motion"))
+WRENCH, CONE, MOTION = (f"accuracy/{each}" for each in ("wrench", "cone", "motion"))
 MILLI = times.MILLI
 #: Settings that the prose names: a tolerance, and a number of steps.
 RUNS = {"event-driven": 1e-10, "time-stepping": 1000.0}
@@ -30,12 +30,6 @@ NUMBERS: Numbers = {
     "root-ratio": computed(CONE, times.cone_ratio, "find_root"),
     "table-ratio": computed(CONE, times.cone_ratio, "linear table", digits=2),
     "quartic-ratio": computed(CONE, times.cone_ratio, "convex quartic", digits=2),
-    "least-points": computed(STUDY, times.points, 0),
-    "most-points": computed(STUDY, times.points, -1),
-    "small-grid-time": computed(STUDY, times.point_time, 0, unit="ns"),
-    "large-grid-time": computed(STUDY, times.point_time, -1, unit="ns"),
-    "grid-memory": computed(STUDY, times.largest_memory, digits=1, unit="MB"),
-    "half-way-error": magnitude(STUDY, times.half_way_error, unit="degree"),
     **{
         f"{method}-time": computed(MOTION, times.run_time, method, setting, digits=1, unit="ms")
         for method, setting in RUNS.items()

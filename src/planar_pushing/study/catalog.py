@@ -151,13 +151,13 @@ FOLDERS = {SIMULATIONS: "data/simulations", FIGURES: "figures/data"}
 EVIDENCE = {
     "accuracy_errors": "errors and evaluations of every method, a group for each quantity",
     "accuracy_time": "errors of the methods for the friction wrench and their times on one machine",
-    "evaluations": "how often each effect is evaluated",
+    "evaluations": "functions of each effect in machine code, and its evaluations over time",
     "hard_cases": "results in doubles against references of 40 digits, where numbers get hard",
 }
 #: Those that hold times of one machine and are written by `snakemake accuracy` alone.
 TIMES = {
-    "accuracy": "what accuracy costs: errors, evaluations, times and memory, a group for each quantity",
-    "effects": "what each effect costs: times and evaluations",
+    "accuracy": "what accuracy costs: errors, evaluations and times, a group for each quantity",
+    "effects": "times of each set of effects",
 }
 
 #: The tables beside them: what each file holds.
@@ -175,8 +175,7 @@ TABLES = {
     "accuracy_cone.csv": "methods for motion cones: setting, calls and largest error",
     "hard_places.csv": "hard cases by place, with their errors in units in the last place",
     "hard_ill.csv": "ill-conditioned cases: condition, digits left and error",
-    "evaluations.csv": "evaluations of each effect",
-    "sweep.json": "counts of a sweep of random and adversarial inputs, by `snakemake sweep`",
+    "evaluations.csv": "functions of each effect in machine code, and its evaluations over time",
     "accuracy_numbers.json": "the numbers of the supplement on time, by `snakemake accuracy`",
     "times_effects.csv": "times of each set of effects, by `snakemake accuracy`",
     "times_scenes.csv": "times of each scene, by `snakemake accuracy`",

@@ -17,8 +17,11 @@ from planar_pushing.study.studies import study_name
 
 #: Keys of a study that no value depends on: where it is compared with golden data, and how it is cut.
 ASIDE = {"golden", "chunks", "gather"}
-#: Results on how the whole study is computed, and the keys that they do not read.
-COUNTED, UNCOUNTED = ("evaluations", "effects"), ("simulations", "figures")
+#: Results on how a study is computed, and the keys that they do not read.
+UNREAD = {
+    "evaluations": ("title", "scenes", "simulations", "figures"),
+    "effects": ("simulations", "figures"),
+}
 
 #: Gives the attributes that name the study in a result, by the name of the result.
 Marks = Callable[[str], dict[str, str]]
@@ -75,6 +78,6 @@ def _read(study: StudyFile, whole: dict[str, Any], result: str) -> object:
         return whole["figures"].get(name)
     if name in GALLERY:
         return whole["slider"]
-    if name in COUNTED:
-        return {key: each for key, each in whole.items() if key not in UNCOUNTED}
+    if name in UNREAD:
+        return {key: each for key, each in whole.items() if key not in UNREAD[name]}
     return None

@@ -50,7 +50,6 @@ DATASET: Quantities = {
     "effects": ("1", "effects that resist the motion"),
     "error_bound": ("1", "relative error that rounding the inputs causes: condition times epsilon"),
     "error_ulp": ("1", "error of the result in units in the last place of the reference"),
-    "evaluations": ("1", "points at which the effect was evaluated"),
     "exact_end": ("1", "effect that alone resists at this end of the exact set"),
     "exact_x": ("length", "end of the exact set of motion centers, from the contact, x"),
     "exact_y": ("length", "end of the exact set of motion centers, from the contact, y"),
@@ -224,6 +223,35 @@ SLIDERS: Quantities = {
     "wrench_component": ("1", "component of a wrench"),
 }
 
+#: What the dataset `evaluations` holds; a name may mean something else than in the others.
+EVALUATIONS: Quantities = {
+    **DATASET,
+    "effect": ("1", "effect that is counted"),
+    "evaluations": ("1", "how often the motion under the effect was evaluated in the log of a run"),
+    "functions": ("1", "number of the effect's functions in the machine code"),
+    "integrator": ("1", "method that follows a motion over time"),
+}
+#: What the datasets on accuracy and its costs hold; a name may mean something else than in the others.
+COSTS: Quantities = {
+    "method": ("1", "method"),
+    "setting": ("1", "number of points, table entries or steps, or tolerance; 0 for none"),
+    "counted": ("1", "what is evaluated: integrand, wrench in closed form, motion, or nothing"),
+    "spin_ratio": DATASET["spin_ratio"],
+    "error": ("1", "larger relative error of force and torque; inf where a part is NaN"),
+    "evaluations": ("1", "evaluations for one result, on average over the cones' edges"),
+    "batch": ("1", "results that a timed call computes"),
+    "wrench_seconds": ("s", "time for one wrench, each repeat"),
+    "cone_error": ("degree", "largest error of an edge of a motion cone"),
+    "cone_error_mean": ("degree", "mean error of an edge of a motion cone"),
+    "cone_seconds": ("s", "time for both edges of a motion cone, each repeat"),
+    "model": ("1", "model of the limit surface"),
+    "rim_error": ("degree", "mean direction error for a rim of 100 point supports"),
+    "scene": ("1", "scene that moves over time"),
+    "motion_error": ("degree", "error of the rod angle at the end of a run"),
+    "motion_seconds": ("s", "time for a run, each repeat"),
+    "repeat": ("1", "number of the repeat"),
+}
+
 #: What the functions of the mechanics give for labeled arrays: angles are radians.
 MECHANICS: Quantities = {
     **DATASET,
@@ -264,7 +292,7 @@ LOG_NOTES = {
 READABLE = {
     "force/radian": "radian-1",
     **dict.fromkeys(("length", "force", "motion", "time"), "1"),
-    **dict.fromkeys(("force length", "length/time", "byte"), "1"),
+    **dict.fromkeys(("force length", "length/time"), "1"),
 }
 
 

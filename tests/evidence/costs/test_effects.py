@@ -4,66 +4,124 @@ import json
 import os
 import subprocess
 import sys
-from pathlib import Path
+import time
 
+import numpy as np
 import pytest
 
 from planar_pushing.evidence.costs import effects
-from planar_pushing.evidence.costs.counted import counting
-from planar_pushing.study.store import read_dataset
+from planar_pushing.mechanics import wrench
+from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.study.study_file import load_study
-from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.options import Method
 
-STUDY = "workflow/config/smoke.yaml"
+STUDY = load_study("workflow/config/smoke.yaml")
 EFFECTS = ("support_friction", "inertia")
 
 
 @pytest.fixture(scope="module")
-def process(tmp_path_factory):
-    """Tallies of scenes, and the counts of a small study, from a process without compiler."""
-    path = tmp_path_factory.mktemp("counted") / "evaluations.nc"
-    script = str(Path(__file__).with_name("counted.py"))
-    given = {"env": os.environ | {"NUMBA_DISABLE_JIT": "1"}, "capture_output": True, "text": True}
-    ran = subprocess.run([sys.executable, script, STUDY, str(path)], check=False, **given)
-    assert ran.returncode == 0, ran.stderr
-    return json.loads(ran.stdout), read_dataset(path)
+def found():
+    return effects.evaluations(STUDY)
 
 
-def test_what_is_listed_is_counted_and_nothing_else(process):
-    tallies, _ = process
-    assert len(tallies) == 3 * 4 * (1 + len(effects.OPERATIONS))
-    for listed, computed, tally, _ in tallies:
-        for effect in EFFECTS:
-            assert (tally.get(effect, 0) > 0) == (effect in listed.split("+")), (listed, computed)
+def listed(found):
+    return np.array([[e in names.split("+") for e in EFFECTS] for names in found.effects.values])
 
 
-def test_the_closed_inverse_of_a_ring_counts_once(process):
-    """A motion cone has two edges."""
-    tallies = {name: tally for listed, name, tally, _ in process[0] if listed == "support_friction"}
-    assert sum(tallies["motion_cone"].values()) == 2
+def test_machine_code_holds_what_is_listed_and_nothing_else(found):
+    assert found.functions.dims == ("operation", "effects", "effect")
+    assert list(found.operation.values) == list(effects.COMPILED)
+    assert ((found.functions.values > 0) == listed(found)).all()
 
 
-def test_counting_changes_no_result(process):
-    assert all(same for *_, same in process[0])
+def test_logs_hold_what_is_listed_and_nothing_else(found):
+    for names in STUDY.grid.effects:
+        for method in Method:
+            log = effects.followed(effects.one_slider(STUDY, names), method)
+            assert log.effect.values.tolist() == names.split("+")
+            counts = found.evaluations.sel(integrator=str(method), effects=names, effect=log.effect)
+            assert np.array_equal(counts, log.evaluations[-1])
+    assert ((found.evaluations.values > 0) == listed(found)).all()
 
 
-def test_only_listed_effects_are_evaluated_anywhere(process):
-    _, counted = process
-    for effect in EFFECTS:
-        listed = [effect in each.split("+") for each in counted.effects.values]
-        assert ((counted.evaluations.sel(effect=effect) > 0).values == listed).all()
+def test_a_step_evaluates_the_motion_once(found):
+    steps = found.evaluations.sel(integrator="time-stepping").values
+    assert np.array_equal(steps, effects.STEPS * listed(found))
 
 
-def test_compiled_code_is_not_counted():
-    with pytest.raises(PlanarPushingError, match="set NUMBA_DISABLE_JIT=1 before"), counting():
-        pass
+def test_code_of_one_effect_would_show_in_that_of_another():
+    """The same look at kernels that hold one effect each tells them apart."""
+    for effect, names in ((RingFriction(), ["RingSupport"]), (Inertia(), ["Mass"])):
+        wrench.wrench(effect, (1.0, 2.0, 3.0))
+        (code,) = (
+            each
+            for each in wrench._wrenches.overloads
+            if all(name in str(each[0]) for name in names) and len(each[0]) == 1
+        )
+        linked = effects.linked(wrench._wrenches, code)
+        assert any("10resistance" in name for name in linked)
+        assert any("supports4ring" in name for name in linked) == isinstance(effect, RingFriction)
+        assert any("effects7inertia" in name for name in linked) == isinstance(effect, Inertia)
 
 
-def test_times_are_measured_for_every_case(process, monkeypatch):
-    study, counted = load_study(STUDY), process[1]
-    monkeypatch.setattr(effects, "REPEATS", 1)
-    grid = study.grid.model_copy(update={"rod_length": (0.0, 2.0), "pusher_angle": (-10.0, 165.0)})
-    measured = effects.measure(study.model_copy(update={"grid": grid}), counted)
+#: Counts functions of inertia's wrench in code that is new, and then from the cache.
+TWICE = """
+import json, sys
+from pathlib import Path
+from planar_pushing.mechanics import compiled
+compiled.CACHE = Path(sys.argv[1])
+import planar_pushing as pp
+from planar_pushing.evidence.costs.effects import linked
+from planar_pushing.mechanics import wrench
+pp.wrench(pp.Inertia(), (1.0, 2.0, 3.0))
+(code,) = wrench._wrenches.overloads
+cached = sum(wrench._wrenches.stats.cache_hits.values())
+print(json.dumps([cached, sorted(linked(wrench._wrenches, code))]))
+"""
+
+
+def test_new_code_and_code_from_the_cache_hold_the_same_functions(tmp_path):
+    (none, new), (one, cached) = (
+        json.loads(
+            subprocess.run(
+                [sys.executable, "-c", TWICE, tmp_path], check=True, capture_output=True, text=True
+            ).stdout
+        )
+        for _ in range(2)
+    )
+    assert (none, one) == (0, 1)
+    assert new == cached
+    assert new
+
+
+def test_without_the_compiler_there_is_nothing_to_look_at():
+    code = (
+        "from planar_pushing.evidence.costs.effects import evaluations\n"
+        "from planar_pushing.study.study_file import load_study\n"
+        "evaluations(load_study('workflow/config/smoke.yaml'))"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", code], env=os.environ | {"NUMBA_DISABLE_JIT": "1"}, check=False,
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert "no machine code to look at; unset NUMBA_DISABLE_JIT" in ran.stderr
+
+
+def test_evaluations_repeat_exactly_and_have_units(found):
+    assert found.identical(effects.evaluations(STUDY))
+    assert all({"units", "long_name"} <= set(each.attrs) for each in found.variables.values())
+
+
+def test_times_are_measured_for_every_case(monkeypatch):
+    monkeypatch.setattr(effects, "REPEATS", 2)
+    grid = STUDY.grid.model_copy(update={"rod_length": (0.0, 2.0), "pusher_angle": (-10.0, 165.0)})
+    study = STUDY.model_copy(update={"grid": grid})
+    start = time.perf_counter()
+    measured = effects.effects(study)
+    taken = time.perf_counter() - start
     assert measured.time.dims == ("case", "repeat")
     assert (measured.time > 0).all()
-    assert measured.evaluations.equals(counted.evaluations)
+    assert float(measured.time.sum()) < taken
+    assert set(measured.scene.values) == {"one slider", "grid", *study.scenes}
+    assert set(measured.effects.values) == set(study.grid.effects)
+    assert all({"units", "long_name"} <= set(each.attrs) for each in measured.variables.values())

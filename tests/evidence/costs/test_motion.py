@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from planar_pushing.evidence.costs import measurements, motion
+from planar_pushing.evidence.costs import motion
 from planar_pushing.study.store import read_dataset
 
 GOLDEN = Path(__file__).with_name("golden_accuracy.nc")
@@ -15,7 +15,7 @@ FLOOR = 1e-9
 
 @pytest.fixture(scope="module")
 def found():
-    return measurements.motion_errors()
+    return motion.motion_errors()
 
 
 def test_settings_and_counts_are_golden(found):

@@ -23,14 +23,13 @@ def assert_same_errors(name, found, stored):
 
 @pytest.fixture(scope="module", params=["wrench", "cone"])
 def pair(request):
-    builders = {"wrench": tables.wrench_errors, "cone": tables.cone_errors}
-    return builders[request.param](), read_dataset(GOLDEN, request.param)
+    return tables.accuracy_errors()[request.param], read_dataset(GOLDEN, request.param)
 
 
 def test_methods_and_settings_are_the_stored_ones(pair):
     found, stored = pair
     assert set(found.variables) == set(stored.variables)
-    for name in ("method", "setting"):
+    for name in ("method", "setting", "counted"):
         assert np.array_equal(found[name], stored[name])
 
 

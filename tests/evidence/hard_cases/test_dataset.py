@@ -7,42 +7,73 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from flint import arb
 from matplotlib.figure import Figure
 from mpmath import mp, mpf
 
 import reference as straight
-from planar_pushing.evidence.hard_cases.case import DIGITS, measure
-from planar_pushing.evidence.hard_cases.dataset import build
-from planar_pushing.evidence.hard_cases.places import contact, lengths, painleve, rest, ring, shares
-from planar_pushing.evidence.hard_cases.scenes import make_scene
+from planar_pushing.evidence.hard_cases.cases import QUANTITIES, cases, make_scene
+from planar_pushing.evidence.hard_cases.dataset import DIGITS, build, measure
 from planar_pushing.figures.evidence import hard_cases
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.figures import OURS
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.quantities import DATASET as VARIABLES
 
-FAMILIES = {"ring": ring, "lengths": lengths, "contact": contact, "shares": shares, "rest": rest,
-            "painleve": painleve}  # fmt: skip
+LINES = range(1, 8)
+
+
+#: A ball about zero: a relative radius of 2^-100.
+BLUR = arb(0, 2.0**-100)
 
 
 @pytest.fixture(scope="module")
 def measures():
-    return {
-        name: [(case, measure(case)) for case in each.cases()] for name, each in FAMILIES.items()
-    }
+    """Cases with their measures, by line."""
+    found = [(case, measure(case)) for case in cases()]
+    return {line: [pair for pair in found if pair[0].line == line] for line in LINES}
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_accuracy(measures, name):
-    for case, found in measures[name]:
-        assert np.isfinite(found.result), case.label
-        assert found.error_ulp <= 4 * (1 + found.condition), case.label
+def is_accurate(found):
+    return bool(np.isfinite(found.result)) and found.error_ulp <= 4 * (1 + found.condition)
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_references_have_their_digits(measures, name):
+@pytest.mark.parametrize("line", LINES)
+def test_accuracy(measures, line):
+    for case, found in measures[line]:
+        assert is_accurate(found), case.label
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_a_result_that_is_perturbed_is_not_accurate(measures, line):
+    """By twice what the case allows; a result of zero by the smallest double."""
+    for case, found in measures[line]:
+        change = 8 * (1 + found.condition) * np.spacing(abs(found.reference_high))
+
+        def off(*inputs, result=found.result, change=change):
+            return result + change
+
+        perturbed = measure(case._replace(function=case.function._replace(compute=off)))
+        assert not is_accurate(perturbed), case.label
+
+
+def test_a_result_that_is_no_number_is_not_accurate():
+    case = next(cases())
+    perturbed = case._replace(function=case.function._replace(compute=lambda *_: np.nan))
+    assert not is_accurate(measure(perturbed))
+
+
+def test_a_reference_with_too_few_digits_is_refused():
+    case = next(cases())
+    blurred = case.function._replace(reference=lambda k: case.function.reference(k) * (1 + BLUR))
+    with pytest.raises(ArithmeticError, match="has fewer than 40 digits"):
+        measure(case._replace(function=blurred))
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_references_have_their_digits(measures, line):
     with mp.workdps(60):
-        for case, found in measures[name]:
+        for case, found in measures[line]:
             stored = mpf(found.reference_high) + mpf(found.reference_low)
             assert abs(mpf(found.reference) - stored) <= abs(stored) * mpf(10) ** -30 + mpf(
                 5e-324
@@ -54,29 +85,31 @@ def test_references_have_their_digits(measures, name):
 def recovered(case, stored):
     """1 where the printed integrals in mpmath agree; a spin ratio must give its arm back."""
     (x,) = case.inputs
-    if case.quantity == "spin_ratio":
+    if case.function.quantity == "spin_ratio":
         return straight.ring_torque(stored) / straight.ring_force(stored) / x
-    exact = straight.ring_force if case.quantity == "force" else straight.ring_torque
+    exact = straight.ring_force if case.function.quantity == "force" else straight.ring_torque
     return stored / exact(x)
 
 
-def test_references_agree_with_the_printed_integrals():
+def test_references_agree_with_the_printed_integrals(measures):
     with mp.workdps(50):
-        for case in ring.cases():
-            assert abs(recovered(case, mpf(measure(case).reference)) - 1) < 1e-25, case.label
+        for case, found in measures[1] + measures[2]:
+            assert abs(recovered(case, mpf(found.reference)) - 1) < 1e-25, case.label
 
 
 def test_every_line_has_cases_and_every_label_is_its_own(measures):
-    cases = [case for each in measures.values() for case, _ in each]
-    assert {case.line for case in cases} == set(range(1, 8))
-    assert len({case.label for case in cases}) == len(cases)
+    every = [case for each in measures.values() for case, _ in each]
+    assert all(measures.values())
+    assert len({case.label for case in every}) == len(every) == len(list(cases()))
+    assert [case.line for case in cases()] == sorted(case.line for case in every)
+    assert {case.function.quantity for case in every} == set(QUANTITIES)
 
 
 def test_ill_conditioned_cases_say_so(measures):
     """Along the rod of a long slider, and where two Painleve slips meet, the digits are not there."""
-    ill = {name: [m for _, m in each if m.ill_conditioned] for name, each in measures.items()}
-    assert {name for name, each in ill.items() if each} == {"lengths", "painleve"}
-    for each in ill["painleve"]:
+    ill = {line: [m for _, m in each if m.ill_conditioned] for line, each in measures.items()}
+    assert {line for line, each in ill.items() if each} == {3, 7}
+    for each in ill[7]:
         assert each.error_ulp > 1e5
         assert (
             each.error_ulp * np.spacing(each.reference_high) <= each.bound * each.reference_high * 4

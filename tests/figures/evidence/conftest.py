@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import xarray as xr
 
 from planar_pushing.evidence.costs import tables
 from planar_pushing.figures import render
@@ -32,22 +31,11 @@ def data(tmp_path_factory):
     points = wrench.sizes["point"], wrench.sizes["spin_ratio"]
     wrench["wrench_seconds"] = ("point", "spin_ratio", "repeat"), made_up_times(*points, 3)
     cone["cone_seconds"] = ("point", "repeat"), made_up_times(cone.sizes["point"], 3)
-    study = xr.Dataset(
-        {
-            "size_seconds": (("size", "repeat"), made_up_times(3, 3)),
-            "size_memory": ("size", [10**4, 10**5, 10**6]),
-            "point_error": ("size", [1e-14] * 3),
-            "interpolation_error": ("size", [1.0, 1e-2, 1e-4]),
-            "block_seconds": (("block", "repeat"), made_up_times(2, 3)),
-            "block_memory": ("block", [10**4, 10**6]),
-        },
-        coords={"size": [10**3, 10**4, 10**5], "block": [2**8, 2**16]},
-    )
     path = tmp_path_factory.mktemp("data") / "accuracy.nc"
     runs = read_dataset(GOLDEN, "motion")
     points = runs.sizes["point"], runs.sizes["scene"]
     runs["motion_seconds"] = ("point", "scene", "repeat"), 1e3 * made_up_times(*points, 3)
-    groups = {"wrench": wrench, "cone": cone, "study": study, "motion": runs}
+    groups = {"wrench": wrench, "cone": cone, "motion": runs}
     write_dataset({name: tables.described(each) for name, each in groups.items()}, path)
     return path
 

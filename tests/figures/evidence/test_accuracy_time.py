@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from figures.evidence.conftest import markers
-from planar_pushing.evidence.costs.tables import TIMED
+from planar_pushing.evidence.costs.times import TIMED
 from planar_pushing.figures.evidence.work_precision import LIMITS, SHOWN
 from planar_pushing.study.store import read_dataset
 

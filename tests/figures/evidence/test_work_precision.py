@@ -35,7 +35,7 @@ def test_no_mark_stands_on_the_frame(pictures, name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["accuracy_study", "accuracy_evaluations"])
+@pytest.mark.parametrize("name", ["accuracy_motion", "accuracy_evaluations"])
 def test_pictures_have_the_same_bytes_twice(data, tmp_path, name):
     first, second = ([tmp_path / f"{run}.{kind}" for kind in ("svg", "pdf", "png")] for run in "ab")
     for paths in (first, second):

@@ -1,36 +1,60 @@
-"""Count and time what scenes and datasets of each set of effects cost."""
+"""Only the effects that a scene calls for: in machine code, in the logs of motion over time, and in time.
+
+The compiler makes machine code for each list of effects. Numba names the functions in it, and a log counts
+the evaluations of each effect that its scene lists.
+"""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+import re
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from pkgutil import resolve_name
+from typing import Any
 
+import numba
 import numpy as np
 import xarray as xr
 
-from planar_pushing.evidence.costs.counted import counting
-from planar_pushing.evidence.costs.timing import seconds, stamped
+from planar_pushing.evidence.costs.times import seconds, stamped
+from planar_pushing.mechanics.compiled import SLOW
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.simulate import simulate
+from planar_pushing.simulation.systems.setup import KINDS, kinds_of
 from planar_pushing.study.datasets import contact_modes, limit_curves, motion_cones
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import StudyFile
-from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED
+from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED, EffectKind, Method
+from planar_pushing.terms.quantities import EVALUATIONS
 
-#: What is asked of a scene: the cone, a curve of 361 points, and every mode of one push.
+#: Modules and packages that hold the formulas of each effect.
+FORMULAS = {
+    EffectKind.SUPPORT_FRICTION: (
+        "planar_pushing.mechanics.effects.ring",
+        "planar_pushing.mechanics.effects.any_support",
+        "planar_pushing.mechanics.supports",
+    ),
+    EffectKind.INERTIA: ("planar_pushing.mechanics.effects.inertia",),
+}
+#: A push, and how long and in how many steps it is followed.
+FRICTION_COEFFICIENT, PUSHER_ANGLE = 2.0, np.deg2rad(-10.0)
+DURATION, STEPS = 1.0, 100
 FORCE_ANGLES = np.deg2rad(np.arange(361.0))
-PUSHER_ANGLE = np.deg2rad(-10.0)
+#: Of a scene, what is timed: the cone, a curve of 361 points, and every mode of one push.
 OPERATIONS: dict[str, Callable[[Scene], object]] = {
     "motion_cone": motion_cone,
     "limit_curve": lambda scene: limit_curve(scene, FORCE_ANGLES),
     "solve": lambda scene: solve(scene, PUSHER_ANGLE),
 }
+#: Of a study, what is timed.
 BUILDERS: dict[str, Callable[[StudyFile], xr.Dataset]] = {
     "limit_curves": limit_curves.build,
     "motion_cones": motion_cones.build,
@@ -39,106 +63,154 @@ BUILDERS: dict[str, Callable[[StudyFile], xr.Dataset]] = {
 REPEATS = 7
 
 
-@dataclass(frozen=True, slots=True)
-class Case:
-    """Something that is computed with a set of effects.
-
-    Attributes
-    ----------
-    scene : str
-        Name of the scene, or "grid" for a dataset.
-    operation : str
-        What is computed.
-    effects : str
-        Effects that are listed.
-    run : callable
-        Computes it.
-    """
-
-    scene: str
-    operation: str
-    effects: str
-    run: Callable[[], object]
+def one_slider(study: StudyFile, effects: Any) -> Scene:
+    """The study's slider with its longest rod, under a set of effects."""
+    return Scene(
+        slider=study.ring(max(study.grid.rod_length)),
+        contact=Coulomb(FRICTION_COEFFICIENT),
+        effects=study.effects(effects),
+    )
 
 
-def _listed(scene: Scene) -> str:
-    listed = {EFFECT_CLASSES[type(effect).__name__] for effect in scene.effects}
-    return "+".join(kind for kind in STUDIED if kind in listed)
+def followed(scene: Scene, method: Method) -> xr.Dataset:
+    """Log of a scene that the fence moves, from rest."""
+    step = DURATION / STEPS if method is Method.TIME_STEPPING else None
+    fence = Pusher(velocity=tuple(direction(PUSHER_ANGLE)))
+    return simulate(scene, pusher=fence, duration=DURATION, method=method, step=step)
 
 
-def _scene_case(name: str, operation: str, scene: Scene) -> Case:
-    return Case(name, operation, _listed(scene), partial(OPERATIONS[operation], scene))
-
-
-def _dataset_case(name: str, study: StudyFile) -> Case:
-    return Case("grid", name, study.grid.effects[0], partial(BUILDERS[name], study))
-
-
-def cases(study: StudyFile) -> Iterator[Case]:
-    """Every operation on one slider with each set of effects, on the study's scenes, and on its grid.
-
-    The grid has one rod angle, and every tenth coefficient of friction and pusher angle.
-    """
-    for effects in study.grid.effects:
-        scene = Scene(
-            slider=study.ring(max(study.grid.rod_length)),
-            contact=Coulomb(2.0),
-            effects=study.effects(effects),
-        )
-        for operation in OPERATIONS:
-            yield _scene_case("one slider", operation, scene)
-        few = {"effects": (effects,), "rod_angle": (study.slider.rod_angle,)}
-        for axis in ("contact_friction_coefficient", "pusher_angle"):
-            few[axis] = getattr(study.grid, axis)[::10]
-        grid = study.grid.model_copy(update=few)
-        for name in BUILDERS:
-            yield _dataset_case(name, study.model_copy(update={"grid": grid}))
-    for name, push in study.scenes.items():
-        scene = load_scene_file(push.file).build()
-        for operation in OPERATIONS:
-            yield _scene_case(name, operation, scene)
-
-
-def _tally(run: Callable[[], object]) -> Counter[str]:
-    with counting() as tally:
-        run()
-    return tally
+#: By the names that the library gives to what it compiles.
+COMPILED: dict[str, Callable[[Scene], object]] = {
+    "solve": OPERATIONS["solve"],
+    "motion_cone": motion_cone,
+    "simulate": partial(followed, method=Method.EVENT_DRIVEN),
+    "simulate by time-stepping": partial(followed, method=Method.TIME_STEPPING),
+}
 
 
 def evaluations(study: StudyFile) -> xr.Dataset:
-    """Evaluations of each effect in each case, over `case` and `effect`; the same on every machine.
+    """Functions and evaluations of each effect for one slider, the same on every machine.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `effects`, the sets of effects that the study lists, and `effect`: `functions`, the number of
+        the effect's functions in the machine code of each `operation`, and `evaluations`, how often the
+        motion under the effect is evaluated in the log of each `integrator`; 0 where the log has no such
+        effect.
 
     Raises
     ------
     PlanarPushingError
-        Where the mechanics are compiled, as in `counting`.
+        Where nothing is compiled.
     """
-    found, names = list(cases(study)), [str(kind) for kind in STUDIED]
-    tallies = [_tally(case.run) for case in found]
-    counts = np.array([[tally[name] for name in names] for tally in tallies])
+    if numba.config.DISABLE_JIT:
+        raise PlanarPushingError("there is no machine code to look at; unset NUMBA_DISABLE_JIT")
+    scenes = [one_slider(study, effects) for effects in study.grid.effects]
+    counted = [[functions(each, scene) for scene in scenes] for each in COMPILED]
+    logged = [[_logged(followed(scene, method)) for scene in scenes] for method in Method]
     dataset = xr.Dataset(
-        {"evaluations": (("case", "effect"), counts)},
+        {
+            "functions": (("operation", "effects", "effect"), counted),
+            "evaluations": (("integrator", "effects", "effect"), logged),
+        },
         coords={
-            "effect": names,
-            "scene": ("case", [case.scene for case in found]),
-            "operation": ("case", [case.operation for case in found]),
-            "effects": ("case", [case.effects for case in found]),
+            "operation": list(COMPILED),
+            "integrator": [str(method) for method in Method],
+            "effects": list(study.grid.effects),
+            "effect": [str(kind) for kind in STUDIED],
         },
     )
     return describe(
         dataset,
-        title="How often each effect is evaluated",
-        source="scenes and grid of the study",
-        parameters={"study": study.title},
+        title="Functions of each effect in machine code, and its evaluations over time",
+        source="Secs. 3-4",
+        parameters={"duration": DURATION, "steps": STEPS},
+        quantities=EVALUATIONS,
     )
 
 
-def measure(study: StudyFile, counted: xr.Dataset) -> xr.Dataset:
-    """Evaluations of a study, with the time of each case in each repeat on this machine."""
-    taken = seconds([case.run for case in cases(study)], REPEATS)
+def functions(operation: str, scene: Scene) -> list[int]:
+    """Number of the functions of each effect in the machine code of an operation on a scene."""
+    COMPILED[operation](scene)
+    (kernel,) = (resolve_name(path) for path, (name, _) in SLOW.items() if name == operation)
+    wanted = _is_system_of if operation.startswith("simulate") else _are_kinds_of
+    codes = [each for each in kernel.overloads if wanted(scene, each[0])]
+    names = set[str]().union(*(linked(kernel, each) for each in codes))
+    return [
+        sum(name.startswith(tuple(map(_mangled, FORMULAS[kind]))) for name in names)
+        for kind in STUDIED
+    ]
+
+
+def linked(kernel: Any, signature: Any) -> set[str]:
+    """Names of the functions in the machine code of a kernel, mangled, without their types.
+
+    Numba keeps the names with code that it has read from its cache, and prints code that it has just made.
+    """
+    kept = kernel.overloads[signature].referenced_envs
+    text = " ".join(each.env_name for each in kept) if kept else kernel.inspect_llvm(signature)
+    return set(re.findall(r"_ZN08NumbaEnv(\w+?)B\d+v\d+", text))
+
+
+def _mangled(module: str) -> str:
+    return "".join(f"{len(part)}{part}" for part in module.split("."))
+
+
+def _are_kinds_of(scene: Scene, argument: Any) -> bool:
+    """Whether the first argument of a kernel of the mechanics is of a scene's kinds of effects."""
+    return bool(argument == numba.typeof(scene.kinds))
+
+
+def _is_system_of(scene: Scene, argument: Any) -> bool:
+    """Whether the first argument of a kernel of the simulations is of a scene's kind of system."""
+    kinds = numba.typeof(kinds_of(scene)).types
+    return argument.instance_class is KINDS[scene.stores_energy] and argument.types[:4] == kinds
+
+
+def _logged(log: xr.Dataset) -> list[int]:
+    """Evaluations of each effect at the end of a log."""
+    listed = dict(zip(log.effect.values.tolist(), log.evaluations.values[-1].tolist(), strict=True))
+    return [listed.get(str(kind), 0) for kind in STUDIED]
+
+
+def cases(study: StudyFile) -> Iterator[tuple[str, str, str, Callable[[], object]]]:
+    """Scene, operation, effects and call of everything that is timed.
+
+    These are each operation on one slider with each set of effects and on the study's scenes, and, as scene
+    "grid", datasets with one rod angle and every tenth coefficient of friction and pusher angle.
+    """
+    few: dict[str, Sequence[object]] = {"rod_angle": (study.slider.rod_angle,)}
+    for axis in ("contact_friction_coefficient", "pusher_angle"):
+        few[axis] = getattr(study.grid, axis)[::10]
+    for effects in study.grid.effects:
+        yield from _on("one slider", one_slider(study, effects))
+        grid = study.grid.model_copy(update=few | {"effects": (effects,)})
+        small = study.model_copy(update={"grid": grid})
+        for name, build in BUILDERS.items():
+            yield "grid", name, effects, partial(build, small)
+    for name, push in study.scenes.items():
+        yield from _on(name, load_scene_file(push.file).build())
+
+
+def _on(name: str, scene: Scene) -> Iterator[tuple[str, str, str, Callable[[], object]]]:
+    listed = {EFFECT_CLASSES[type(effect).__name__] for effect in scene.effects}
+    effects = "+".join(kind for kind in STUDIED if kind in listed)
+    for operation, run in OPERATIONS.items():
+        yield name, operation, effects, partial(run, scene)
+
+
+def effects(study: StudyFile) -> xr.Dataset:
+    """Times of each case on this machine, over `case` and `repeat`."""
+    scene, operation, listed, calls = map(list, zip(*cases(study), strict=True))
+    labels = {"scene": scene, "operation": operation, "effects": listed}
+    dataset = xr.Dataset(
+        {"time": (("case", "repeat"), seconds(calls, REPEATS))},
+        coords={name: ("case", each) for name, each in labels.items()},
+    )
     measured = describe(
-        counted.assign(time=(("case", "repeat"), taken)),
-        title="What each effect costs: evaluations counted, time measured on one machine",
+        dataset,
+        title="Times of each set of effects on one machine",
         source="scenes and grid of the study",
         parameters={"study": study.title},
     )

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, partial
+from functools import cache
 from typing import Any
 
 import numpy as np
+import xarray as xr
 from flint import fmpq
 
 from planar_pushing.certified.balls import in_degrees, precise
 from planar_pushing.certified.motion.instants import Instant
 from planar_pushing.certified.motion.trajectories import pulled, slipping
-from planar_pushing.evidence.costs.timing import seconds
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.evidence.costs.tables import labelled
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.study.files.scenes import load_scene_file
@@ -25,11 +25,12 @@ SCENES: dict[str, tuple[str, Callable[..., list[Instant]]]] = {
     "slipping": ("workflow/scenes/figure_15.yaml", slipping),
     "pulling": ("workflow/scenes/figure_14a.yaml", pulled),
 }
-#: Methods, and the argument of `simulate` that sets their accuracy: a tolerance, or steps in a run.
-TOLERANCES = tuple(10.0 ** -np.arange(4, 13, 2))
-STEPS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0)
-SETTINGS = {"event-driven": TOLERANCES, "time-stepping": STEPS}
-ROWS = [(name, setting) for name, settings in SETTINGS.items() for setting in settings]
+#: Methods, and the settings of their accuracy: a tolerance, or steps in a run.
+SETTINGS = {
+    "event-driven": tuple(10.0 ** -np.arange(4, 13, 2)),
+    "time-stepping": (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0),
+}
+ROWS = [(name, float(setting)) for name, settings in SETTINGS.items() for setting in settings]
 
 
 @cache
@@ -61,18 +62,28 @@ def _problem(scene: str) -> tuple[Scene, dict[str, Any]]:
     return file.build(), {**arguments(file.simulate), "samples": 2}
 
 
-def errors() -> tuple[Array, Array]:
-    """Error of the last rod angle in degrees, and evaluations of the friction, shape (row, scene)."""
+def motion_errors() -> xr.Dataset:
+    """Error of the last rod angle and evaluations of the motion, over `point` and `scene`.
+
+    Each point is a setting of an integrator, as the coordinates along it say.
+    """
     error, count = np.empty((2, len(ROWS), len(SCENES)))
-    for i, (method, setting) in enumerate(ROWS):
+    for i, row in enumerate(ROWS):
         for j, scene in enumerate(SCENES):
-            log, (high, low) = run(scene, method, setting), reference(scene)
+            log, (high, low) = run(scene, *row), reference(scene)
             error[i, j] = abs((float(log.rod_angle[-1]) - high) - low)
             count[i, j] = float(log.evaluations[-1].sum())
-    return error, count
-
-
-def times() -> Array:
-    """Seconds for a run, shape (row, scene, repeat)."""
-    calls = [partial(run, scene, *row) for row in ROWS for scene in SCENES]
-    return seconds(calls, 5).reshape(len(ROWS), len(SCENES), -1)
+    names, settings = map(list, zip(*ROWS, strict=True))
+    return labelled(
+        {
+            "motion_error": (("point", "scene"), error),
+            "evaluations": (("point", "scene"), count),
+        },
+        {
+            "method": ("point", names),
+            "setting": ("point", settings),
+            "counted": ("point", ["motion"] * len(ROWS)),
+            "scene": list(SCENES),
+        },
+        "Motion over time",
+    )

@@ -1,4 +1,4 @@
-"""Errors and evaluation counts of every method as datasets: they repeat exactly."""
+"""The dataset `accuracy_errors`: errors and evaluations of every method, which repeat exactly."""
 
 from __future__ import annotations
 
@@ -6,94 +6,106 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from flint import arb
 
-from planar_pushing.evidence.costs.errors import angle_errors, relative_error, wrench
-from planar_pushing.evidence.costs.methods.cones import ROD_ANGLE, cone_methods, edges
-from planar_pushing.evidence.costs.methods.models import rim_errors
-from planar_pushing.evidence.costs.methods.wrench import wrench_methods
+from planar_pushing.certified import radians, ring
+from planar_pushing.certified.balls import precise
+from planar_pushing.evidence.costs.inverses import ROD_ANGLE, edges
+from planar_pushing.evidence.costs.methods import rows
+from planar_pushing.evidence.costs.models import rim_errors
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.terms.quantities import DATASET, Quantities, attributes
+from planar_pushing.terms.quantities import COSTS, attributes
 
 SPIN_RATIOS = np.array([1e-8, 0.1, 0.9, 1 - 1e-3, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e8])
-#: Those at which the default build measures times: regular, next to the ring, on it, a spin.
-TIMED = np.array([0.1, 1 - 1e-9, 1, 1e8])
 
-#: Units and long names; a name may mean something else than in the other datasets.
-VARIABLES: Quantities = {
-    "method": ("1", "method"),
-    "setting": ("1", "number of points, table entries or steps, or tolerance; 0 for none"),
-    "spin_ratio": DATASET["spin_ratio"],
-    "error": ("1", "largest relative error of force and torque; inf where a part is NaN"),
-    "evaluations": ("1", "evaluations of an integrand, or of the wrench, for one result"),
-    "batch": ("1", "results that a timed call computes"),
-    "wrench_seconds": ("s", "time for one wrench, each repeat"),
-    "cone_error": ("degree", "largest error of an edge of a motion cone"),
-    "cone_error_mean": ("degree", "mean error of an edge of a motion cone"),
-    "cone_seconds": ("s", "time for both edges of a motion cone, each repeat"),
-    "model": ("1", "model of the limit surface"),
-    "rim_error": ("degree", "mean direction error for a rim of 100 point supports"),
-    "size": ("1", "points of the grid"),
-    "block": ("1", "points that are computed at once"),
-    "point_error": ("degree", "largest error of the motion angle at points of the grid"),
-    "interpolation_error": ("degree", "largest error of linear interpolation between them"),
-    "size_seconds": ("s", "time for a grid, each repeat"),
-    "size_memory": ("byte", "largest memory held while a grid is computed and stored"),
-    "block_seconds": ("s", "time for a grid of 10^6 points, each repeat"),
-    "block_memory": ("byte", "largest memory held while it is computed and stored"),
-    "scene": ("1", "scene that moves over time"),
-    "motion_error": ("degree", "error of the rod angle at the end of a run"),
-    "motion_seconds": ("s", "time for a run, each repeat"),
-    "repeat": ("1", "number of the repeat"),
-}
-Variables = dict[str, Any]
+
+def accuracy_errors() -> dict[str, xr.Dataset]:
+    """Errors and evaluations of every method against certified values, a group for each quantity."""
+    return {"wrench": wrench_errors(), "cone": cone_errors()}
+
+
+def wrench_errors() -> xr.Dataset:
+    """Errors and evaluations of the methods for the wrench, over `point` and `spin_ratio`.
+
+    Each point is a setting of a method, as the coordinates along it say.
+    """
+    found = [method.run(SPIN_RATIOS, setting) for method, setting in rows("wrench")]
+    exact = wrenches()
+    variables = {
+        "error": (("point", "spin_ratio"), [_larger_error(exact, *each[:2]) for each in found]),
+        "evaluations": (("point", "spin_ratio"), [each[2] for each in found]),
+    }
+    coords = points("wrench") | {"spin_ratio": SPIN_RATIOS}
+    return labelled(variables, coords, "Friction wrench")
+
+
+def cone_errors() -> xr.Dataset:
+    """Errors and evaluations of the methods for motion cones, over `point`, and the models' for a rim."""
+    found = [method.run(*edges(), setting) for method, setting in rows("cone")]
+    exact = motion_angles()
+    errors = [_angle_errors(exact, angles) for angles, _ in found]
+    rim = rim_errors()
+    variables = {
+        "cone_error": ("point", [each.max() for each in errors]),
+        "cone_error_mean": ("point", [each.mean() for each in errors]),
+        "evaluations": ("point", [float(count.mean()) for _, count in found]),
+        "rim_error": ("model", list(rim.values())),
+    }
+    return labelled(variables, points("cone") | {"model": list(rim)}, "Motion cone")
+
+
+def points(quantity: str) -> dict[str, Any]:
+    """Coordinates along `point`: a row for each setting of a method."""
+    each = rows(quantity)
+    return {
+        "method": ("point", [method.name for method, _ in each]),
+        "setting": ("point", [setting for _, setting in each]),
+        "counted": ("point", [method.counted for method, _ in each]),
+    }
+
+
+def labelled(variables: dict[str, Any], coords: dict[str, Any], title: str) -> xr.Dataset:
+    """Make a dataset in which every variable has its unit and name."""
+    return described(xr.Dataset(variables, coords=coords, attrs={"title": title}))
 
 
 def described(dataset: xr.Dataset) -> xr.Dataset:
     """Give every variable its unit and name."""
     for name, variable in dataset.variables.items():
-        variable.attrs = attributes(VARIABLES, str(name))
+        variable.attrs = attributes(COSTS, str(name))
     return dataset
 
 
-def labelled(variables: Variables, coords: dict[str, Any], title: str) -> xr.Dataset:
-    """Make a dataset in which every variable has its unit and name."""
-    return described(xr.Dataset(variables, coords=coords, attrs={"title": title}))
+@precise
+def wrenches() -> list[tuple[arb, arb]]:
+    """Certified force and torque of the ring at each of `SPIN_RATIOS`."""
+    return [ring.profile(arb(float(k))) for k in SPIN_RATIOS]
 
 
-def wrench_errors() -> xr.Dataset:
-    """Errors and evaluations of every method at every setting and spin ratio."""
-    rows = [(each, setting) for each in wrench_methods() for setting in each.settings]
-    results = [each.run(SPIN_RATIOS, setting) for each, setting in rows]
-    variables = {
-        "error": (("point", "spin_ratio"), [_wrench_error(*each[:2]) for each in results]),
-        "evaluations": (("point", "spin_ratio"), [each[2] for each in results]),
-    }
-    return labelled(variables, _points(rows) | {"spin_ratio": SPIN_RATIOS}, "Friction wrench")
+@precise
+def motion_angles() -> list[arb]:
+    """Certified motion angle of each edge under friction, radians (Eq. 7), for the doubles given."""
+    given = zip(*edges(), strict=True)
+    return [
+        radians.motion_angle(arb(float(x)), arb(ROD_ANGLE), arb(float(y)), share=arb(0), rho=arb(1))
+        for x, y in given
+    ]
 
 
-def _points(rows: list[tuple[Any, float]]) -> dict[str, Any]:
-    return {
-        "method": ("point", [each.name for each, _ in rows]),
-        "setting": ("point", [setting for _, setting in rows]),
-    }
+def _larger_error(exact: list[tuple[arb, arb]], force: Array, torque: Array) -> list[float]:
+    """Larger relative error of force and torque at each spin ratio."""
+    pairs = zip(exact, zip(force, torque, strict=True), strict=True)
+    return [max(map(relative_error, found, certified)) for certified, found in pairs]
 
 
-def _wrench_error(force: Array, torque: Array) -> list[float]:
-    found = zip(SPIN_RATIOS, force, torque, strict=True)
-    return [max(map(relative_error, map(float, (f, t)), wrench(float(k)))) for k, f, t in found]
+@precise
+def relative_error(value: float, exact: arb) -> float:
+    """``|value - exact| / |exact|``, formed without rounding; infinite where `value` is not finite."""
+    return abs(float((arb(float(value)) - exact) / exact)) if np.isfinite(value) else np.inf
 
 
-def cone_errors() -> xr.Dataset:
-    """Errors and evaluations of every method for motion cones, and of the models for a rim."""
-    length, angle = edges()
-    rows = [(each, setting) for each in cone_methods() for setting in each.settings]
-    results = [each.run(length, angle, setting) for each, setting in rows]
-    errors = [angle_errors(each, length, angle, ROD_ANGLE) for each, _ in results]
-    rim = rim_errors()
-    variables = {
-        "cone_error": ("point", [each.max() for each in errors]),
-        "cone_error_mean": ("point", [each.mean() for each in errors]),
-        "evaluations": ("point", [float(count.mean()) for _, count in results]),
-        "rim_error": ("model", list(rim.values())),
-    }
-    return labelled(variables, _points(rows) | {"model": list(rim)}, "Motion cone")
+@precise
+def _angle_errors(exact: list[arb], angles: Array) -> Array:
+    """Differences of motion angles from certified ones, degrees, shape (n,)."""
+    apart = [abs(float(arb(float(a)) - b)) for a, b in zip(angles, exact, strict=True)]
+    return np.asarray(np.rad2deg(apart))

@@ -1,30 +1,100 @@
-"""The dataset of hard cases."""
+"""The dataset of hard cases: each result in doubles against a reference of 40 digits."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import fields
+import math
+from dataclasses import dataclass, fields
+from itertools import starmap
 
 import numpy as np
 import xarray as xr
+from flint import arb, ctx
 
-from planar_pushing.evidence.hard_cases.case import (
-    ILL_CONDITIONED,
-    PRECISION,
-    Case,
-    Measure,
-    measure,
-)
-from planar_pushing.evidence.hard_cases.places import contact, lengths, painleve, rest, ring, shares
+from planar_pushing.evidence.hard_cases.cases import QUANTITIES, Case, cases
 from planar_pushing.study.describe import describe
 
-FAMILIES = (ring, lengths, contact, shares, rest, painleve)
+#: Working precision in bits, and the decimal digits of a reference that are stored.
+PRECISION, DIGITS = 320, 40
+#: Relative change of an input: half an ulp, what rounding the input does to it.
+CHANGE = arb(2) ** -53
+EPS = float(np.finfo(float).eps)
+#: From this condition number on, rounding the inputs alone costs six of the sixteen digits.
+ILL_CONDITIONED = 1e6
 
 
-def cases() -> Iterator[Case]:
-    """Every hard case, by line."""
-    for family in FAMILIES:
-        yield from family.cases()
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measure:
+    """Result of a case.
+
+    Attributes
+    ----------
+    reference : str
+        40 digits.
+    reference_high, reference_low : float
+        The same as the sum of two doubles.
+    result : float
+    error_ulp : float
+        In units in the last place of the reference.
+    condition : float
+        Relative change of the reference per relative change of the inputs, summed over them.
+    """
+
+    reference: str
+    reference_high: float
+    reference_low: float
+    result: float
+    error_ulp: float
+    condition: float
+
+    @property
+    def bound(self) -> float:
+        """Relative error that rounding the inputs causes, whatever the algorithm."""
+        return self.condition * EPS
+
+    @property
+    def ill_conditioned(self) -> bool:
+        """Whether double precision loses six digits whatever the algorithm."""
+        return self.condition >= ILL_CONDITIONED
+
+
+def measure(case: Case) -> Measure:
+    """Evaluate a case on both routes.
+
+    Raises
+    ------
+    ArithmeticError
+        Where the reference is not known to the digits that are stored.
+    """
+    with ctx.workprec(PRECISION):
+        value = case.function.reference(*map(arb, case.inputs))
+        if value != 0 and value.rel_accuracy_bits() < DIGITS / math.log10(2):
+            raise ArithmeticError(f"{case.label}: {value} has fewer than {DIGITS} digits")
+        high = float(value.mid())
+        low = float((value - high).mid())
+        result = float(case.function.compute(*case.inputs))
+        error = float(abs(value - result).mid() / arb(float(np.spacing(abs(high)))))
+        text = value.mid().str(DIGITS, radius=False)
+        condition = _condition(case, value)
+    return Measure(
+        reference=text, reference_high=high, reference_low=low,
+        result=result, error_ulp=error, condition=condition,
+    )  # fmt: skip
+
+
+def _condition(case: Case, value: arb) -> float:
+    """Sum over the inputs of the relative change of the value, by difference quotients."""
+    if value == 0:
+        return 0.0
+    exact = [arb(x) for x in case.inputs]
+
+    def change(place: int, x: arb) -> arb:
+        if not x.is_finite() or x == 0:
+            return arb(0)
+        near = [each * (1 + CHANGE) if i == place else each for i, each in enumerate(exact)]
+        changed = case.function.reference(*[each.mid() for each in near])
+        return abs((changed - value) / value) / CHANGE
+
+    return float(sum(starmap(change, enumerate(exact)), arb(0)).mid())
 
 
 def build() -> xr.Dataset:
@@ -35,12 +105,12 @@ def build() -> xr.Dataset:
     xarray.Dataset
         Over `case`: the reference, the result, its error and the condition number.
     """
-    every = sorted(cases(), key=lambda case: case.line)
+    every = list(cases())
     found = [measure(case) for case in every]
     columns = {
         "line": np.array([case.line for case in every], np.int8),
-        "quantity": [str(case.quantity) for case in every],
-        "quantity_unit": [case.quantity.unit for case in every],
+        "quantity": [case.function.quantity for case in every],
+        "quantity_unit": [QUANTITIES[case.function.quantity] for case in every],
         **{field.name: [getattr(each, field.name) for each in found] for field in fields(Measure)},
         "error_bound": [each.bound for each in found],
         "ill_conditioned": np.array([each.ill_conditioned for each in found]),

@@ -1,4 +1,4 @@
-"""What each effect costs: time and evaluations of one slider with friction, inertia, or both."""
+"""What each effect costs: times of one slider and of the grid with friction, inertia, or both."""
 
 from __future__ import annotations
 
@@ -6,9 +6,6 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-
-from planar_pushing.figures.evidence.work_precision import count_text
-from planar_pushing.figures.style import DARK, NOTE_SIZE
 
 NAMES = {
     "support_friction": ("support friction", "#0072B2", "o"),
@@ -38,7 +35,7 @@ WIDTH = 0.26
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:
-    """Draw the times as marks, each with the evaluations of friction and of inertia."""
+    """Draw the times as marks, one for each set of effects."""
     axes = figure.subplots(1, len(PANELS))
     figure.subplots_adjust(left=0.14, right=0.99, bottom=0.16, top=0.84, wspace=0.36)
     for ax, (scene, (title, rows)) in zip(axes, PANELS.items(), strict=True):
@@ -49,8 +46,8 @@ def draw(figure: Figure, data: xr.Dataset) -> None:
         ax.invert_yaxis()
         ax.set_xscale("log")
         ax.grid(True, axis="x")
-        low, high = ax.get_xlim()
-        ax.set_xlim(low / 1.5, high * 80)  # room for the evaluations
+        decades = np.log10(ax.get_xlim())
+        ax.set_xlim(10.0 ** np.floor(decades[0]), 10.0 ** np.ceil(decades[1]))
         ax.set_xlabel("time (ms)")
         ax.set_title(title)
     handles, labels = axes[0].get_legend_handles_labels()
@@ -65,8 +62,3 @@ def _marks(ax: Axes, row: int, part: xr.Dataset) -> None:
         name, color, marker = NAMES[effects]
         place, ms = row + (i - 1) * WIDTH, 1e3 * float(case.time.min())
         ax.plot(ms, place, marker, color=color, markersize=5, label=name)
-        counts = ", ".join(
-            f"{count_text(float(case.evaluations.sel(effect=effect)))} {word}"
-            for effect, word in (("support_friction", "friction"), ("inertia", "inertia"))
-        )
-        ax.text(1.35 * ms, place, counts, va="center", size=NOTE_SIZE - 1, color=DARK)

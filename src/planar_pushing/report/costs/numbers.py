@@ -123,23 +123,22 @@ def condition_of_ill(cases: xr.Dataset, which: Callable[[npt.NDArray[np.float64]
     return float(which(ill(cases).condition.values))
 
 
-def _single(counts: xr.Dataset) -> xr.Dataset:
-    single = np.array(["+" not in name for name in counts.effects.values.tolist()])
-    return part(counts, "case", single)
+def single(counts: xr.Dataset) -> xr.Dataset:
+    """Counts of the sets with one effect."""
+    return counts.sel(effects=[name for name in counts.effects.values.tolist() if "+" not in name])
 
 
-def single_cases(counts: xr.Dataset) -> float:
-    """Number of computations with one effect."""
-    return float(_single(counts).sizes["case"])
+def single_codes(counts: xr.Dataset) -> float:
+    """Number of computations with one effect that are compiled."""
+    return float(single(counts).functions.isel(effect=0).size)
 
 
-def absent_evaluations(counts: xr.Dataset) -> float:
-    """Evaluations of effects that a computation does not list."""
-    single = _single(counts)
-    absent = single.effect.values != single.effects.values[:, None]
-    return float(single.evaluations.values[absent].sum())
+def listed(counts: xr.Dataset, variable: str) -> float:
+    """Count of the effect that is listed, over the computations with one effect."""
+    alone = single(counts)[variable]
+    return float(alone.where(alone.effects == alone.effect).sum())
 
 
-def listed_evaluations(counts: xr.Dataset) -> float:
-    """Evaluations of the effect that a computation lists, over those with one effect."""
-    return float(_single(counts).evaluations.sum()) - absent_evaluations(counts)
+def absent(counts: xr.Dataset) -> float:
+    """Functions of the effect that is not listed, over the computations with one effect."""
+    return float(single(counts).functions.sum()) - listed(counts, "functions")

@@ -24,7 +24,16 @@ PLACES = {
     6: "at rest",
     7: "slips that merge (Painlev\u00e9)",
 }
-#: What is computed, by scene and operation.
+#: What is counted of each effect, by variable, axis and label.
+COUNTED = {
+    ("functions", "operation", "motion_cone"): "functions, motion cone",
+    ("functions", "operation", "solve"): "functions, one push",
+    ("functions", "operation", "simulate"): "functions, motion by events",
+    ("functions", "operation", "simulate by time-stepping"): "functions, motion by steps",
+    ("evaluations", "integrator", "event-driven"): "evaluations, motion by events",
+    ("evaluations", "integrator", "time-stepping"): "evaluations, motion by steps",
+}
+#: What is timed, by scene and operation.
 COMPUTED = {
     ("one slider", "motion_cone"): "motion cone",
     ("one slider", "limit_curve"): "limit curve",
@@ -157,17 +166,15 @@ def ill_text(results: Results) -> str:
 
 
 def evaluations_text(results: Results) -> str:
-    """Table of evaluations of friction and inertia, by computation and listed effects."""
+    """Table of functions in machine code and of evaluations in logs, by the effects that are listed."""
     counts = results.dataset("evaluations")
     rows = []
-    for (scene, operation), name in COMPUTED.items():
-        here = (counts.scene.values == scene) & (counts.operation.values == operation)
-        row = {"computed": name}
+    for (variable, axis, label), name in COUNTED.items():
+        row = {"counted": name}
         for effects in EFFECTS:
-            (case,) = np.flatnonzero(here & (counts.effects.values == effects))
             for effect in (FRICTION, INERTIA):
-                value = int(counts.evaluations.isel(case=case).sel(effect=effect))
-                row[f"{effects}: {effect}"] = str(value)
+                at = {axis: label, "effects": effects, "effect": effect}
+                row[f"{effects}: {effect}"] = str(int(counts[variable].sel(at)))
         rows.append(row)
     return csv_text(rows)
 

@@ -11,7 +11,7 @@ import xarray as xr
 
 from planar_pushing.report.quantities import Numbers, computed
 
-NANO, MICRO, MILLI, MEGA = 1e9, 1e6, 1e3, 1e6
+NANO, MICRO, MILLI = 1e9, 1e6, 1e3
 
 
 def machine(data: xr.Dataset) -> dict[str, str]:
@@ -62,27 +62,6 @@ def cone_time(cone: xr.Dataset, name: str) -> float:
 def cone_ratio(cone: xr.Dataset, name: str) -> float:
     """Least time for a motion cone in units of that of the closed form."""
     return cone_time(cone, name) / cone_time(cone, "closed form")
-
-
-def point_time(study: xr.Dataset, place: int) -> float:
-    """Least time for a point of the grid, nanoseconds."""
-    least = study.size_seconds[place].min("repeat") / study["size"][place]
-    return NANO * float(least)
-
-
-def points(study: xr.Dataset, place: int) -> float:
-    """Points of the grid."""
-    return float(study["size"][place])
-
-
-def largest_memory(study: xr.Dataset) -> float:
-    """Largest memory held over all sizes of the grid, megabytes."""
-    return float(study.size_memory.max()) / MEGA
-
-
-def half_way_error(study: xr.Dataset) -> float:
-    """Largest error half way between the points of the largest grid, degrees."""
-    return float(study.interpolation_error[-1])
 
 
 def _run(motion: xr.Dataset, method: str, setting: float) -> xr.Dataset:

@@ -69,7 +69,8 @@ HARD_CASES: Numbers = {
 }
 
 EFFECTS: Numbers = {
-    "effects-single": computed(COUNTS, costs.single_cases),
-    "effects-listed": computed(COUNTS, costs.listed_evaluations),
-    "effects-absent": computed(COUNTS, costs.absent_evaluations),
+    "effects-single": computed(COUNTS, costs.single_codes),
+    "effects-listed": computed(COUNTS, costs.listed, "functions"),
+    "effects-absent": computed(COUNTS, costs.absent),
+    "effects-evaluated": computed(COUNTS, costs.listed, "evaluations"),
 }

@@ -104,7 +104,6 @@ SUPPLEMENT = by_name(
         for name, dataset, height in (
             ("accuracy_wrench", "accuracy/wrench", 7.4),
             ("accuracy_cone", "accuracy/cone", 3.7),
-            ("accuracy_study", "accuracy/study", 4.6),
             ("accuracy_motion", "accuracy/motion", 3.3),
             ("effects", "effects", 3.0),
         )

@@ -2,13 +2,13 @@
 
 A model is a polynomial P of the wrench whose level set P = 1 approximates the limit surface; the motion
 is its gradient. Forces are in units of W, torques in units of W R. The ring is isotropic, so an even
-quartic has three coefficients, ``P = a |f|^4 + b |f|^2 t^2 + c t^4``. It is convex where ``a, c >= 0``
-and ``0 <= b <= 6 sqrt(a c)``.
+quartic has three coefficients, ``P = a |f|^4 + b |f|^2 t^2 + c t^4``.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -19,6 +19,8 @@ from planar_pushing.mechanics.wrench import wrench
 #: Twists, uniform on the unit sphere of (v_x, v_y, R omega), that a fit or a mean runs over.
 SAMPLES = 20000
 GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
+#: Newton steps that settle the moment arm of a quartic, from one close to the ring's own.
+STEPS = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,7 +33,7 @@ class Quartic:
 
     @property
     def convex(self) -> bool:
-        """Whether the sublevel sets are convex: the Hessian is nowhere negative."""
+        """Whether the Hessian is nowhere negative."""
         return min(self.a, self.c) >= 0 and 0 <= self.b <= 6 * np.sqrt(self.a * self.c)
 
     def twist(self, wrench: Array) -> Array:
@@ -46,34 +48,15 @@ class Quartic:
         square = arm * arm
         return arm * (self.b + 2 * self.c * square) / (2 * self.a + self.b * square)
 
-    def profile(self, spin_ratio: Array) -> tuple[Array, Array]:
-        """Force and torque on the model's surface whose gradient has the spin ratio, for k >= 0.
-
-        The moment arm solves a cubic; Newton steps from the ring's own arm settle it.
-        """
-        small = np.minimum(spin_ratio, 1 / np.maximum(spin_ratio, 1e-300))
-        model = Quartic(a=self.c, b=self.b, c=self.a)
-        outside = spin_ratio > 1
-        arms = [_arm(each, small) for each in (self, model)]
-        surfaces = [_on_surface(each, arm) for each, arm in zip((self, model), arms, strict=True)]
-        (force, torque), (dual_force, dual_torque) = surfaces
-        return np.where(outside, dual_torque, force), np.where(outside, dual_force, torque)
-
-
-def _arm(model: Quartic, spin_ratio: Array) -> Array:
-    """Moment arm in [0, ~1] at a spin ratio in [0, 1]: root of ``2 c h^3 - b k h^2 + b h - 2 a k``."""
-    a, b, c, k = model.a, model.b, model.c, spin_ratio
-    arm = k * (1 + k) / 2
-    for _ in range(6):
-        value = ((2 * c * arm - b * k) * arm + b) * arm - 2 * a * k
-        arm = arm - value / ((6 * c * arm - 2 * b * k) * arm + b)
-    return arm
-
-
-def _on_surface(model: Quartic, arm: Array) -> tuple[Array, Array]:
-    square = arm * arm
-    force = (model.a + (model.b + model.c * square) * square) ** -0.25
-    return force, force * arm
+    def profile(self, k: Array) -> tuple[Array, Array]:
+        """Force and torque on the model's surface whose gradient has the spin ratio k >= 0."""
+        arm, a, b, c = np.where(k > 1, 2 * k * k / (1 + k), k * (1 + k) / 2), self.a, self.b, self.c
+        for _ in range(STEPS):
+            value = ((2 * c * arm - b * k) * arm + b) * arm - 2 * a * k
+            arm = arm - value / ((6 * c * arm - 2 * b * k) * arm + b)
+        square = arm * arm
+        force = (a + (b + c * square) * square) ** -0.25
+        return force, force * arm
 
 
 def ellipsoid_profile(spin_ratio: Array) -> tuple[Array, Array]:
@@ -86,14 +69,14 @@ def sphere(count: int = SAMPLES) -> Array:
     """Unit vectors spread evenly over the sphere along a spiral, shape (count, 3)."""
     index = np.arange(count)
     height = 1 - (2 * index + 1) / count
-    around = index * GOLDEN_ANGLE
-    radius = np.sqrt(1 - height**2)
+    radius, around = np.sqrt(1 - height**2), index * GOLDEN_ANGLE
     return np.stack([radius * np.cos(around), radius * np.sin(around), height], axis=-1)
 
 
-def fitted_quartic(twists: Array | None = None) -> Quartic:
+@cache
+def fitted_quartic() -> Quartic:
     """Quartic of least squares: P = 1 at the ring's wrenches under twists even on the sphere."""
-    found = wrench(RingFriction(), sphere() if twists is None else twists)
+    found = wrench(RingFriction(), sphere())
     square, torque = (found[..., :2] ** 2).sum(axis=-1), found[..., 2] ** 2
     terms = np.stack([square**2, square * torque, torque**2], axis=-1)
     fit, *_ = np.linalg.lstsq(terms, np.ones(len(terms)))
@@ -104,8 +87,7 @@ def fitted_quartic(twists: Array | None = None) -> Quartic:
 def rim_wrench(twist: Array, points: int = 100) -> Array:
     """Wrench of a rim of point supports under twists of shape (n, 3): the mean over the points."""
     angle = 2 * np.pi * (np.arange(points) + 0.5) / points
-    place = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-    aside = np.stack([-place[:, 1], place[:, 0]], axis=-1)
+    aside = np.stack([-np.sin(angle), np.cos(angle)], axis=-1)
     motion = twist[:, None, :2] + twist[:, None, 2:] * aside
     motion /= np.linalg.norm(motion, axis=-1, keepdims=True)
     torque = (motion * aside).sum(axis=-1).mean(axis=-1)
@@ -122,9 +104,9 @@ def direction_error(predicted: Array, twist: Array) -> Array:
 def rim_errors(points: int = 100) -> dict[str, float]:
     """Mean direction error of each model for a rim of point supports, degrees.
 
-    Twists are uniform on the unit sphere of (v_x, v_y, R omega); a model sees the rim's wrench and
-    predicts the twist. The ellipsoid has the rim's largest force and torque as its axes, so it predicts
-    a twist along the wrench.
+    Twists are uniform on the unit sphere of (v_x, v_y, R omega); a model predicts the twist from the rim's
+    wrench. The ellipsoid has the rim's largest force and torque as its axes, so it predicts a twist along
+    the wrench.
     """
     twist = sphere()
     felt = rim_wrench(twist, points)

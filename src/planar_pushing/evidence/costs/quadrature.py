@@ -1,13 +1,14 @@
 """The ring's integrals, Eqs. (2)-(3), by quadrature rules that know nothing of their closed form.
 
-All use ``|v|^2 = (1 - k)^2 + 4 k cos^2(theta / 2)`` for the square of a point's speed, which keeps its sign
-next to the ring, and count the evaluations of an integrand.
+The square of a point's speed is ``(1 - k)^2 + 4 k cos^2(theta / 2)``, which keeps its sign next to the
+ring. Each rule returns force, torque and evaluations of an integrand, all of shape (n,).
 """
 
 from __future__ import annotations
 
 import math
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from scipy.integrate import quad, tanhsinh
@@ -18,34 +19,22 @@ from planar_pushing.mechanics.plane import Array
 Wrenches = tuple[Array, Array, Array]
 
 
-def _square(k: Array, theta: Array) -> Array:
-    return np.asarray((1 - k) ** 2 + 4 * k * np.cos(theta / 2) ** 2)
+def _speed(theta: Any, k: Any, cos: Any, sqrt: Any) -> Any:
+    half = cos(theta / 2)
+    return sqrt((1 - k) ** 2 + 4 * k * half * half)
 
 
-def _force(theta: Array, k: Array) -> Array:
-    return np.asarray((1 + k * np.cos(theta)) / np.sqrt(_square(k, theta)))
+def _force(theta: Any, k: Any, cos: Any = np.cos, sqrt: Any = np.sqrt) -> Any:
+    return (1 + k * cos(theta)) / _speed(theta, k, cos, sqrt)
 
 
-def _torque(theta: Array, k: Array) -> Array:
-    return np.asarray((k + np.cos(theta)) / np.sqrt(_square(k, theta)))
-
-
-def _scalar_speed(theta: float, k: float) -> float:
-    half = math.cos(theta / 2)
-    return math.sqrt((1 - k) ** 2 + 4 * k * half * half)
-
-
-def _scalar_force(theta: float, k: float) -> float:
-    return (1 + k * math.cos(theta)) / _scalar_speed(theta, k)
-
-
-def _scalar_torque(theta: float, k: float) -> float:
-    return (k + math.cos(theta)) / _scalar_speed(theta, k)
+def _torque(theta: Any, k: Any, cos: Any = np.cos, sqrt: Any = np.sqrt) -> Any:
+    return (k + cos(theta)) / _speed(theta, k, cos, sqrt)
 
 
 def _weighted(k: Array, theta: Array, weight: Array) -> Wrenches:
-    column = k[:, None]
-    cosine, speed = np.cos(theta), np.sqrt(_square(column, theta))
+    column, cosine = k[:, None], np.cos(theta)
+    speed = _speed(theta, column, np.cos, np.sqrt)
     # Not a matrix product: its threads would wait for one another, and its order of sums varies.
     force = ((1 + column * cosine) / speed * weight).sum(axis=1)
     torque = ((column + cosine) / speed * weight).sum(axis=1)
@@ -80,8 +69,8 @@ def adaptive(k: Array, tolerance: float) -> Wrenches:
 def _adaptive(k: float, tolerance: float) -> tuple[float, float, int]:
     limits = {"epsabs": tolerance, "epsrel": tolerance, "limit": 200, "full_output": 1}
     force, torque = (
-        quad(function, 0, math.pi, args=(k,), **limits)
-        for function in (_scalar_force, _scalar_torque)
+        quad(integrand, 0, math.pi, args=(k, math.cos, math.sqrt), **limits)
+        for integrand in (_force, _torque)
     )
     return force[0] / math.pi, torque[0] / math.pi, force[2]["neval"] + torque[2]["neval"]
 
@@ -89,11 +78,8 @@ def _adaptive(k: float, tolerance: float) -> tuple[float, float, int]:
 def tanh_sinh(k: Array, tolerance: float) -> Wrenches:
     """`scipy.integrate.tanhsinh` on half the ring."""
     force, torque = (
-        tanhsinh(function, 0, np.pi, args=(k,), rtol=tolerance, atol=tolerance)
-        for function in (_force, _torque)
+        tanhsinh(integrand, 0, np.pi, args=(k,), rtol=tolerance, atol=tolerance)
+        for integrand in (_force, _torque)
     )
-    return (
-        force.integral / np.pi,
-        torque.integral / np.pi,
-        np.asarray(force.nfev + torque.nfev, dtype=int),
-    )
+    count = np.asarray(force.nfev + torque.nfev, dtype=int)
+    return force.integral / np.pi, torque.integral / np.pi, count

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from planar_pushing.evidence.costs.methods import models
-from planar_pushing.evidence.costs.methods.models import Quartic
+from planar_pushing.evidence.costs import models
+from planar_pushing.evidence.costs.models import Quartic
 from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.wrench import ring_profile, wrench
 
@@ -44,7 +44,7 @@ def test_twist_is_the_gradient_of_the_polynomial():
     assert models.direction_error(QUARTIC.twist(felt)[None], np.array([slopes])) < 1e-7
 
 
-@pytest.mark.parametrize("k", [1e-8, 0.3, 0.999, 1.0, 1.5, 1e6])
+@pytest.mark.parametrize("k", [1e-8, 0.3, 0.999, 1.0, 1.5, 1.75, 32.0, 1e6])
 def test_profile_lies_on_the_surface_and_has_the_spin_ratio(k):
     force, torque = QUARTIC.profile(np.array([k]))
     value = QUARTIC.a * force**4 + QUARTIC.b * (force * torque) ** 2 + QUARTIC.c * torque**4

@@ -1,1 +1,0 @@
-"""Methods for one quantity, which the measurements compare."""

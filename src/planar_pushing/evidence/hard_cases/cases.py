@@ -1,0 +1,265 @@
+"""The table of hard cases: what is computed, for which inputs, and its certified reference.
+
+A case belongs to a line of the list of hard places:
+
+1. a center on the ring;
+2. a translation, and a rotation about the ring's center;
+3. short and long rods, radii of gyration far from the ring's, rods along fence and normal;
+4. no friction, friction without bound, and pushers next to the fence or a cone's edge;
+5. motions slow and fast, where the combined answer joins those of friction and of inertia;
+6. rest, where the gradient of friction is a set, and the smallest motions around it;
+7. a normal motion of the contact that has two slips, which meet where there is none.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from flint import arb
+
+from planar_pushing.certified import radians
+from planar_pushing.mechanics.cones import motion_angle, motion_cone, spin_ratio
+from planar_pushing.mechanics.contact import (
+    ContactLaw,
+    ContactMode,
+    Coulomb,
+    InfiniteFriction,
+    PerfectlyRough,
+)
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios, wrench
+
+#: What a case may ask for, with its unit.
+QUANTITIES = {"force": "1", "torque": "1", "spin_ratio": "1", "motion_angle": "radian"}
+
+
+class Function(NamedTuple):
+    """What is under test: the mechanics, doubles to a double, and the certified route, balls to a ball."""
+
+    quantity: str
+    compute: Callable[..., float]
+    reference: Callable[..., arb]
+
+
+class Case(NamedTuple):
+    """One number under test: a label of its own, its line, and the inputs, doubles taken as exact."""
+
+    label: str
+    line: int
+    function: Function
+    inputs: tuple[float, ...]
+
+
+def make_scene(
+    length: float,
+    psi: float,
+    *,
+    share: float = 0.5,
+    mu: float = math.inf,
+    rho: float = 1.0,
+    law: ContactLaw | None = None,
+) -> Scene:
+    """Scene with W = m = R = 1: friction for a share of inertia of 0, inertia for 1, else both."""
+    contact = law or (InfiniteFriction() if math.isinf(mu) else Coulomb(mu))
+    friction, inertia = RingFriction(), Inertia(gyration_radius=rho)
+    ends: dict[float, tuple[Effect, ...]] = {0.0: (friction,), 1.0: (inertia,)}
+    effects = ends.get(share, (friction, inertia))
+    return Scene(slider=Slider(rod_length=length, rod_angle=psi), contact=contact, effects=effects)
+
+
+def cases() -> Iterator[Case]:
+    """Every hard case, by line."""
+    for family in (_ring, _lengths, _contact, _speeds, _rest, _painleve):
+        yield from family()
+
+
+# --- Lines 1 and 2: the ring -----------------------------------------------------------------------------
+
+FORCE = Function("force", lambda k: float(ring_profile(k)[0]), radians.force)
+TORQUE = Function("torque", lambda k: float(ring_profile(k)[1]), radians.torque)
+INVERSE = Function("spin_ratio", lambda h: float(ring_spin_ratios(h)), radians.friction_spin)
+#: Distances from 1, in both directions where they are doubles, and sizes towards 0 and infinity.
+GAPS = (0.0, 2.0**-53, 2.0**-52, 1e-12, 1e-9, 1e-6, 1e-3)
+SIZES = (5e-324, 1e-300, 1e-160, 1e-8, 1e-3, 0.5)
+
+
+def _ring() -> Iterator[Case]:
+    near = sorted({1 - gap for gap in GAPS} | {1 + gap for gap in GAPS})
+    ends = [x for size in SIZES for x in (size, 1 / size) if x < math.inf]
+    for line, places in ((1, near), (2, ends)):
+        for x in places:
+            for function, name in ((FORCE, "k"), (TORQUE, "k"), (INVERSE, "h")):
+                yield Case(f"{function.quantity} at {name} = {x!r}", line, function, (x,))
+
+
+# --- Line 3: lengths -------------------------------------------------------------------------------------
+
+
+def _motion_angle(length: float, psi: float, phi: float, share: float, rho: float) -> float:
+    scene = make_scene(length, psi, share=share, rho=rho)
+    return float(motion_angle(scene, phi, None if share in (0.0, 1.0) else share))
+
+
+MOTION = Function("motion_angle", _motion_angle, radians.motion_angle)
+PSI = np.pi / 4
+KINDS = ((0.0, "friction"), (1.0, "inertia"))
+LENGTHS = (1e-8, 1.0, 1e4, 1e6)
+#: A force off the rod, and two nearly along it, where a long rod turns the motion fastest.
+FORCE_ANGLES = (0.2, PSI + 1e-6, float(np.nextafter(PSI, 9)))
+GYRATION_RADII = (1e-4, 1e-2, 1e2, 1e4)
+HALF_TURNS = (float(np.nextafter(np.pi / 2, 0)), float(np.nextafter(np.pi, 0)))
+ROD_ANGLES = (1e-300, 1e-8, np.pi / 2, *HALF_TURNS)
+
+
+def _lengths() -> Iterator[Case]:
+    for share, name in KINDS:
+        for length in LENGTHS:
+            for phi in FORCE_ANGLES:
+                label = f"{name}, l = {length:g}, phi = {phi!r}"
+                yield Case(label, 3, MOTION, (length, PSI, phi, share, 1.0))
+        for psi in ROD_ANGLES:
+            yield Case(f"{name}, psi = {psi!r}", 3, MOTION, (2.0, psi, 2.6, share, 1.0))
+    for rho in GYRATION_RADII:
+        for share in (0.1, 1.0):
+            label = f"rho = {rho:g}, share {share:g}"
+            yield Case(label, 3, MOTION, (2.0, PSI, 0.2, share, rho))
+
+
+# --- Line 4: contact -------------------------------------------------------------------------------------
+
+
+def _edge(side: int, share: float, length: float, psi: float, mu: float) -> float:
+    cone = motion_cone(make_scene(length, psi, share=share, mu=mu))
+    return float(cone.right if side > 0 else cone.left)
+
+
+def _exact_edge(side: int, share: float, length: arb, psi: arb, mu: arb) -> arb:
+    return radians.motion_edge(length, psi, mu, arb(share), arb(1), side)
+
+
+def _sticking(scene: Scene, pusher: float, magnitude: float = 1.0) -> float:
+    """Spin ratio of the stick of a push."""
+    (stick,) = (each for each in solve(scene, pusher, magnitude) if each.mode is ContactMode.STICK)
+    return float(stick.spin_ratio)
+
+
+STUCK = Function(
+    "spin_ratio",
+    lambda length, psi, pusher: _sticking(
+        make_scene(length, psi, share=0.0, law=PerfectlyRough()), pusher
+    ),
+    lambda length, psi, pusher: radians.sticking_spin(length, psi, pusher, arb(0), arb(1)),
+)
+COEFFICIENTS = (0.0, 1e-300, 1e-8, 1.0, 1e8, 1e9, math.inf)
+
+
+def _contact() -> Iterator[Case]:
+    for share, name in KINDS:
+        for mu in COEFFICIENTS:
+            for side, edge in ((1, "right"), (-1, "left")):
+                routes = partial(_edge, side, share), partial(_exact_edge, side, share)
+                label = f"{edge} edge, {name}, mu = {mu:g}"
+                yield Case(label, 4, Function("motion_angle", *routes), (2.0, PSI, mu))
+    cone = motion_cone(make_scene(2.0, PSI, share=0.0, mu=2.0))
+    edges = {"0": 0.0, "pi": np.pi, "the right edge": cone.right, "the left edge": cone.left}
+    for name, angle in edges.items():
+        for towards in (-9.0, 9.0):
+            pusher = float(np.nextafter(angle, towards))
+            label = f"stick, pusher at {pusher!r}, an ulp off {name}"
+            yield Case(label, 4, STUCK, (2.0, PSI, pusher))
+
+
+# --- Line 5: speeds --------------------------------------------------------------------------------------
+
+SHARED = Function(
+    "spin_ratio",
+    lambda length, psi, phi, share: float(spin_ratio(make_scene(length, psi, rho=0.7), phi, share)),
+    lambda length, psi, phi, share: radians.spin(length, psi, phi, share, arb(0.7)),
+)
+PUSHED = Function(
+    "spin_ratio",
+    lambda length, psi, pusher, size: _sticking(make_scene(length, psi), pusher, size),
+    lambda length, psi, pusher, size: radians.sticking_spin(length, psi, pusher, size, arb(1)),
+)
+SHARES = (5e-324, 1e-300, 1e-16, 1e-8, 0.5, 1 - 1e-8, 1 - 2.0**-53)
+MAGNITUDES = (1e-12, 1e-8, 1.0, 1e8, 1e12)
+#: An arm of the ring's own radius: friction and inertia agree, with infinite slope of H.
+TANGENT = float(PSI - np.arcsin(0.5))
+
+
+def _speeds() -> Iterator[Case]:
+    for phi in (0.2, TANGENT):
+        for share in SHARES:
+            yield Case(f"phi = {phi:.6g}, share {share!r}", 5, SHARED, (2.0, PSI, phi, share))
+    for magnitude in MAGNITUDES:
+        yield Case(f"stick at m a / W = {magnitude:g}", 5, PUSHED, (2.0, PSI, 1.0, magnitude))
+
+
+# --- Line 6: rest ----------------------------------------------------------------------------------------
+
+
+def _wrench(part: int, speed: float, spin: float) -> float:
+    return float(wrench(RingFriction(), [speed, 0.0, spin])[part])
+
+
+#: At rest the subgradient nearest zero.
+RESTING = (
+    Function("force", partial(_wrench, 0),
+             lambda v, spin: arb(0) if v == 0 else radians.force((spin / v).mid())),
+    Function("torque", partial(_wrench, 2),
+             lambda v, spin: spin.sgn() if v == 0 else radians.torque((spin / v).mid())),
+)  # fmt: skip
+TWISTS = (
+    (0.0, 0.0),
+    (-0.0, -0.0),
+    (5e-324, 0.0),
+    (0.0, 5e-324),
+    (5e-324, 5e-324),
+    (1e-300, -1e-308),
+)
+
+
+def _rest() -> Iterator[Case]:
+    for speed, spin in TWISTS:
+        for function in RESTING:
+            label = f"{function.quantity} at v = {speed:g}, R omega = {spin:g}"
+            yield Case(label, 6, function, (speed, spin))
+
+
+# --- Line 7: two slips -----------------------------------------------------------------------------------
+
+#: The published example: l = 2, psi = 45 degrees, mu = 1.4, W = m = rho = R = 1, force on the right edge.
+LENGTH, COEFFICIENT = 2.0, 1.4
+#: Spin ratio at which n . u is least (at |f| = 1.42); towards that level the slips meet.
+TURN, LEAST = 0.47159055, -0.04002960666599751
+LEVELS = (-1e-8, -1e-4, -0.01, -0.03, -0.04, LEAST * (1 - 1e-8), LEAST * (1 - 1e-13))
+
+
+def _slipping(branch: int, mu: float, level: float) -> float:
+    # Far to the right, so that every motion slips to the left.
+    angle, magnitude = np.arctan2(level, 10.0), np.hypot(level, 10.0)
+    found = solve(make_scene(LENGTH, PSI, mu=mu), angle, magnitude)
+    slips = [each.spin_ratio for each in found if each.mode is ContactMode.SLIP_LEFT]
+    return float(sorted(slips)[branch])
+
+
+def _exact_slip(branch: int, mu: arb, level: arb) -> arb:
+    phi, psi = radians.friction_edge(mu, 1), arb(PSI)
+    arm = LENGTH * (psi - phi).sin()
+    normal, lever = phi.sin(), LENGTH * psi.cos()
+    ends = (normal / lever, arb(TURN), radians.friction_spin(arm.mid()))
+    return radians.slip_spin(arm, normal, lever, level, ends[branch], ends[branch + 1])
+
+
+def _painleve() -> Iterator[Case]:
+    for level in LEVELS:
+        for branch, name in enumerate(("fast", "slow")):
+            routes = partial(_slipping, branch), partial(_exact_slip, branch)
+            label = f"{name} slip at n . u = {level!r}"
+            yield Case(label, 7, Function("spin_ratio", *routes), (COEFFICIENT, level))

@@ -1,1 +1,0 @@
-"""Random and adversarial inputs, and what must hold for all of them."""
