@@ -27,10 +27,11 @@ from planar_pushing.mechanics.solve import solve
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.simulation.systems.setup import KINDS, kinds_of
-from planar_pushing.study.datasets import contact_modes, limit_curves, motion_cones
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import StudyFile
+from planar_pushing.study.slices import study_slice
 from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED, EffectKind, Method
 from planar_pushing.terms.quantities import EVALUATIONS
@@ -54,12 +55,8 @@ OPERATIONS: dict[str, Callable[[Scene], object]] = {
     "limit_curve": lambda scene: limit_curve(scene, FORCE_ANGLES),
     "solve": lambda scene: solve(scene, PUSHER_ANGLE),
 }
-#: Of a study, what is timed.
-BUILDERS: dict[str, Callable[[StudyFile], xr.Dataset]] = {
-    "limit_curves": limit_curves.build,
-    "motion_cones": motion_cones.build,
-    "contact_modes": contact_modes.build,
-}
+#: Datasets of a study that are timed.
+TIMED = ("limit_curves", "motion_cones", "contact_modes")
 REPEATS = 7
 
 
@@ -187,8 +184,8 @@ def cases(study: StudyFile) -> Iterator[tuple[str, str, str, Callable[[], object
         yield from _on("one slider", one_slider(study, effects))
         grid = study.grid.model_copy(update=few | {"effects": (effects,)})
         small = study.model_copy(update={"grid": grid})
-        for name, build in BUILDERS.items():
-            yield "grid", name, effects, partial(build, small)
+        for name in TIMED:
+            yield "grid", name, effects, partial(build_dataset, name, study_slice(small, name))
     for name, push in study.scenes.items():
         yield from _on(name, load_scene_file(push.file).build())
 
