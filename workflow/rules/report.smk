@@ -58,9 +58,9 @@ rule report_tables:
         f"{WHOLE}/tables/claims.json",
         golden_files(),
     output:
+        **{name: table(name) for name in TABLES},
         numbers=f"{WHOLE}/tables/numbers.json",
         figures=f"{WHOLE}/tables/figures.json",
-        **{name: table(name) for name in TABLES},
     log:
         f"{WHOLE}/logs/paper/report_tables.log",
     benchmark:
