@@ -43,7 +43,7 @@ from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
 from .study.files.scenes import load_scene, save_scene
-from .study.storage.store import open_dataset
+from .study.store import open_dataset
 from .terms.errors import (
     InvalidFile,
     InvalidValue,

@@ -60,13 +60,17 @@ def dataset(
             _write(whole, path, name, marks)
 
 
-def gather(path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes) -> None:
+def gather(
+    path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
+) -> None:
     """Write the chunks of a dataset into one file."""
     with joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
         _write(found, path, name, marks)
 
 
-def index(path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes) -> None:
+def index(
+    path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
+) -> None:
     """Write the index of a dataset that stays in its chunks."""
     with joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
         _write(index_of(found, whole["steps"]), path, name, marks)

@@ -69,9 +69,7 @@ def chunk_slice(study: StudyFile, name: str, part: Cut) -> dict[str, Any]:
     return cut(study_slice(study, name), part)
 
 
-def joined(
-    folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]
-) -> xr.Dataset:
+def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]) -> xr.Dataset:
     """Open the chunks in a folder as one dataset, which dask reads where it is used.
 
     Parameters

@@ -39,7 +39,9 @@ class Plan:
 
 def study_plan(study: StudyFile) -> list[Plan]:
     """Plan of each dataset of a study that has a grid."""
-    return [_plan(study, name) for name in DATASETS if DATASETS[name].dims and computes(study, name)]
+    return [
+        _plan(study, name) for name in DATASETS if DATASETS[name].dims and computes(study, name)
+    ]
 
 
 def _plan(study: StudyFile, name: str) -> Plan:

@@ -126,7 +126,9 @@ def _behind_index(index: xr.Dataset, path: Path) -> xr.Dataset:
     with reading(folder):
         whole = joined(folder, lengths, steps)
     if not all(whole[dim].equals(index[dim]) for dim in steps):
-        raise InvalidFile(f"{path}: its chunks are those of another grid; remove it and build it anew")
+        raise InvalidFile(
+            f"{path}: its chunks are those of another grid; remove it and build it anew"
+        )
     return whole.assign_attrs({key: each for key, each in index.attrs.items() if key != CHUNKS})
 
 

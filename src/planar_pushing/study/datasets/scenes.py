@@ -168,6 +168,4 @@ def with_limit_curve(dataset: xr.Dataset, scene: Scene) -> xr.Dataset:
 
 def build(pushes: Mapping[str, PushEntry]) -> dict[str, xr.Dataset]:
     """Build the datasets of scenes by name, one group of scenes.nc each."""
-    return {
-        name: scene_dataset(load_scene_file(push.file), push) for name, push in pushes.items()
-    }
+    return {name: scene_dataset(load_scene_file(push.file), push) for name, push in pushes.items()}

@@ -189,7 +189,9 @@ def _expand(given: object) -> object:
         given = _range(given)
     elif isinstance(given, (list, tuple)) and any(isinstance(each, dict) for each in given):
         parts = [_range(each) if isinstance(each, dict) else [each] for each in given]
-        numbers = [_number(each, lambda x: not math.isnan(x), AXIS) for part in parts for each in part]
+        numbers = [
+            _number(each, lambda x: not math.isnan(x), AXIS) for part in parts for each in part
+        ]
         given = sorted(set(numbers))
     if not isinstance(given, (list, tuple)):
         raise refuse(AXIS)
