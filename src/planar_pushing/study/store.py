@@ -122,7 +122,8 @@ def index_of(whole: xr.Dataset, steps: Mapping[str, int]) -> xr.Dataset:
 def _behind_index(index: xr.Dataset, path: Path) -> xr.Dataset:
     """The dataset for which an index stands, with the attributes of the index."""
     steps = _steps(index, path)
-    folder, lengths = path.parent.parent / "chunks" / path.stem, dict(index.sizes)
+    folder = path.parent.parent / "chunks" / path.stem
+    lengths = {str(dim): length for dim, length in index.sizes.items()}
     with reading(folder):
         whole = joined(folder, lengths, steps)
     if not all(whole[dim].equals(index[dim]) for dim in steps):
