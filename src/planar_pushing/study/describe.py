@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from typing import Any
 
@@ -87,6 +88,16 @@ def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
     slider = part.slider.model_dump(exclude_none=True)
     axes = {name: slider.pop(name) for name in dims if name in slider}
     return {"slider": slider, **part.parts} | ({"figures": axes} if axes else {})
+
+
+def parameters_of(dataset: xr.Dataset) -> Part:
+    """The slider and the effects that a dataset over the paper's grid was computed for, without its axes.
+
+    The rod angle is the one at which the figures cut the dataset.
+    """
+    found: dict[str, Any] = json.loads(dataset.attrs["parameters"])
+    figures = found.pop("figures", {})
+    return Part.model_validate({**found, "slider": found["slider"] | figures, "grid": {}})
 
 
 def of_study(

@@ -18,7 +18,6 @@ from planar_pushing.figures.parts.curves import (
     labelled,
     named,
     number,
-    part_of,
     rod_angle,
     rod_lengths,
     titled,
@@ -40,6 +39,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.catalog import contact_labels
 from planar_pushing.study.datasets.base import friction_angle, objects, pushing
+from planar_pushing.study.describe import parameters_of
 from planar_pushing.study.files.study_model import labelled_law
 
 #: Coefficients of friction, and pusher angles in degrees, at which the sets of modes are computed.
@@ -105,7 +105,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 def maps(grid: xr.Dataset, rod_length: float, magnitude: float) -> xr.Dataset:
     """Sets of modes, and force angles of sticking, of each set of effects: on a grid of their own."""
-    part, names = part_of(grid), list(grid.effects.values)
+    part, names = parameters_of(grid), list(grid.effects.values)
     labels = contact_labels(COEFFICIENTS)
     laws = objects("contact", labels, map(labelled_law, labels))
     angle = pushing(labelled("pusher_angle", ANGLES))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -20,7 +19,7 @@ from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import pushing
-from planar_pushing.study.files.study_model import Part
+from planar_pushing.study.describe import parameters_of
 from planar_pushing.terms.quantities import DATASET, attributes, described
 
 #: Ends of curves that close on themselves.
@@ -44,19 +43,9 @@ def rod_lengths(settings: Settings, default: tuple[float, ...]) -> tuple[float, 
     return given if isinstance(given, tuple) else (given,)
 
 
-def part_of(dataset: xr.Dataset) -> Part:
-    """The slider and the effects that a dataset over the grid was computed for, without its axes.
-
-    The rod angle is the one at which the figures cut the dataset.
-    """
-    found: dict[str, Any] = json.loads(dataset.attrs["parameters"])
-    figures = found.pop("figures", {})
-    return Part.model_validate({**found, "slider": found["slider"] | figures, "grid": {}})
-
-
 def scene_of(dataset: xr.Dataset, effects: str, rod_length: float | xr.DataArray) -> Scene:
     """The slider of a dataset over the grid on this rod, or these rods, under infinite friction."""
-    part = part_of(dataset)
+    part = parameters_of(dataset)
     return Scene(
         slider=part.ring(rod_length), contact=InfiniteFriction(), effects=part.effects(effects)
     )
@@ -77,12 +66,12 @@ def attributed(dataset: xr.Dataset) -> xr.Dataset:
 
 def rod_angle(dataset: xr.Dataset) -> float:
     """The study's rod angle, degrees; a dataset over other angles is cut there."""
-    return float(part_of(dataset).slider.rod_angle)
+    return float(parameters_of(dataset).slider.rod_angle)
 
 
 def radius(dataset: xr.Dataset) -> xr.Variable:
     """Radius of the ring that a dataset over the grid was computed for."""
-    return named((), part_of(dataset).slider.radius, "length", "radius of the ring")
+    return named((), parameters_of(dataset).slider.radius, "length", "radius of the ring")
 
 
 def named(dims: Iterable[str] | str, values: object, units: str, long_name: str) -> xr.Variable:
