@@ -105,4 +105,5 @@ def test_a_dataset_has_the_order_and_the_title_of_its_declaration(every):
         if name in OF_PAPER:
             entry = DATASETS[name]
             assert list(dataset.data_vars) == list(entry.variables)
+            assert [each for each in dataset.coords if each in entry.dims] == list(entry.dims)
             assert dataset.attrs["title"].lower() == entry.about.lower()

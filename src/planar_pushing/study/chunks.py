@@ -16,6 +16,7 @@ import numpy as np
 
 from planar_pushing.mechanics.entries import to_json
 from planar_pushing.study.slices import Cut, cut, cuts, sizes, study_slice
+from planar_pushing.terms.extras import require_extra
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -79,8 +80,15 @@ def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int
     folder : path
     lengths, steps : mapping
         Of the whole and of a chunk, along the dimensions that are cut.
+
+    Raises
+    ------
+    MissingExtra
+        Where dask is not installed.
     """
     import xarray as xr
+
+    require_extra("chunks")
 
     files = [Path(folder, f"{chunk_name(part)}.nc") for part in cuts(lengths, steps)]
     counts = [-(-lengths[dim] // step) for dim, step in steps.items()]
