@@ -38,8 +38,9 @@ def refused(run):
 def results(tmp_path_factory):
     folder = tmp_path_factory.mktemp("results")
     study = load_study("workflow/config/smoke.yaml")
-    values = study_slice(study, "motion_cones")
-    write_dataset(build_dataset("motion_cones", values), folder / "data/motion_cones.nc")
+    for name in ("motion_cones", "contact_modes"):
+        built = build_dataset(name, study_slice(study, name))
+        write_dataset(built, folder / f"data/{name}.nc")
     return str(folder)
 
 

@@ -5,15 +5,11 @@ import json
 import pytest
 
 from planar_pushing.commands import main
-from planar_pushing.study.catalog import SPLIT
 
 
 @pytest.fixture(autouse=True)
 def _rates(monkeypatch):
-    from planar_pushing.study.plan import Rates
-
-    rates = Rates(computed=1e-6, copied=1e-7, stored=5.0)
-    monkeypatch.setattr("planar_pushing.study.plan.measured_rates", lambda *_: rates)
+    monkeypatch.setattr("planar_pushing.study.plan.measured_rates", lambda *_: (1e-6, 5.0))
 
 
 def test_the_plan_is_a_table(capsys):
@@ -28,8 +24,16 @@ def test_the_plan_is_a_table(capsys):
 def test_the_plan_as_json(capsys):
     assert main(["plan", "workflow/config/smoke.yaml", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["datasets"]
-    assert [each["dataset"] for each in found] == list(SPLIT)
+    assert [each["dataset"] for each in found] == [
+        "limit_curves", "motion_cones", "contact_modes", "acceleration_centers", "center_regions",
+    ]  # fmt: skip
     assert found[2]["points"] == 2100
+
+
+def test_the_plan_of_a_study_with_supports(capsys):
+    assert main(["plan", "workflow/config/sliders_smoke.yaml", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["datasets"]
+    assert [each["dataset"] for each in found] == ["supports", "support_cones", "support_modes"]
 
 
 def test_a_study_that_is_not_there_is_named(capsys):

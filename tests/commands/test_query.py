@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 from planar_pushing.commands import main
-from planar_pushing.study.catalog import DIMS
+from planar_pushing.study.catalog import DATASETS
 
 
 def test_query(run, results):
@@ -40,6 +40,30 @@ def test_query_of_several_axes_prints_a_table_each(run, results):
     assert out.count("motion_cone_right [degree]") == 1
 
 
+CONTACT = [
+    "--effects", "support_friction", "--contact", "coulomb_2", "--rod-length", "2",
+    "--pusher-magnitude", "1",
+]  # fmt: skip
+
+
+def test_query_of_solutions_names_the_modes(run, results):
+    asked = ["--results", results, *CONTACT, "--pusher-angle", "-15"]
+    code, out, _ = run("query", "contact_modes", *asked)
+    assert code == 0
+    assert "outcome    AMBIGUOUS" in out
+    table = out[out.index("mode  consistent") :].splitlines()[2:5]
+    assert [line.split()[:2] for line in table] == [
+        ["0", "SEPARATE"], ["1", "STICK"], ["2", "SLIP_LEFT"],
+    ]  # fmt: skip
+
+
+def test_places_behind_the_last_solution_are_not_printed(run, results):
+    code, out, _ = run("query", "contact_modes", "--results", results, *CONTACT)
+    assert code == 0
+    assert "NaN" not in out
+    assert " - " not in out
+
+
 def test_query_json(run, results):
     words = ["--rod-length", "2", "--friction-coefficient", "inf", "--json"]
     code, out, _ = run("query", "motion_cones", "--results", results, *words)
@@ -64,8 +88,10 @@ def test_help_lists_the_axes_of_every_dataset(capsys):
     with pytest.raises(SystemExit):
         main(["query", "--help"])
     said = capsys.readouterr().out
-    for name, dims in DIMS.items():
-        assert f"{name}: {' '.join('--' + dim.replace('_', '-') for dim in dims)}\n" in said
+    for name, entry in DATASETS.items():
+        if entry.dims:
+            axes = " ".join("--" + dim.replace("_", "-") for dim in entry.dims)
+            assert f"{name}: {axes}\n" in said
 
 
 @pytest.mark.parametrize(

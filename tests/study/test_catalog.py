@@ -1,32 +1,58 @@
-"""Names of datasets and labels of numbers."""
+"""The declarations of datasets, names of datasets and labels of numbers."""
+
+from importlib import import_module
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from planar_pushing.study.files.sliders_model import SlidersGrid
 
+import planar_pushing as pp
 from planar_pushing.study.catalog import (
-    AXES,
-    DIMS,
-    SLIDERS_AXES,
+    CONTACT_LAWS,
+    DATASETS,
+    contact_labels,
     dataset_file,
     number_label,
 )
 from planar_pushing.study.files.study_model import Grid
+from planar_pushing.terms.quantities import DATASET, SLIDERS
 
 
 def test_axes_are_those_of_the_grid():
-    assert {axis for axes in AXES.values() for axis in axes} == set(Grid.model_fields)
-    named = {axis for axes in SLIDERS_AXES.values() for axis in axes}
-    assert named == set(SlidersGrid.model_fields)
-    assert set(AXES) | set(SLIDERS_AXES) == set(DIMS)
-    assert "contact_friction_coefficient" in AXES["contact_modes"]
+    named = {axis for entry in DATASETS.values() for axis in entry.axes}
+    assert named - {"contact", "support"} == set(Grid.model_fields) - {
+        "contact_friction_coefficient"
+    }
+
+
+@pytest.mark.parametrize("name", DATASETS)
+def test_every_declaration_has_a_builder_and_words_for_its_names(name):
+    entry = DATASETS[name]
+    assert import_module(f"planar_pushing.study.datasets.{entry.module}").build
+    known = SLIDERS if "support" in entry.dims else DATASET
+    assert {*entry.dims, *entry.inner, *entry.variables} - {"solution"} <= set(known)
+
+
+def test_contact_laws_are_labelled_by_their_coefficients():
+    found = contact_labels((1.4, 1.4000001, 2.0))
+    assert found == ["coulomb_1.4", "coulomb_1.4000001", "coulomb_2", *CONTACT_LAWS]
 
 
 def test_scenes_share_a_file_and_simulations_have_one_each():
     assert dataset_file("scenes/figure_08") == "data/scenes.nc"
     assert dataset_file("simulations/figure_15") == "data/simulations/figure_15.nc"
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [("contact_mode", "did you mean contact_modes?"), ("limit_curve/x", "did you mean limit_curves?"),
+     ("suport_modes", "did you mean support_modes?"), ("zzz", "name one of these datasets")],
+)  # fmt: skip
+def test_a_name_that_is_none_is_answered_with_the_closest(name, said):
+    with pytest.raises(pp.InvalidValue, match=r"given; allowed: limit_curves, ") as caught:
+        dataset_file(name)
+    assert str(caught.value).endswith(said)
 
 
 @pytest.mark.parametrize(
@@ -38,7 +64,7 @@ def test_a_label_is_short(number, label):
 
 
 @given(st.floats(0, 1e3), st.integers(1, 3))
-def test_a_label_tells_neighbours_apart(number, steps):
+def test_a_label_tells_neighbors_apart(number, steps):
     other = number
     for _ in range(steps):
         other = float(np.nextafter(other, np.inf))

@@ -2,33 +2,23 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.study.catalog import AXES, DIMS
-from planar_pushing.study.datasets.contact_modes import contacts
+from planar_pushing.study.build import build_dataset
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.files.study_model import labelled_law
+from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import group_names
 from planar_pushing.study.study_file import load_study
-
-NAMED = {
-    "limit_curves": {"force", "force_x", "force_y", "spin_ratio", "motion_angle"},
-    "motion_cones": {
-        "friction_cone_right", "friction_cone_left", "motion_cone_right", "motion_cone_left",
-        "pulls", "slips_while_pushing",
-    },
-    "contact_modes": {"consistent", "outcome", "spin_ratio", "force_angle"},
-    "acceleration_centers": {
-        "center_x", "center_y", "motion_angle", "conservative_cone_right",
-        "conservative_cone_left", "exact_cone_right", "exact_cone_left",
-    },
-    "center_regions": {"bound_x", "bound_y", "exact_x", "exact_y"},
-}  # fmt: skip
+from study.conftest import OF_PAPER
 
 
-@pytest.mark.parametrize("name", AXES)
-def test_axes_and_variables(results, name):
-    dataset = pp.open_dataset(name, results)
-    assert tuple(dataset.sizes) == DIMS[name]
-    assert set(dataset.data_vars) >= NAMED[name]
+@pytest.mark.parametrize("name", OF_PAPER)
+def test_axes_and_variables_are_those_that_are_declared(results, name):
+    dataset, entry = pp.open_dataset(name, results), DATASETS[name]
+    assert tuple(dataset.sizes) == (*entry.dims, *entry.inner)
+    assert tuple(dataset.data_vars) == entry.variables
 
 
 def test_scenes_have_a_group_each(results):
@@ -36,26 +26,27 @@ def test_scenes_have_a_group_each(results):
     assert group_names(results / "data/scenes.nc") == [f"figure_{each}" for each in figures]
 
 
-#: What has no value where a mode has no solution.
-OF_A_MODE = ("spin_ratio", "force_angle", "spin_ratio_fast", "force_angle_fast")
+#: Dataset of solutions: numbers behind the last solution have no value.
+MODES = "contact_modes"
 
 
 def test_no_nan(every):
     for name, dataset in every:
         for key, variable in dataset.data_vars.items():
-            if variable.dtype.kind == "f" and (name, key) not in {
-                ("contact_modes", each) for each in OF_A_MODE
-            }:
+            if variable.dtype.kind == "f" and name != MODES:
                 assert not np.isnan(variable.values).any(), f"{name}: {key}"
 
 
-@pytest.mark.parametrize("name", OF_A_MODE)
-def test_a_mode_without_a_solution_has_no_values(results, name):
-    modes = pp.open_dataset("contact_modes", results)
-    assert (modes[name].isnull() == (modes.consistent == 0)).all()
-    assert "NaN where the mode is not consistent" in modes[name].attrs["comment"]
-    rest = modes[name].sel(mode="SEPARATE")
-    assert (rest.where(rest.notnull(), 0) == 0).all()
+def test_places_behind_the_last_solution_have_no_values(results):
+    modes = pp.open_dataset(MODES, results).load()
+    assert modes.sizes["solution"] == modes.solutions.max()
+    held = xr.DataArray(np.arange(modes.sizes["solution"]), dims="solution") < modes.solutions
+    assert (modes.consistent == held).all()
+    assert ((modes["mode"] == -1) == ~held).all()
+    assert modes["mode"].attrs["comment"] == "-1 behind the last solution"
+    for name in ("force", "twist", "contact_motion", "center", "spin_ratio"):
+        assert (modes[name].isnull() == ~held).all(), name
+    assert (modes.outcome == modes.solutions.clip(max=2)).all()
 
 
 @pytest.mark.parametrize(
@@ -63,7 +54,7 @@ def test_a_mode_without_a_solution_has_no_values(results, name):
     [("motion_cones", "pulls"), ("motion_cones", "slips_while_pushing"), ("scenes/figure_08", "adhesive"),
      ("simulations/figure_15", "adhesive")],
 )  # fmt: skip
-def test_what_is_true_or_false_is_bool(results, name, variable):
+def test_truth_values_are_bool(results, name, variable):
     found = pp.open_dataset(name, results)[variable]
     assert found.dtype == bool
     assert ((~found) == np.logical_not(found)).all()
@@ -85,7 +76,7 @@ def test_perfect_roughness_is_no_infinite_friction(results):
     assert (modes.friction_angle.sel(contact="infinite_friction") == 90).all()
 
 
-def test_centres_have_one_origin(results):
+def test_centers_have_one_origin(results):
     centers = pp.open_dataset("acceleration_centers", results)
     here = centers.sel(rod_length=5, force_angle=60, inertia_share=0.5)
     slider = pp.Slider(rod_length=5, rod_angle=np.pi / 4)
@@ -96,34 +87,34 @@ def test_centres_have_one_origin(results):
     np.testing.assert_allclose([here.center_x, here.center_y], expected, rtol=1e-14)
 
 
-def test_modes_agree_with_solve(results):
-    modes = pp.open_dataset("contact_modes", results)
-    laws = {"coulomb_1.4": pp.Coulomb(1.4), "infinite_friction_none": pp.InfiniteFriction("none")}
-    effects = {
-        "inertia": (pp.Inertia(),),
-        "support_friction+inertia": (pp.RingFriction(), pp.Inertia()),
-    }
-    for contact, law in laws.items():
-        for name, listed in effects.items():
-            slider = pp.Slider(rod_length=2, rod_angle=np.pi / 4)
-            scene = pp.Scene(slider=slider, contact=law, effects=listed)
-            for angle in (-165, -15, 0, 15, 90, 165, 180):
-                here = modes.sel(
-                    effects=name,
-                    contact=contact,
-                    rod_length=2,
-                    pusher_magnitude=1,
-                    pusher_angle=angle,
-                )
-                found = pp.solve(scene, np.deg2rad(angle))
-                assert int(here.outcome) == found.outcome
-                for mode in pp.ContactMode:
-                    count = int(here.consistent.sel(mode=mode.name))
-                    assert count == found.modes.count(mode)
+@pytest.mark.parametrize("contact", ["coulomb_1.4", "infinite_friction_none", "perfectly_rough"])
+@pytest.mark.parametrize("effects", ["inertia", "support_friction+inertia"])
+def test_modes_are_the_solutions_of_solve(results, effects, contact):
+    modes = pp.open_dataset(MODES, results).load()
+    here = modes.sel(effects=effects, contact=contact, rod_length=2, pusher_magnitude=1)
+    kinds = {"support_friction": pp.RingFriction(), "inertia": pp.Inertia()}
+    slider = pp.Slider(rod_length=2, rod_angle=np.pi / 4)
+    listed = tuple(kinds[each] for each in effects.split("+"))
+    scene = pp.Scene(slider=slider, contact=labelled_law(contact), effects=listed)
+    for angle in (-165, -15, 0, 15, 90, 165, 180):
+        found, one = pp.solve(scene, np.deg2rad(angle)), here.sel(pusher_angle=angle)
+        assert int(one.outcome) == found.outcome
+        assert int(one.status) == found.status
+        assert int(one.solutions) == len(found)
+        for i, solution in enumerate(found):
+            row = one.isel(solution=i)
+            assert row["mode"] == solution.mode
+            for name in ("force", "force_end", "twist", "contact_motion", "center", "spin_ratio"):
+                np.testing.assert_array_equal(row[name], getattr(solution, name), err_msg=name)
 
 
-def test_laws_of_close_coefficients_have_labels_of_their_own():
-    study = load_study("workflow/config/smoke.yaml")
-    grid = study.grid.model_copy(update={"contact_friction_coefficient": (1.4, 1.4000001, 2.0)})
-    labels = list(contacts(study.model_copy(update={"grid": grid})))
-    assert labels[:3] == ["coulomb_1.4", "coulomb_1.4000001", "coulomb_2"]
+def test_the_study_of_the_paper_holds_two_slips_of_one_mode():
+    study = load_study("workflow/config/paper.yaml")
+    grid = {"contact": ["coulomb_1.4"], "rod_length": [2.0], "pusher_magnitude": [2.0]}
+    values = study_slice(study, MODES)
+    for name, chosen in grid.items():
+        assert set(chosen) <= set(values["grid"][name])
+    values["grid"] |= grid
+    modes = build_dataset(MODES, values).sel(effects="support_friction+inertia").squeeze()
+    twice = [(modes["mode"] == slip).sum("solution") > 1 for slip in (2, 3)]
+    assert modes.pusher_angle[twice[0] | twice[1]].values.tolist() == [-1]

@@ -6,11 +6,13 @@ import numpy as np
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.study.catalog import AXES, SLIDERS
-from planar_pushing.study.describe import of_study
+from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.describe import of_study, parameters_of
 from planar_pushing.study.store import read_attributes
+from planar_pushing.study.study_file import load_study
 from planar_pushing.terms import quantities
 from planar_pushing.terms.quantities import DATASET, unit_of
+from study.conftest import OF_PAPER, OF_SLIDERS, SMOKE
 
 
 def test_every_variable_has_its_unit_and_name(every):
@@ -21,7 +23,7 @@ def test_every_variable_has_its_unit_and_name(every):
 
 
 def of_sliders(sliders):
-    return {name: pp.open_dataset(name, sliders, study="sliders") for name in SLIDERS}
+    return {name: pp.open_dataset(name, sliders, study="sliders") for name in OF_SLIDERS}
 
 
 def test_every_variable_of_a_study_of_sliders_has_its_unit_and_name(sliders):
@@ -54,7 +56,7 @@ def test_conventions_paper_licence_and_study(results, every):
 
 def test_a_parameter_is_no_axis(every):
     for name, dataset in every:
-        if name in AXES:
+        if name in OF_PAPER:
             given = json.loads(dataset.attrs["parameters"])
             assert not set(given["slider"]) & set(dataset.dims), name
             assert ("rod_angle" in given["slider"]) != ("rod_angle" in dataset.dims), name
@@ -88,3 +90,20 @@ def test_flags_follow_cf(results):
     assert list(outcome.attrs["flag_values"]) == [0, 1, 2]
     assert outcome.attrs["flag_values"].dtype == outcome.dtype
     assert outcome.attrs["flag_meanings"] == "INCONSISTENT UNIQUE AMBIGUOUS"
+
+
+def test_the_slider_and_the_effects_are_read_back_from_a_dataset(every):
+    study = load_study(SMOKE)
+    for name, dataset in every:
+        if name in OF_PAPER:
+            found = parameters_of(dataset)
+            assert (found.slider, found.parts) == (study.slider, study.parts), name
+
+
+def test_a_dataset_has_the_order_and_the_title_of_its_declaration(every):
+    for name, dataset in every:
+        if name in OF_PAPER:
+            entry = DATASETS[name]
+            assert list(dataset.data_vars) == list(entry.variables)
+            assert [each for each in dataset.coords if each in entry.dims] == list(entry.dims)
+            assert dataset.attrs["title"].lower() == entry.about.lower()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from planar_pushing.study.figures import ALL, FIGURES, GALLERY, computes, shows
+from planar_pushing.study.figures import ALL, FIGURES, GALLERY, draws
 from planar_pushing.study.figures.base import COLUMN_WIDTH, PAGE_WIDTH
 from planar_pushing.study.study_file import load_study
 
@@ -17,27 +17,28 @@ def test_a_scene_needs_the_effects_of_the_figure_that_shows_it():
     study = load_study("workflow/config/smoke.yaml")
     grid = study.grid.model_copy(update={"effects": ("support_friction",)})
     rubs = study.model_copy(update={"grid": grid})
-    names = [
-        "figure_02",
-        "figure_09a",
-        "figure_12",
-        "figure_13",
-        "limit_curves",
-        "acceleration_centers",
-    ]
-    assert [computes(rubs, name) for name in names] == [True, False, False, True, True, False]
-    assert all(computes(study, name) for name in names)
+    names = ["figure_02", "figure_09a", "figure_12", "figure_13"]
+    assert [draws(rubs, name) for name in names] == [True, False, False, True]
+    assert all(draws(study, name) for name in names)
+
+
+def test_a_figure_needs_the_axes_of_its_datasets():
+    study = load_study("workflow/config/smoke.yaml")
+    grid = study.grid.model_copy(update={"force_angle": ()})
+    bare = study.model_copy(update={"grid": grid})
+    assert [name for name in FIGURES if not draws(bare, name)] == ["figure_05", "figure_12"]
 
 
 def test_a_study_without_simulations_does_not_draw_their_figures():
     study = load_study("workflow/config/smoke.yaml")
     bare = study.model_copy(update={"simulations": {"figure_15": "x"}})
-    assert computes(study, "figure_14")
-    assert [computes(bare, f"figure_{number}") for number in (13, 14, 15)] == [True, False, True]
+    assert draws(study, "figure_14")
+    assert [draws(bare, f"figure_{number}") for number in (13, 14, 15)] == [True, False, True]
 
 
-def test_a_study_of_sliders_without_the_tripods_motion_does_not_draw_it():
+def test_a_study_of_sliders_without_the_motion_of_the_tripod_does_not_draw_it():
     study = load_study("workflow/config/sliders_smoke.yaml")
     bare = study.model_copy(update={"simulations": {}})
-    assert all(shows(study, name) for name in GALLERY)
-    assert [name for name in GALLERY if not shows(bare, name)] == ["figure_19"]
+    assert all(draws(study, name) for name in GALLERY)
+    assert [name for name in GALLERY if not draws(bare, name)] == ["figure_19"]
+    assert not any(draws(study, name) for name in ("figure_05", "figure_07", "figure_13"))

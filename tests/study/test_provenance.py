@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from planar_pushing.study.catalog import AXES
 from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.provenance import provenance
 from planar_pushing.study.study_file import load_study
+from study.conftest import OF_PAPER
 
 CONFIG = "workflow/config"
 COSTS = {"evaluations", "effects"}
-RESULTS = [*AXES, "scenes", "simulations/figure_15", *FIGURES, *COSTS, "hard_cases"]
+RESULTS = [*OF_PAPER, "scenes", "simulations/figure_15", *FIGURES, *COSTS, "hard_cases"]
 
 
 @pytest.fixture

@@ -4,12 +4,13 @@ import json
 
 import numpy as np
 import pytest
-from planar_pushing.study.datasets.sliders import supports
 
 import planar_pushing as pp
-from planar_pushing.study.catalog import DIMS, SLIDERS
+from planar_pushing.study.build import build_dataset
+from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.files.scene_model import SupportFrictionEntry
 from planar_pushing.study.study_file import load_study
+from study.conftest import OF_SLIDERS
 
 GALLERY = load_study("workflow/config/sliders.yaml")
 SMOKE = load_study("workflow/config/sliders_smoke.yaml")
@@ -26,26 +27,26 @@ def scene(support, length=2.0, angle=45.0, law=None):
 
 
 @pytest.mark.parametrize("name", GALLERY.supports)
-def test_supports_of_the_gallery_are_about_their_centre_of_pressure_and_of_one_size(name):
+def test_supports_of_the_gallery_are_about_their_center_of_pressure_and_of_one_size(name):
     support = GALLERY.gallery()[name]
     assert support.extent == pytest.approx(1.0, abs=2e-16)
     assert np.hypot(*support.center_of_pressure) < 2e-16
 
 
-@pytest.mark.parametrize("name", SLIDERS)
-def test_axes(sliders, name):
-    assert tuple(opened(sliders, name).sizes)[: len(DIMS[name])] == DIMS[name]
+@pytest.mark.parametrize("name", OF_SLIDERS)
+def test_axes_and_variables_are_those_that_are_declared(sliders, name):
+    dataset, entry = opened(sliders, name), DATASETS[name]
+    assert set(dataset.sizes) == {*entry.dims, *entry.inner}
+    assert tuple(dataset.sizes)[: len(entry.dims)] == entry.dims
+    assert tuple(dataset.data_vars) == entry.variables
 
 
 def test_wrenches_of_a_box_are_the_known_ones():
     """A square of side 2, known from numerical integrals."""
     square = {"shape": "polygon", "vertices": [[-1, -1], [1, -1], [1, 1], [-1, 1]]}
-    study = SMOKE.model_validate(
-        SMOKE.model_dump()
-        | {"supports": {"square": square}}
-        | {"grid": SMOKE.grid.model_dump() | {"center_x": [0.3], "center_y": [0.2]}}
-    )
-    found = supports.build(study).squeeze()
+    grid = {"support": ["square"], "center_x": [0.3], "center_y": [0.2]}
+    values = {"slider": {"rod_angle": 45}, "supports": {"square": square}, "grid": grid}
+    found = build_dataset("supports", values).squeeze()
     g_x, g_y = -0.260676603222042, -0.172647824905904
     assert found.mean_distance == pytest.approx(0.822023641611253, rel=1e-14, abs=0)
     assert found.force_x == pytest.approx(-g_y, rel=1e-14, abs=0)
@@ -90,42 +91,39 @@ def test_both_edges_of_a_cone_without_width_pivot_about_one_point(sliders):
 
 @pytest.mark.parametrize("name", SMOKE.supports)
 @pytest.mark.parametrize("angle", [-45, 0, 45, 90, 180])
-def test_modes_are_those_of_each_scene(sliders, name, angle):
+def test_modes_are_the_solutions_of_each_scene(sliders, name, angle):
     modes = opened(sliders, "support_modes").load()
     here = modes.sel(support=name, rod_length=2, rod_angle=175, friction_coefficient=2)
     one = pp.solve(scene(name, 2.0, 175.0, pp.Coulomb(2.0)), np.deg2rad(angle))
     found = here.sel(pusher_angle=angle)
-    assert int(found.outcome) == one.outcome
-    assert [str(each) for each in found.mode[found.consistent].values] == [
-        m.name for m in one.modes
-    ]
-    for solution in one:
-        row = found.sel(mode=solution.mode.name)
+    assert (int(found.outcome), int(found.status)) == (one.outcome, one.status)
+    assert found["mode"].values[found.consistent.values].tolist() == list(one.modes)
+    for i, solution in enumerate(one):
+        row = found.isel(solution=i)
         assert row.pivot == solution.pivot
-        assert row.spin == pytest.approx(solution.twist[2], abs=1e-15)
-        if solution.mode is not pp.ContactMode.SEPARATE:
-            for key, vector in (
-                ("force_angle", solution.force),
-                ("force_angle_end", solution.force_end),
-                ("motion_angle", solution.contact_motion),
-            ):
-                turn = row[key] - np.rad2deg(np.arctan2(vector[1], vector[0]))
-                assert abs((float(turn) + 180) % 360 - 180) < 1e-12, key
+        for key in ("force", "force_end", "contact_motion", "twist"):
+            np.testing.assert_allclose(row[key], getattr(solution, key), rtol=1e-12, atol=1e-14)
 
 
-def test_a_mode_without_a_solution_has_no_values(sliders):
+def test_places_behind_the_last_solution_have_no_values(sliders):
     modes = opened(sliders, "support_modes").load()
     assert modes.consistent.dtype == bool
-    for name in ("force_angle", "force_angle_end", "motion_angle", "spin"):
-        assert (modes[name].isnull() == ~modes.consistent).all()
-        assert "NaN where the mode is not consistent" in modes[name].attrs["comment"]
+    for name in ("force", "force_end", "contact_motion", "twist"):
+        assert (modes[name].isnull() == ~modes.consistent).all(), name
     assert (modes.pivot.where(~modes.consistent, -1) == -1).all()
-    assert (modes.outcome == modes.consistent.sum("mode").clip(max=2)).all()
+    assert (modes.outcome == modes.consistent.sum("solution").clip(max=2)).all()
 
 
 def test_a_stick_that_pivots_leaves_an_interval_of_forces(sliders):
-    modes = opened(sliders, "support_modes").load().sel(support="tripod", mode="STICK")
-    pivots = modes.where(modes.pivot >= 0, drop=True)
-    assert pivots.force_angle.notnull().any()
-    open_ended = abs(pivots.force_angle_end - pivots.force_angle)
-    assert (open_ended.where(pivots.force_angle.notnull()) > 1).any()
+    modes = opened(sliders, "support_modes").load().sel(support="tripod")
+    pivots = (modes.pivot >= 0) & (modes["mode"] == pp.ContactMode.STICK)
+    assert pivots.any()
+    apart = np.hypot(*(modes.force_end - modes.force).transpose("xy", ...)).values
+    assert apart[pivots.values].max() > 0.01
+    assert (apart[(modes.consistent & (modes.pivot < 0)).values] == 0).all()
+
+
+def test_the_default_grid_has_no_coefficient_at_a_kink():
+    """A foot of the quadruped takes its share to all digits at 0.5; edges are along rods at 0 and 1."""
+    assert not {0, 0.5, 1} & set(GALLERY.grid.friction_coefficient)
+    assert {-179, -1} <= {*GALLERY.grid.pusher_angle}

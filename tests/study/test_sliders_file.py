@@ -1,22 +1,15 @@
-"""Each mistake in the file of a study of sliders ends in one message: file, key, value, allowed, remedy."""
+"""Each mistake in a study file with supports ends in one message: file, key, value, allowed, remedy."""
 
 from pathlib import Path
 
 import pytest
-from planar_pushing.study.files.sliders_model import SlidersFile
 
 from planar_pushing import InvalidFile
-from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.study_file import load_study
 
 TEXT = Path("workflow/config/sliders_smoke.yaml").read_text(encoding="utf-8")
 TEXT = TEXT.replace("../scenes", str(Path("workflow/scenes").resolve()))
 BOX = "vertices: [[-0.8, -0.6], [0.8, -0.6], [0.8, 0.6], [-0.8, 0.6]]"
-
-
-def test_the_kind_of_a_study_is_that_of_its_keys():
-    assert type(load_study("workflow/config/smoke.yaml")) is StudyFile
-    assert type(load_study("workflow/config/sliders_smoke.yaml")) is SlidersFile
 
 
 def test_paths_are_relative_to_the_file():
@@ -36,12 +29,13 @@ def test_paths_are_relative_to_the_file():
          "supports.tripod.weights: (1.0, 1.0) given; allowed: 3 positive numbers; "),
         ("weights: [1, 1, 1]", "weights: [1, 1, heavy]", "supports.tripod.weights[2]: 'heavy' given; "),
         ("{shape: ring, radius: 1}", "{shape: points, positions: [[1, 0]], weights: [1]}",
-         "supports.ring: one point given; allowed: a support that is larger than a point, which "
-         "resists no rotation; leave it out"),
+         "supports.ring: {'shape': 'points', 'positions': [[1, 0]], 'weights': [1]} given; allowed: a "
+         "support that is larger than a point, which resists no rotation; change the value"),
         ("{shape: ring, radius: 1}",
          "{shape: points, positions: [[0.1, 0.2], [0.1, 0.2], [0.1, 0.2]], weights: [0.3, 0.3, 0.1]}",
-         "supports.ring: one point given; allowed: a support that is larger than a point, which "
-         "resists no rotation; leave it out"),
+         "supports.ring: {'shape': 'points', 'positions': [[0.1, 0.2], [0.1, 0.2], [0.1, 0.2]], 'weights': "
+         "[0.3, 0.3, 0.1]} given; allowed: a support that is larger than a point, which resists no "
+         "rotation; change the value"),
         ("{shape: ring, radius: 1}", "{shape: ring, radius: 0.000001}",
          "grid.rod_length: 2.0 given; allowed: at most 1e+06 times the extent of supports.ring, 1e-06; "
          "shorten the rod"),
@@ -50,16 +44,22 @@ def test_paths_are_relative_to_the_file():
          "which becomes a file's name; change the value"),
         ("center_x: [-1, 0, 1]", "center_x: [1, 0]",
          "grid.center_x: [1, 0] given; allowed: a list of increasing numbers, or {start, stop, step} with "
-         "a step > 0 that divides the range; change the value"),
+         "a step > 0 that divides the range, or a list that holds such ranges; change the value"),
         ("rod_length: [1, 2]", "rod_length: [1, 3]",
-         "grid.rod_length: (1.0, 3.0) given; allowed: values that include 2.0, which the figures plot; "
-         "add it"),
+         "grid.rod_length: (1.0, 3.0) given; allowed: values that include [2.0], which the figures plot; "
+         "add them"),
         ("[0.25, 2, inf]", "[0.25, 2]",
-         "grid.friction_coefficient: (0.25, 2.0) given; allowed: values that include inf, which the "
-         "figures plot; add it"),
+         "grid.friction_coefficient: (0.25, 2.0) given; allowed: values that include [inf], which the "
+         "figures plot; add them"),
         ("title:", "effects: [inertia]\ntitle:",
-         "effects: ['inertia'] given; allowed: the keys title, slider, supports, grid, simulations, "
-         "golden; remove the key"),
+         "effects: ['inertia'] given; allowed: the keys slider, support_friction, inertia, supports, "
+         "title, grid, scenes, simulations, figures, chunks, gather, golden; remove the key"),
+        ("  center_x", "  effects: [inertia]\n  center_x",
+         "grid.effects: 'inertia' given; allowed: effects that the study has parameters for; add the key "
+         "inertia, or remove the entry"),
+        ("slider: {rod_length: 2, rod_angle: 45}", "slider: {rod_angle: 45}",
+         "slider.rod_length: missing; allowed: a value of the grid, on which the figures of supports show "
+         "them; add it"),
         ("tripod.yaml", "figure_08.yaml", "simulations.tripod: "),
         ("simulations:", "golden: nowhere\nsimulations:", "golden: "),
     ],

@@ -5,7 +5,10 @@ import pytest
 from planar_pushing import InvalidFile
 from planar_pushing.study.study_file import load_study
 
-AXIS = "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range"
+AXIS = (
+    "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range, "
+    "or a list that holds such ranges"
+)
 
 
 def message(tmp_path, text):

@@ -59,6 +59,7 @@ def test_the_library_needs_no_extra():
 COMMANDS = """
 from planar_pushing.commands import main
 import planar_pushing as pp
+import planar_pushing.study.build
 scene = pp.load_scene("workflow/scenes/figure_08.yaml")
 pp.save_scene(scene, sys.argv[1] + "/scene.yaml")
 for command in (
@@ -78,9 +79,6 @@ def test_the_library_runs_without_any_extra(tmp_path, cones):
     assert json.loads(ended.stdout[: ended.stdout.index("\n}\n") + 2])["outcome"] == "UNIQUE"
 
 
-STUDY = "planar_pushing.study"
-
-
 @pytest.mark.parametrize(("extra", "missing", "body"), [
     ("figures", "matplotlib", "import planar_pushing.figures.render"),
     ("figures", "PIL", "import planar_pushing.figures.motion.animation"),
@@ -88,7 +86,7 @@ STUDY = "planar_pushing.study"
     ("manual", "furo", "from planar_pushing.report.manual import build_manual as b; b('a', 'b')"),
     ("golden", "flint", "import planar_pushing.certified.ring"),
     ("golden", "flint", "import planar_pushing.evidence.claims.verdicts"),
-    ("chunks", "dask", f"from {STUDY}.storage.chunk_files import open_chunks as o; o(0, {{}}, {{}})"),
+    ("chunks", "dask", "from planar_pushing.study.chunks import joined; joined('a', {}, {})"),
 ])  # fmt: skip
 def test_a_missing_extra_is_named_where_it_is_needed(extra, missing, body):
     ended = run([missing], body)

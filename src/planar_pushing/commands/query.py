@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -95,7 +95,7 @@ def _table(found: xr.Dataset) -> str:
         unit = unit_of(variable.attrs)
         marks[name] = str(name) if unit == "1" else f"{name} [{unit}]"
     chosen = [name for name, coord in found.coords.items() if not coord.ndim]
-    rest = found.drop_vars(chosen)
+    rest = found.drop_vars(chosen).map(_in_words, keep_attrs=True)
     singles = [name for name, variable in rest.data_vars.items() if not variable.ndim]
     width = max((len(marks[name]) for name in singles), default=0)
     blocks = [", ".join(f"{name}={found[name].item()}" for name in chosen)] if chosen else []
@@ -105,7 +105,29 @@ def _table(found: xr.Dataset) -> str:
         variable.dims for variable in rest.data_vars.values() if variable.ndim
     ):
         names = [name for name, variable in rest.data_vars.items() if variable.dims == dims]
-        frame = rest[names].to_dataframe()[names]
+        frame = _frame(rest, names, list(dims))
         frame.columns = [marks[name] for name in names]
         blocks.append(frame.to_string(max_rows=40))
     return "\n".join(blocks)
+
+
+def _in_words(variable: xr.DataArray) -> xr.DataArray:
+    """Flags by their words; a number that is none is a dash."""
+    import numpy as np
+
+    attrs = variable.attrs
+    if "flag_values" not in attrs:
+        return variable
+    words = dict(zip(attrs["flag_values"].tolist(), attrs["flag_meanings"].split(), strict=True))
+    listed = [words.get(each, "-") for each in variable.values.ravel().tolist()]
+    array = np.array(listed, dtype=object).reshape(variable.shape)
+    return variable.copy(data=array)
+
+
+def _frame(found: xr.Dataset, names: list[Hashable], dims: list[Hashable]) -> Any:
+    """Values along the same axes, without the places along `solution` that hold none."""
+    frame = found[names].to_dataframe(dim_order=dims)[names]
+    if "solution" not in dims or "consistent" not in found:
+        return frame
+    held = found[["consistent"]].broadcast_like(found[names]).to_dataframe(dim_order=dims)
+    return frame[held["consistent"]]

@@ -4,21 +4,43 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from scipy.optimize import brentq
 
-from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.contact import (
+    ContactLaw,
+    ContactMode,
+    InfiniteFriction,
+    Outcome,
+    PerfectlyRough,
+)
+from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solve import solve
 from planar_pushing.report.results import BOTH, FRICTION
+from planar_pushing.study.describe import parameters_of
+from planar_pushing.study.files.study_model import labelled_law
+from planar_pushing.terms.options import EffectSet
 
 ROD_ANGLE = 45.0
-SLIPS = [ContactMode.SLIP_RIGHT.name, ContactMode.SLIP_LEFT.name]
+SLIPS = (ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
+#: Angles from the rod, radians, among which the largest distance of a curve from its ellipse is taken.
+QUARTER = np.linspace(0.0, np.pi / 2, 901)
+
+
+def _scene(dataset: xr.Dataset, effects: str, rod_length: float, contact: ContactLaw) -> Scene:
+    """The study's slider on a rod of this length, with this law and these effects."""
+    part = parameters_of(dataset)
+    slider = part.ring(rod_length, ROD_ANGLE)
+    return Scene(slider=slider, contact=contact, effects=part.effects(EffectSet(effects)))
 
 
 def ellipse_deviation(curves: xr.Dataset, rod_length: float) -> float:
     """Largest distance of the limit curve from the ellipse of the same axes, percent of it."""
-    force = curves.force.sel(effects=FRICTION, rod_length=rod_length, rod_angle=ROD_ANGLE)
-    long, short = (force.sel(force_angle=ROD_ANGLE + turn).item() for turn in (0.0, 90.0))
-    angle = np.deg2rad(force.force_angle - ROD_ANGLE)
-    ellipse = long * short / np.hypot(short * np.cos(angle), long * np.sin(angle))
-    return 100 * float(abs(force / ellipse - 1).max())
+    scene = _scene(curves, FRICTION, rod_length, InfiniteFriction())
+    force = limit_curve(scene, np.deg2rad(ROD_ANGLE) + QUARTER).magnitude
+    long, short = force[0], force[-1]
+    ellipse = long * short / np.hypot(short * np.cos(QUARTER), long * np.sin(QUARTER))
+    return 100 * float(np.max(np.abs(force / ellipse - 1)))
 
 
 def cone_span(cones: xr.Dataset) -> float:
@@ -67,49 +89,39 @@ def inconsistent_definition_2(modes: xr.Dataset) -> float:
     return float((one == int(Outcome.INCONSISTENT)).sum())
 
 
-def _pulls(modes: xr.Dataset, law: str) -> xr.Dataset:
-    """Solutions by mode of the pushes that stick while the fence moves away, under one law."""
+def _sticking_pulls(modes: xr.Dataset) -> xr.Dataset:
+    """Contact modes of the pushes under Coulomb's law; -1 but for those pulled sticking."""
     angle = modes.pusher_angle
-    some = modes[["consistent"]].isel(contact=modes.law.values == law)
+    some = modes[["mode"]].isel(contact=modes.law.values == "coulomb")
     away = some.sel(pusher_angle=angle[(angle > -180) & (angle < 0)])
-    return away.where(away.consistent.sel(mode="STICK") > 0, 0)
+    return away.where((away["mode"] == ContactMode.STICK).any("solution"), -1)
 
 
 def sticking_pulls(modes: xr.Dataset) -> float:
     """Number of pushes under Coulomb's law that are pulled sticking."""
-    return float((_pulls(modes, "coulomb").consistent.sel(mode="STICK") > 0).sum())
+    return float((_sticking_pulls(modes)["mode"] == ContactMode.STICK).any("solution").sum())
 
 
 def slipping_pulls(modes: xr.Dataset) -> float:
     """Number of these that are also pulled slipping."""
-    slips = _pulls(modes, "coulomb").consistent.sel(mode=SLIPS).sum("mode")
-    return float((slips > 0).sum())
-
-
-def _without_solution(modes: xr.Dataset) -> xr.DataArray:
-    """Directions of the pusher without solution: friction alone, rod of length 2, definition 2."""
-    one = modes.outcome.sel(
-        effects=FRICTION, contact="infinite_friction_none", rod_length=2.0
-    ).isel(pusher_magnitude=0)
-    angles: xr.DataArray = one.pusher_angle[one.values == int(Outcome.INCONSISTENT)]
-    return angles
-
-
-def first_without_solution(modes: xr.Dataset) -> float:
-    """Least pusher angle of the grid without any solution."""
-    return float(_without_solution(modes).min())
-
-
-def last_without_solution(modes: xr.Dataset) -> float:
-    """Largest pusher angle of the grid without any solution."""
-    return float(_without_solution(modes).max())
+    return float(_sticking_pulls(modes)["mode"].isin(SLIPS).any("solution").sum())
 
 
 def furthest_pull(modes: xr.Dataset, contact: str, magnitude: float) -> float:
-    """Least pusher angle of the grid at which the contact can stick, with both effects."""
-    one = modes.consistent.sel(effects=BOTH, contact=contact, rod_length=2.0)
-    one = one.sel(pusher_magnitude=magnitude, mode="STICK")
-    return float(one.pusher_angle[one.values > 0].min())
+    """Least pusher angle at which the contact can stick, with both effects.
+
+    There the force of perfectly rough contact, which sticks to every motion, is on the right edge of the
+    friction cone.
+    """
+    edge = labelled_law(contact).force_angles.right
+    scene = _scene(modes, BOTH, 2.0, PerfectlyRough())
+
+    def inside(angle: float) -> float:
+        found = solve(scene, angle, magnitude)
+        x, y = next(each.force for each in found if each.mode is ContactMode.STICK)
+        return float(np.arctan2(y, x) - edge)
+
+    return float(np.rad2deg(brentq(inside, -np.pi / 2, np.pi / 2)))
 
 
 def conservative_excess(centers: xr.Dataset, side: str) -> float:

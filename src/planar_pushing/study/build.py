@@ -7,12 +7,12 @@ then write into one file.
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-import dask
 import xarray as xr
 
 from planar_pushing.mechanics.numerics.arrays import CORES
@@ -56,7 +56,7 @@ def dataset(
         for part in parts:
             _write(build_dataset(name, cut(study, part)), Path(folder, _file(part)), name, None)
         steps = {dim: span.stop - span.start for dim, span in parts[0].items()}
-        with joined(folder, lengths, steps) as whole:
+        with _joined(folder, lengths, steps) as whole:
             _write(whole, path, name, marks)
 
 
@@ -64,7 +64,7 @@ def gather(
     path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
 ) -> None:
     """Write the chunks of a dataset into one file."""
-    with joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
+    with _joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
         _write(found, path, name, marks)
 
 
@@ -72,7 +72,7 @@ def index(
     path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
 ) -> None:
     """Write the index of a dataset that stays in its chunks."""
-    with joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
+    with _joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
         _write(index_of(found, whole["steps"]), path, name, marks)
 
 
@@ -87,16 +87,20 @@ def _file(part: Mapping[str, slice]) -> str:
     return f"{chunk_name(part)}.nc"
 
 
+@contextmanager
+def _joined(
+    folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]
+) -> Iterator[xr.Dataset]:
+    """Blocks or chunks as one dataset, which is read one after another as it is written."""
+    with joined(folder, lengths, steps) as whole:
+        import dask  # an extra, which grids of one block do without
+
+        with dask.config.set(scheduler="synchronous"):
+            yield whole
+
+
 def _write(built: Built, path: PathLike, name: str, marks: Attributes | None) -> None:
-    """Write a dataset; of a whole one without the places along `solution` that no push fills.
-
-    What dask reads is written chunk after chunk, so that memory holds few.
-    """
-    with dask.config.set(scheduler="synchronous"):
-        _write_whole(built, path, name, marks)
-
-
-def _write_whole(built: Built, path: PathLike, name: str, marks: Attributes | None) -> None:
+    """Write a dataset; of a whole one without the places along `solution` that no push fills."""
     if marks is None:
         write_dataset(built, path)
         return

@@ -6,6 +6,7 @@ multiples of the study's numbers, and its job reads its own values of the axes a
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,7 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from planar_pushing.mechanics.entries import to_json
 from planar_pushing.study.slices import Cut, cut, cuts, sizes, study_slice
+from planar_pushing.terms.extras import require_extra
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -77,16 +80,33 @@ def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int
     folder : path
     lengths, steps : mapping
         Of the whole and of a chunk, along the dimensions that are cut.
+
+    Raises
+    ------
+    MissingExtra
+        Where dask is not installed.
     """
     import xarray as xr
+
+    require_extra("chunks")
 
     files = [Path(folder, f"{chunk_name(part)}.nc") for part in cuts(lengths, steps)]
     counts = [-(-lengths[dim] // step) for dim, step in steps.items()]
     return xr.open_mfdataset(
         np.array(files).reshape(counts).tolist(), combine="nested", concat_dim=list(steps),
         data_vars="minimal", coords="minimal", compat="override", join="override",
-        combine_attrs="override", engine="h5netcdf", chunks={}, decode_times=False,
+        combine_attrs=_attributes, engine="h5netcdf", chunks={}, decode_times=False,
     )  # fmt: skip
+
+
+def _attributes(parts: Sequence[dict[str, Any]], context: object = None) -> dict[str, Any]:
+    """Attributes of the first part; its parameters list the supports of all, in order."""
+    found = dict(parts[0])
+    if "parameters" in found:
+        listed = [json.loads(each["parameters"]) for each in parts]
+        supports = {name: each for one in listed for name, each in one.get("supports", {}).items()}
+        found["parameters"] = to_json(listed[0] | ({"supports": supports} if supports else {}))
+    return found
 
 
 def threads(count: int) -> int:

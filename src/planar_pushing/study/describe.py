@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from typing import Any
 
@@ -63,7 +64,8 @@ def described(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
     order = [*entry.dims, *entry.inner]
     ordered = dataset[list(entry.variables)].transpose(*order, missing_dims="ignore")
     coords = sorted(map(str, ordered.coords), key=lambda each: (_place(order, each), each))
-    ordered = xr.Dataset(ordered.data_vars, {each: ordered.coords[each] for each in coords})
+    variables = {each: ordered[each].variable for each in entry.variables}  # which bring no coordinates
+    ordered = xr.Dataset(variables, {each: ordered.coords[each].variable for each in coords})
     support = "support" in entry.dims
     return describe(
         ordered,
@@ -87,6 +89,16 @@ def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
     slider = part.slider.model_dump(exclude_none=True)
     axes = {name: slider.pop(name) for name in dims if name in slider}
     return {"slider": slider, **part.parts} | ({"figures": axes} if axes else {})
+
+
+def parameters_of(dataset: xr.Dataset) -> Part:
+    """The slider and the effects that a dataset over the paper's grid was computed for, without its axes.
+
+    The rod angle is the one at which the figures cut the dataset.
+    """
+    found: dict[str, Any] = json.loads(dataset.attrs["parameters"])
+    figures = found.pop("figures", {})
+    return Part.model_validate({**found, "slider": found["slider"] | figures, "grid": {}})
 
 
 def of_study(

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 import h5netcdf
+import h5py
 import numpy as np
 import xarray as xr
 
@@ -84,9 +85,19 @@ def reading(path: PathLike) -> Iterator[None]:
         ) from None
 
 
+@contextmanager
+def _netcdf(path: PathLike) -> Iterator[h5netcdf.File]:
+    """A file whose root can be read; h5netcdf itself would complain a second time while it closes."""
+    with reading(path):
+        with h5py.File(path, "r") as file:
+            dict(file.attrs)
+        with h5netcdf.File(path, "r") as file:
+            yield file
+
+
 def read_attributes(path: PathLike) -> dict[str, object]:
     """Read the root attributes of a file, and nothing else of it; errors as in `read_dataset`."""
-    with reading(path), h5netcdf.File(path, "r") as file:
+    with _netcdf(path) as file:
         return dict(file.attrs)
 
 
@@ -100,7 +111,7 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
     InvalidFile
         Where the file is missing, is not netCDF4, or has no such group.
     """
-    if group and group not in group_names(path):
+    if group not in (None, *group_names(path)):
         raise InvalidFile(f"{path}: has no group {group!r}; remove it and build it anew")
     with reading(path):
         # A file that is HDF5 and no netCDF4 names no dimensions; no dataset holds dates.
@@ -122,10 +133,8 @@ def index_of(whole: xr.Dataset, steps: Mapping[str, int]) -> xr.Dataset:
 def _behind_index(index: xr.Dataset, path: Path) -> xr.Dataset:
     """The dataset for which an index stands, with the attributes of the index."""
     steps = _steps(index, path)
-    folder, lengths = (
-        path.parent.parent / "chunks" / path.stem,
-        {str(dim): size for dim, size in index.sizes.items()},
-    )
+    folder = path.parent.parent / "chunks" / path.stem
+    lengths = {str(dim): length for dim, length in index.sizes.items()}
     with reading(folder):
         whole = joined(folder, lengths, steps)
     if not all(whole[dim].equals(index[dim]) for dim in steps):
@@ -149,7 +158,7 @@ def _steps(index: xr.Dataset, path: Path) -> dict[str, int]:
 
 def group_names(path: PathLike) -> list[str]:
     """Names of a file's groups, in order; errors as in `read_dataset`."""
-    with reading(path), h5netcdf.File(path, "r") as file:
+    with _netcdf(path) as file:
         return sorted(file.groups)
 
 

@@ -102,7 +102,12 @@ def _chunk_problems(study: StudyFile, computed: Collection[str]) -> Iterator[str
 
 
 def _support_problems(study: StudyFile) -> Iterator[str]:
-    """Supports that are too small for the rods."""
+    """Supports without the rod on which figures show them, and some that are too small for the rods."""
+    if study.supports and study.slider.rod_length is None:
+        yield (
+            "slider.rod_length: missing; allowed: a value of the grid, on which the figures of supports "
+            "show them; add it"
+        )
     longest = max([*study.grid.rod_length, study.slider.rod_length or 0.0])
     for name, support in study.gallery().items():
         if longest > LONGEST * support.extent:

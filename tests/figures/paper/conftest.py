@@ -8,8 +8,7 @@ import pytest
 from planar_pushing.figures import render
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.build import build_dataset
-from planar_pushing.study.datasets import motion_cones, scenes
-from planar_pushing.study.files.study_model import FigureEntry, Grid
+from planar_pushing.study.files.study_model import FigureEntry
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
@@ -19,7 +18,7 @@ ROOT = Path(__file__).parents[3]
 GRID = [f"figure_{number}" for number in ("05", "06", "07", "10", "12", "13")]
 SCENES = [f"figure_{number}" for number in ("01", "02", "03", "04", "08", "09", "11")]
 MOTION = ["figure_14", "figure_15"]
-DATASETS = ("limit_curves", "motion_cones", "acceleration_centers", "contact_modes", "scenes")
+DATASETS = ("limit_curves", "motion_cones", "acceleration_centers", "scenes")
 
 
 @pytest.fixture(scope="session")
@@ -39,15 +38,11 @@ def scene_figures(tmp_path_factory):
     folder = tmp_path_factory.mktemp("results")
     with contextlib.chdir(ROOT):
         study = load_study("workflow/config/paper.yaml")
-        write_dataset(scenes.build(study), folder / "data/scenes.nc")
-    grid = Grid.model_construct(
-        effects=("support_friction",),
-        rod_length=(2.0, 3.0),
-        rod_angle=(45.0,),
-        friction_coefficient=(0.5, 2.0),
-    )
-    cones = motion_cones.build(study.model_copy(update={"grid": grid}))
-    write_dataset(cones, folder / "data/motion_cones.nc")
+        few = {"rod_length": (2.0, 3.0), "rod_angle": (45.0,), "friction_coefficient": (0.5, 2.0)}
+        grid = study.grid.model_copy(update={"effects": ("support_friction",), **few})
+        study = study.model_copy(update={"grid": grid})
+        for name in ("scenes", "motion_cones"):
+            write_dataset(build_dataset(name, study_slice(study, name)), folder / f"data/{name}.nc")
     return dict.fromkeys(SCENES, (folder, FigureEntry()))
 
 

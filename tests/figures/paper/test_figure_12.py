@@ -5,6 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from planar_pushing.figures.paper.figure_12 import sectors
+from planar_pushing.study.store import read_dataset
 
 
 def test_cones_are_the_published_ones(plotted):
@@ -29,6 +30,18 @@ def test_exact_centers_lie_in_the_papers_sectors(plotted):
             )
             held |= inside & (outside == bool(one.sector_outside))
         assert held.all()
+
+
+def test_the_boundaries_pass_through_the_centers_of_the_grid(plotted, grid_figures):
+    folder, _ = grid_figures["figure_12"]
+    grid = read_dataset(folder / "data/acceleration_centers.nc").sel(rod_length=5.0)
+    data = plotted["figure_12"]
+    assert data.sizes["force_angle"] == 180  # without the translation along the rod
+    angles = grid.force_angle[grid.force_angle != 45]
+    stored = grid.sel(inertia_share=[0.0, 1.0], force_angle=angles)
+    for xy in "xy":
+        here = data[f"exact_center_{xy}"].sel(force_angle=angles)
+        assert_allclose(here, stored[f"center_{xy}"].transpose(*here.dims), rtol=1e-13, atol=1e-14)
 
 
 def test_sectors_meet_and_open_with_the_ring_seen_from_the_contact():

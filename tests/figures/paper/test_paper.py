@@ -13,7 +13,7 @@ from matplotlib.text import Text
 from figures.paper.conftest import GRID, MOTION, SCENES
 from planar_pushing.figures import render, style
 from planar_pushing.figures.style import paper_style
-from planar_pushing.study.storage import store
+from planar_pushing.study import store
 
 ALL = [*GRID, *SCENES, *MOTION]
 FILLED, OPEN = (ArrowStyle.get_styles()[each] for each in ("-|>", "->"))

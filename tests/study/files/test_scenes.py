@@ -188,7 +188,7 @@ def test_unreadable_file(tmp_path):
 
 @pytest.mark.parametrize(("load", "file", "kind"), [
     (load_scene, "workflow/config/smoke.yaml", "study file"),
-    (load_study, "workflow/config/sliders_smoke.yaml", "study of sliders"),
+    (load_scene, "workflow/config/sliders_smoke.yaml", "study file"),
     (load_study, "workflow/scenes/figure_03.yaml", "scene file"),
 ])  # fmt: skip
 def test_a_file_of_another_kind_is_named(load, file, kind):

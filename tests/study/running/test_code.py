@@ -5,7 +5,7 @@ import shutil
 import grimp
 import pytest
 
-from planar_pushing.study.catalog import DATASETS, SLIDERS
+from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.figures import ALL
 from planar_pushing.study.running import code
 
@@ -13,10 +13,9 @@ GRIDS = ("limit_curves", "motion_cones", "contact_modes")
 GRAPH = grimp.build_graph("planar_pushing", cache_dir=None)
 #: What each kind of job calls, and the members of families among it.
 CALLS = {
-    **{f"dataset {name}": ("dataset", "study.running.builds", code.builder(name))
-       for name in (*DATASETS, *SLIDERS)},
+    **{f"dataset {name}": ("dataset", "study.build", code.builder(name)) for name in DATASETS},
     **{f"figure {name}": ("figure", "figures.jobs", entry.module) for name, entry in ALL.items()},
-    "simulation": ("simulation", "study.running.builds", "study.simulations"),
+    "simulation": ("simulation", "study.build", "study.simulations"),
     "claims": ("claims", "evidence.claims.table"),
     "hard_cases": ("hard_cases", "evidence.hard_cases.dataset"),
     "times": ("costs", "evidence.costs.times"),
@@ -27,7 +26,6 @@ CALLS = {
 }  # fmt: skip
 #: Modules that call by name what a job does not run: each is followed from the job's own member.
 TABLES = {
-    "planar_pushing.study.builders",
     "planar_pushing.study.figures",
     "planar_pushing.study.simulations",
 }

@@ -68,7 +68,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     for name in ("radius", "rod_length"):
         data[name] = ((), float(slider[name]), described("length", name))
     data["radius"].attrs["long_name"] = "radius of the ring"
-    data["rod_length"].attrs["long_name"] = "rod length, from the contact to the ring centre"
+    data["rod_length"].attrs["long_name"] = "rod length, from the contact to the ring center"
     if log.attrs.get("pusher_shape") == Shape.FINGER:
         data["path_side"] = side_of(log, slider)
     data = data.drop_attrs(deep=False)
@@ -84,7 +84,7 @@ def motion_center(log: xr.Dataset) -> xr.DataArray:
     with np.errstate(divide="ignore", invalid="ignore"):
         offset = np.stack([-v_y, v_x], axis=-1) / spin[:, None]
     place = log["position"] + np.where(spin[:, None] == 0, np.nan, offset)
-    place.attrs = described("length", "motion centre, from the contact at time 0")
+    place.attrs = described("length", "motion center, from the contact at time 0")
     return place
 
 

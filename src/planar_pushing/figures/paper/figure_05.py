@@ -11,10 +11,13 @@ from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.parts.curves import (
     curves,
     family,
+    forces,
+    labelled,
     named,
     on_curve,
     rod_angle,
     rod_lengths,
+    scene_of,
     titled,
 )
 from planar_pushing.figures.settings import Settings, Sources
@@ -26,19 +29,14 @@ PARALLEL = (0.0, 90.0, 180.0, 270.0)
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the curves, the limit of an infinite rod, and the velocities at the special angles."""
+    """Compute the curves, the limit of an infinite rod, and the velocities at the special angles."""
     grid = sources["limit_curves"]
-    psi = rod_angle(grid)
-    data = curves(grid, "support_friction", rod_lengths(settings, (0.0, 0.5, 1.0, 2.0, 5.0)))
-    angles = (psi + np.array(PARALLEL)) % 360
-    special = grid.sel(
-        effects="support_friction",
-        rod_angle=psi,
-        rod_length=data.rod_length,
-        force_angle=angles,
-    ).rename(force_angle="parallel_angle")
-    data["parallel_force"] = special.force.drop_vars("effects")
-    data["parallel_motion_angle"] = special.motion_angle.drop_vars("effects")
+    psi, lengths = rod_angle(grid), rod_lengths(settings, (0.0, 0.5, 1.0, 2.0, 5.0))
+    data = curves(grid, "support_friction", lengths)
+    angles = labelled("force_angle", (psi + np.array(PARALLEL)) % 360)
+    special = forces(scene_of(grid, "support_friction", data.rod_length), angles)
+    special = special.rename(force_angle="parallel_angle")
+    data["parallel_force"], data["parallel_motion_angle"] = special.force, special.motion_angle
     data.parallel_angle.attrs["long_name"] = "force angle at which force and velocity are parallel"
     # Along the rod the force translates the slider, whatever the rod's length.
     ends = np.array([psi, (psi + 180) % 360])

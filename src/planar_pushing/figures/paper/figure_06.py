@@ -24,9 +24,9 @@ from planar_pushing.figures.style import DARK
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the limit curve and the forces and velocities of the mapping."""
     length = rod_lengths(settings, (2.0,))[0]
-    data = curves(sources["limit_curves"], "support_friction", (length,)).squeeze("rod_length")
+    data = curves(sources["motion_cones"], "support_friction", (length,)).squeeze("rod_length")
     friction = chosen(settings.friction_coefficient, 2.0)
-    data = data.merge(cone_mapping(sources, "support_friction", length, friction))
+    data = data.merge(cone_mapping(sources["motion_cones"], "support_friction", length, friction))
     return titled(data, "Friction cone, limit curve and velocity cone", sources)
 
 

@@ -21,7 +21,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
     panels = [_panel(sources[name]) for name in sorted(sources)]
     data = xr.concat(panels, xr.DataArray(list(PANELS), dims="panel", name="panel"), join="exact")
     data["panel"].attrs = {"units": "1", "long_name": "panel of the figure"}
-    data.attrs = {"title": "Acceleration cones and centres (Fig. 9)"}
+    data.attrs = {"title": "Acceleration cones and centers (Fig. 9)"}
     return data
 
 
@@ -33,7 +33,7 @@ def _panel(scene: xr.Dataset) -> xr.Dataset:
     data = scene[names]
     centers = scene["cone_center"].sel(effect="inertia", drop=True)
     for side, sample in (("right", 0), ("left", -1)):
-        long_name = f"acceleration centre of the {side} edge of the friction cone"
+        long_name = f"acceleration center of the {side} edge of the friction cone"
         attrs = described("length", long_name)
         data[f"center_{side}"] = centers.isel(cone_sample=sample).assign_attrs(attrs)
     half = np.deg2rad(90 - float(scene["friction_cone_right"]))

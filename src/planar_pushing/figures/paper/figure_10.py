@@ -25,10 +25,10 @@ LABEL_ANGLE = 330.0
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Select the ellipses, and the forces and accelerations of the mapping."""
-    data = curves(sources["limit_curves"], "inertia", rod_lengths(settings, (0.5, 1.0, 2.0, 5.0)))
+    data = curves(sources["motion_cones"], "inertia", rod_lengths(settings, (0.5, 1.0, 2.0, 5.0)))
     mapped = chosen(settings.mapped_rod_length, 1.0)
     friction = chosen(settings.friction_coefficient, 5.0)
-    data = data.merge(cone_mapping(sources, "inertia", mapped, friction))
+    data = data.merge(cone_mapping(sources["motion_cones"], "inertia", mapped, friction))
     return titled(data, "Ellipses of the dynamic case and an acceleration cone", sources)
 
 

@@ -11,10 +11,23 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Polygon, Rectangle, Wedge
 
 from planar_pushing.figures.parts import arrows, drawing, labels
-from planar_pushing.figures.parts.curves import degrees, named, rod_lengths, titled
+from planar_pushing.figures.parts.curves import (
+    attributed,
+    degrees,
+    labelled,
+    named,
+    rod_lengths,
+    scene_of,
+    titled,
+)
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import CENTER, LIGHT, MOTION, NOTE_SIZE, PUSHER, SLIP
+from planar_pushing.mechanics.centers import motion_centers
+from planar_pushing.study.datasets.base import pushing
+from planar_pushing.terms.options import EffectSet
 
+#: Force angles of the boundaries, degrees.
+ANGLES = np.linspace(0.0, 180.0, 181)
 SCENE = (
     "rod_length rod_angle radius ring_center pusher_angle pusher_motion contact_motion force "
     "friction_cone_right friction_cone_left"
@@ -37,8 +50,8 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
     turn = np.where(arm > 0, 90.0, -90.0)
     outside = np.abs(arm) < radius
     parts = (
-        ("start", edges[:-1] + turn, "degree", "right end of the sector of centres"),
-        ("stop", edges[1:] + turn, "degree", "left end of the sector of centres"),
+        ("start", edges[:-1] + turn, "degree", "right end of the sector of centers"),
+        ("stop", edges[1:] + turn, "degree", "left end of the sector of centers"),
         ("outside", outside, "1", "whether the sector is outside the ring"),
     )
     return xr.Dataset(
@@ -49,31 +62,33 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
     )
 
 
-def exact_centers(grid: xr.Dataset) -> xr.Dataset:
+def exact_centers(grid: xr.Dataset, rod_length: float) -> xr.Dataset:
     """Boundaries of the exact set of centers, under friction alone and under inertia alone.
 
-    Force angles whose center is at infinity, a translation, are left out.
+    Those of the grid's force angles would draw corners, so they are computed here. Force angles whose
+    center is at infinity, a translation, are left out.
     """
-    ends = grid.sel(inertia_share=[0.0, 1.0])
-    finite = np.isfinite(ends.center_x) & np.isfinite(ends.center_y)
-    ends = ends.isel(force_angle=finite.all("inertia_share").values)
-    return ends[["center_x", "center_y"]].rename(
-        center_x="exact_center_x", center_y="exact_center_y"
-    )
+    angle, share = labelled("force_angle", ANGLES), labelled("inertia_share", (0.0, 1.0))
+    scene = scene_of(grid, EffectSet.BOTH, rod_length)
+    center = motion_centers(scene, pushing(angle), share).transpose("force_angle", ...)
+    center = center.isel(force_angle=np.isfinite(center).all(("inertia_share", "xy")).values)
+    parts = {f"center_{xy}": center.isel(xy=i, drop=True) for i, xy in enumerate("xy")}
+    return attributed(xr.Dataset(parts)).rename({name: f"exact_{name}" for name in parts})
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the scene, both sets of centers and both cones."""
+    """Select the scene and both cones; compute both sets of centers."""
     scene = sources["scenes/figure_12"]
     length = rod_lengths(settings, (float(scene.rod_length),))[0]
-    grid = sources["acceleration_centers"].sel(rod_length=length).drop_vars("rod_length")
+    grid = sources["acceleration_centers"]
     data = scene[SCENE.split()].isel(solution=0)
-    data = data.merge(exact_centers(grid))
+    data = data.merge(exact_centers(grid, length))
     data = data.merge(sectors(length, float(scene.rod_angle), float(scene.radius)))
+    cones = grid.sel(rod_length=length)
     for kind in ("conservative", "exact"):
         for side in ("right", "left"):
-            data[f"{kind}_cone_{side}"] = grid[f"{kind}_cone_{side}"]
-    return titled(data, "Possible acceleration centres and accelerations", sources)
+            data[f"{kind}_cone_{side}"] = cones[f"{kind}_cone_{side}"].drop_vars("rod_length")
+    return titled(data, "Possible acceleration centers and accelerations", sources)
 
 
 #: Radius of the cones, and length of the sectors that go on to infinity, units of length.
@@ -132,7 +147,7 @@ def _centers(ax: Axes, data: xr.Dataset) -> None:
         patch = Wedge(center, size, start, stop, width=width, facecolor=BOUND)
         patch.set(linewidth=0, zorder=0.4)
         ax.add_patch(patch)
-    # In order of the centre's direction, from one translation to the other.
+    # In order of the center's direction, from one translation to the other.
     order = np.argsort(np.where(data.force_angle > data.rod_angle, 0, 1), kind="stable")
     edges = np.stack([data.exact_center_x, data.exact_center_y], axis=-1)[order]
     outline = np.concatenate([edges[:, 0], edges[::-1, 1]])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import xarray as xr
@@ -13,7 +13,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from planar_pushing.figures.parts.curves import (
+    attributed,
     chosen,
+    labelled,
     named,
     number,
     rod_angle,
@@ -31,8 +33,21 @@ from planar_pushing.figures.parts.mode_sets import (
 )
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK, NOTE_SIZE
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.study.catalog import contact_labels
+from planar_pushing.study.datasets.base import friction_angle, objects, pushing
+from planar_pushing.study.describe import parameters_of
+from planar_pushing.study.files.study_model import labelled_law
 
+#: Coefficients of friction, and pusher angles in degrees, at which the sets of modes are computed.
+COEFFICIENTS = (
+    0, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.25, 1.3, 1.35, 1.4, 1.45, 1.5,
+    1.6, 1.7, 1.8, 1.9, 2, 2.25, 2.5, 3, 3.5, 4, 5, 7, 10, 20, 50, 100,
+)  # fmt: skip
+ANGLES = np.linspace(-180.0, 180.0, 361)
 #: The legend's groups: title, columns, place in the figure, and the sets in it.
 LEGENDS = (
     ("unique", 2, 0.21, (SEPARATE, STICK, LEFT, RIGHT)),
@@ -67,22 +82,15 @@ UPRIGHT: dict[str, Any] = {"rotation": 90, "ha": "center", "va": "top", "size": 
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the sets of consistent modes, where sticking ends, and the edges of the motion cones.
+    """Compute the sets of consistent modes and where sticking ends; select the edges of the motion cones.
 
     A contact sticks under Coulomb's law where the force of perfectly rough contact, which sticks to
     every motion, is inside the friction cone: so that force's angle tells exactly where sticking ends.
     """
-    length = rod_lengths(settings, (2.0,))[0]
-    magnitude = chosen(settings.pusher_magnitude, 1.0)
-    modes = sources["contact_modes"].sel(rod_length=length, pusher_magnitude=magnitude)
     cones = sources["motion_cones"]
+    length = rod_lengths(settings, (2.0,))[0]
+    data = maps(cones, length, chosen(settings.pusher_magnitude, 1.0))
     cones = cones.sel(rod_length=length, rod_angle=rod_angle(cones))
-    data = xr.Dataset({"modes": mode_sets(modes.consistent)})
-    data["force_angle"] = modes.force_angle.sel(contact="perfectly_rough", mode="STICK")
-    data = data.drop_vars(["friction_coefficient", "friction_angle", "mode"])
-    data["force_angle"].attrs["long_name"] = "force angle of perfectly rough contact, sticking"
-    angle = modes.friction_angle.values
-    data["friction_angle"] = named("contact", angle, "degree", "angle of friction of the contact")
     for side in ("right", "left"):
         edge = cones[f"motion_cone_{side}"]
         data[f"motion_cone_{side}"] = edge.drop_vars(["friction_coefficient", "friction_angle"])
@@ -93,6 +101,43 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
         "angle of friction of the motion cone",
     )
     return titled(data, "Contact modes over friction and the direction of the pusher", sources)
+
+
+def maps(grid: xr.Dataset, rod_length: float, magnitude: float) -> xr.Dataset:
+    """Sets of modes, and force angles of sticking, of each set of effects: on a grid of their own."""
+    part, names = parameters_of(grid), list(grid.effects.values)
+    labels = contact_labels(COEFFICIENTS)
+    laws = objects("contact", labels, map(labelled_law, labels))
+    angle = pushing(labelled("pusher_angle", ANGLES))
+    found = [
+        solve(
+            Scene(slider=part.ring(rod_length), contact=laws, effects=part.effects(name)),
+            angle,
+            magnitude,
+        )
+        for name in names
+    ]
+    along = xr.Variable("effects", names)
+    data = xr.Dataset(
+        {
+            "modes": xr.concat([mode_sets(each["mode"]) for each in found], along),
+            "force_angle": xr.concat(map(_sticking, found), along),
+        },
+        {"rod_length": rod_length, "pusher_magnitude": magnitude},
+    ).transpose("effects", "contact", "pusher_angle")
+    # The laws behind those of Coulomb: infinite friction twice, and perfect roughness.
+    data["friction_angle"] = ("contact", friction_angle([*COEFFICIENTS, np.inf, np.inf, np.nan]))
+    data = attributed(data.assign_coords(rod_angle=part.slider.rod_angle))
+    data["force_angle"].attrs["long_name"] = "force angle of perfectly rough contact, sticking"
+    return data
+
+
+def _sticking(found: xr.Dataset) -> xr.DataArray:
+    """Force angle of perfectly rough contact, which sticks to every motion, degrees."""
+    rough = found.sel(contact="perfectly_rough", drop=True)
+    force = rough.force.where(rough["mode"] == ContactMode.STICK).max("solution")
+    x, y = (force.isel(xy=i, drop=True) for i in (0, 1))
+    return cast(xr.DataArray, np.rad2deg(np.arctan2(y, x)))
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:

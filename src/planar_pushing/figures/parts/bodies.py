@@ -142,7 +142,7 @@ def name_centers(ax: Axes, body: Body, pose: Pose) -> None:
 
 
 def explain_centers(ax: Axes, body: Body) -> None:
-    """Legend of the centres' signs, where there are any."""
+    """Legend of the signs of the centers, where there are any."""
     if body.centers:
         names = [NAMES[name].replace("\n", " ") for name, _ in body.centers]
         signs = [

@@ -1,8 +1,7 @@
-"""What the figures of curves, cones and maps share: selections from the grid, and their panels."""
+"""Parts that the figures of curves, cones and maps share: scenes of a study, curves, and panels."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -15,11 +14,18 @@ from matplotlib.figure import Figure
 from planar_pushing.figures.parts import arrows, drawing, labels
 from planar_pushing.figures.settings import Settings, Sources
 from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE
+from planar_pushing.mechanics.contact import InfiniteFriction
+from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.terms.quantities import described
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.datasets.base import pushing
+from planar_pushing.study.describe import parameters_of
+from planar_pushing.terms.quantities import DATASET, attributes, described
 
 #: Ends of curves that close on themselves.
 BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}
+#: Force angles of a limit curve, degrees: as close as a smooth line takes.
+ANGLES = np.linspace(0.0, 360.0, 361)
 #: Force angles of a mapping that are drawn between the edges of its cone, degrees.
 INSIDE = (45.0, 90.0)
 
@@ -37,22 +43,35 @@ def rod_lengths(settings: Settings, default: tuple[float, ...]) -> tuple[float, 
     return given if isinstance(given, tuple) else (given,)
 
 
-def _parameters(dataset: xr.Dataset, kind: str) -> dict[str, float]:
-    """Parameters of the slider, or of the figures, from the attributes of a dataset over the grid."""
-    found: dict[str, float] = json.loads(dataset.attrs["parameters"])[kind]
-    return found
+def scene_of(dataset: xr.Dataset, effects: str, rod_length: float | xr.DataArray) -> Scene:
+    """The slider of a dataset over the grid on this rod, or these rods, under infinite friction."""
+    part = parameters_of(dataset)
+    return Scene(
+        slider=part.ring(rod_length), contact=InfiniteFriction(), effects=part.effects(effects)
+    )
+
+
+def labelled(name: str, values: Iterable[float]) -> xr.DataArray:
+    """Values along an axis of their own."""
+    array = np.array(list(values), dtype=float)
+    return xr.DataArray(array, dims=name, coords={name: array})
+
+
+def attributed(dataset: xr.Dataset) -> xr.Dataset:
+    """Give variables the units and the names that they have in the datasets of a study."""
+    for name in dataset.variables.keys() & DATASET.keys():
+        dataset[name].attrs = attributes(DATASET, str(name))
+    return dataset
 
 
 def rod_angle(dataset: xr.Dataset) -> float:
     """The study's rod angle, degrees; a dataset over other angles is cut there."""
-    return float(_parameters(dataset, "figures")["rod_angle"])
+    return float(parameters_of(dataset).slider.rod_angle)
 
 
 def radius(dataset: xr.Dataset) -> xr.Variable:
     """Radius of the ring that a dataset over the grid was computed for."""
-    return named(
-        (), float(_parameters(dataset, "slider")["radius"]), "length", "radius of the ring"
-    )
+    return named((), parameters_of(dataset).slider.radius, "length", "radius of the ring")
 
 
 def named(dims: Iterable[str] | str, values: object, units: str, long_name: str) -> xr.Variable:
@@ -69,24 +88,45 @@ def titled(dataset: xr.Dataset, title: str, sources: Sources) -> xr.Dataset:
     return dataset
 
 
-def curves(limit_curves: xr.Dataset, effects: str, lengths: tuple[float, ...]) -> xr.Dataset:
-    """Limit curves under some effects at the paper's rod angle, one for each rod length."""
-    cut = limit_curves.sel(
-        effects=effects, rod_angle=rod_angle(limit_curves), rod_length=list(lengths)
+def forces(scene: Scene, degrees: xr.DataArray) -> xr.Dataset:
+    """Limit curve at force angles in degrees: force, its components, and the motion in degrees."""
+    phi = pushing(degrees)
+    curve = limit_curve(scene, phi)
+    x, y = (phi.copy(data=each) for each in direction(phi.values).T)
+    return attributed(
+        xr.Dataset(
+            {
+                "force": curve.force_size,
+                "force_x": curve.force_size * x,
+                "force_y": curve.force_size * y,
+                "motion_angle": np.rad2deg(curve.motion_angle),
+            }
+        )
     )
-    return cut[["force_x", "force_y"]].drop_vars("effects")
 
 
-def cone_mapping(sources: Sources, effects: str, length: float, friction: float) -> xr.Dataset:
+def curves(grid: xr.Dataset, effects: str, lengths: tuple[float, ...]) -> xr.Dataset:
+    """Limit curves under some effects at the study's rod angle, one for each rod length.
+
+    A line through the forces of the grid would have corners, so the curves are computed here.
+    """
+    scene = scene_of(grid, effects, labelled("rod_length", lengths))
+    found = forces(scene, labelled("force_angle", ANGLES))[["force_x", "force_y"]]
+    return found.assign_coords(rod_angle=named((), rod_angle(grid), "degree", "rod angle"))
+
+
+def cone_mapping(cones: xr.Dataset, effects: str, length: float, friction: float) -> xr.Dataset:
     """Forces of a friction cone and the motions they map to: its edges, and angles inside it."""
-    cones = sources["motion_cones"]
-    where = {"effects": effects, "rod_angle": rod_angle(cones), "rod_length": length}
-    edges = cones.sel(where | {"friction_coefficient": friction})
-    curve = sources["limit_curves"].sel(where)
+    edges = cones.sel(
+        effects=effects,
+        rod_angle=rod_angle(cones),
+        rod_length=length,
+        friction_coefficient=friction,
+    )
     right, left = float(edges.friction_cone_right), float(edges.friction_cone_left)
     between = [angle for angle in INSIDE if right < angle < left]
     angle = np.array([right, *between, left])
-    within = curve.sel(force_angle=between)
+    within = forces(scene_of(cones, effects, length), labelled("force_angle", between))
     motion = [edges.motion_cone_right, *within.motion_angle, edges.motion_cone_left]
     magnitude = np.array([edges.limit_force_right, *within.force, edges.limit_force_left])
     tip = magnitude[:, None] * direction(np.deg2rad(angle))

@@ -27,16 +27,19 @@ STYLES: dict[int, tuple[str, str, str]] = {
 OTHER = ("other", LIGHT, "xxxx")
 
 
-def mode_sets(consistent: xr.DataArray) -> xr.DataArray:
-    """Code of the set of consistent modes: the sum of two to the power of each mode's value."""
-    bits = np.array([1 << ContactMode[str(name)] for name in consistent["mode"].values])
-    weights = xr.DataArray(bits, dims="mode", coords={"mode": consistent["mode"]})
-    code = ((consistent > 0) * weights).sum("mode").astype(np.int8)
+def mode_sets(mode: xr.DataArray) -> xr.DataArray:
+    """Code of the set of consistent modes, along `solution`: two to the power of each mode's value, added.
+
+    Several slips of one mode are one mode of the set.
+    """
+    code = xr.zeros_like(mode.isel(solution=0, drop=True))
+    for each in ContactMode:
+        code += (mode == each).any("solution").astype(code.dtype) << each
     code.attrs = {
         "units": "1",
         "long_name": "set of consistent contact modes",
-        "flag_masks": bits.astype(np.int8),
-        "flag_meanings": " ".join(consistent["mode"].values),
+        "flag_masks": np.array([1 << each for each in ContactMode], np.int8),
+        "flag_meanings": " ".join(each.name for each in ContactMode),
     }
     return code
 

@@ -67,7 +67,7 @@ def _instant(own: Scene, angle: float) -> xr.Dataset:
 
 
 def draw(figure: Figure, data: xr.Dataset) -> None:
-    """Draw the motion, the limit curves at both ends of it, and the motion centre's way to the foot."""
+    """Draw the motion, the limit curves at both ends of it, and the distance of the motion center."""
     snapshots(figure, data, (0.0, 0.0, 0.36, 1.0))
     for place, left in zip((0, 1), (0.37, 0.69), strict=True):
         _curve(figure, data.isel(instant=place), (left, 0.31, 0.31, 0.55))

@@ -107,7 +107,7 @@ def _between(heading: xr.DataArray, force: xr.DataArray) -> xr.DataArray:
 def described_supports(grid: xr.Dataset, rod: SliderEntry) -> xr.Dataset:
     """What a figure's numbers say of the supports, and of the rod where it is no axis."""
     data = grid[["extent"]]
-    text = "rod length, from the contact to the slider's centre"
+    text = "rod length, from the contact to the slider's center"
     data["rod_length"] = named((), rod.rod_length, "length", text)
     data["rod_angle"] = named((), rod.rod_angle, "degree", "rod angle")
     return data

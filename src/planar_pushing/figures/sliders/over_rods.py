@@ -54,7 +54,7 @@ def over_rods(
         ring = function(scene({"ring": RING}, *values, law)).squeeze("support")
         data[f"over_{axis}"] = named(("support", axis), every.values, "1", long_name)
         data[f"ring_over_{axis}"] = named(axis, ring.values, "1", f"{long_name}; of the ring")
-    text = "rod length, from the contact to the slider's centre"
+    text = "rod length, from the contact to the slider's center"
     return data.assign_coords(
         rod_length=named("rod_length", LENGTHS, "length", text),
         rod_angle=named("rod_angle", ANGLES, "degree", "rod angle"),

@@ -35,7 +35,7 @@ def motion(log: xr.Dataset, points: Points, radius: float) -> xr.Dataset:
     )
     last = int(np.argmin(gaps[:, -1]))
     data["pivot_point"] = named((), last, "1", "number of the support point that is the last pivot")
-    text = "distance of the motion centre from the last pivot"
+    text = "distance of the motion center from the last pivot"
     data["center_distance"] = named("time", gaps[last], "length", text)
     return data
 

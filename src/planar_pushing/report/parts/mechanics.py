@@ -10,10 +10,8 @@ from planar_pushing.report.derived import (
     cone_span,
     conservative_excess,
     ellipse_deviation,
-    first_without_solution,
     furthest_pull,
     inconsistent_definition_2,
-    last_without_solution,
     least_pulling,
     motion_direction,
     outcomes,
@@ -158,13 +156,17 @@ MODES: Numbers = {
     "sticking-pulls": computed("contact_modes", sticking_pulls),
     "slipping-pulls": computed("contact_modes", slipping_pulls),
     "mode-rod-length": _axis("contact_modes", "rod_length", 2.0),
-    "first-without-solution": computed("contact_modes", first_without_solution, unit="degree"),
-    "last-without-solution": computed("contact_modes", last_without_solution, unit="degree"),
+    "first-without-solution": picked(
+        "motion_cones",
+        "motion_cone_left",
+        _at(FRICTION, 2.0) | {"friction_coefficient": math.inf},
+        digits=1,
+    ),
     "slow-friction": picked(
         "contact_modes", "friction_coefficient", {"contact": SLOW}, digits=1, unit="1"
     ),
     "slow-magnitude": _axis("contact_modes", "pusher_magnitude", 0.1, digits=1),
-    "slow-pull": computed("contact_modes", furthest_pull, SLOW, 0.1, unit="degree"),
+    "slow-pull": computed("contact_modes", furthest_pull, SLOW, 0.1, digits=1, unit="degree"),
     "fast-magnitude": _axis("contact_modes", "pusher_magnitude", 10.0),
-    "fast-pull": computed("contact_modes", furthest_pull, SLOW, 10.0, unit="degree"),
+    "fast-pull": computed("contact_modes", furthest_pull, SLOW, 10.0, digits=1, unit="degree"),
 }

@@ -9,7 +9,7 @@ SUBJECTS = by_name(
     Figure(
         name="figure_13",
         drawing="figures.paper.figure_13",
-        datasets=("contact_modes", "motion_cones"),
+        datasets=("motion_cones",),
         size=(PAGE_WIDTH, 3.6),
         takes=("rod_length", "pusher_magnitude"),
         section="Ours, contact modes",

@@ -84,7 +84,7 @@ PAPER = by_name(
     Figure(
         name="figure_06",
         drawing="figures.paper.figure_06",
-        datasets=("limit_curves", "motion_cones"),
+        datasets=("motion_cones",),
         size=(PAGE_WIDTH, 2.5),
         takes=("rod_length", "friction_coefficient"),
         needs=FRICTION,
@@ -148,7 +148,7 @@ PAPER = by_name(
     Figure(
         name="figure_10",
         drawing="figures.paper.figure_10",
-        datasets=("limit_curves", "motion_cones"),
+        datasets=("motion_cones",),
         size=(PAGE_WIDTH, 2.5),
         takes=("rod_length", "mapped_rod_length", "friction_coefficient"),
         needs=INERTIA,

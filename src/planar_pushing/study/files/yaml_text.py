@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,7 @@ class _Plain(Composer):
     def compose_node(self, parent: Any, index: Any) -> Any:
         if self.parser.check_event(AliasEvent):
             event = self.parser.peek_event()
-            raise ComposerError(None, None, "an alias; write it out plainly", event.start_mark)
+            raise ComposerError(None, None, "aliases are not allowed", event.start_mark)
         return super().compose_node(parent, index)
 
 
@@ -51,7 +52,7 @@ def read_yaml(path: Path) -> Any:
         raise InvalidFile(f"{path}: not YAML: {_where(error)}; mend the line") from None
     except (ValueError, TypeError, LookupError, ArithmeticError, AttributeError) as error:
         # The parser fails so at a date, an escape or a key that cannot be.
-        reason = str(error).partition("\n")[0][:LINE]
+        reason = re.split("[\n;]", str(error))[0][:LINE]
         raise InvalidFile(f"{path}: not YAML: {reason}; mend the value") from None
     except RecursionError:
         raise InvalidFile(f"{path}: not YAML: nested too deep; write it out plainly") from None
