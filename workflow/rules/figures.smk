@@ -59,7 +59,7 @@ rule figure:
 # Figures of one dataset on how this work computes.
 rule file_figure:
     input:
-        source=figure_files,
+        source=lambda wildcards: figure_files(wildcards)[0],
     output:
         svg=report(
             "{results}/figures/{figure}.svg",

@@ -70,7 +70,7 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
             f"inertia.gyration_radius: {study.inertia.gyration_radius!r} given; allowed: the radius of "
             f"the ring, {study.slider.radius!r}, which the paper's bound presumes; change it"
         )
-    if study.golden and not list(Path(study.golden).glob("*.nc")):
+    if study.golden and not Path(study.golden).is_dir():
         yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
 
 

@@ -186,10 +186,14 @@ def _assembled(
     name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str] | None = ()
 ) -> xr.Dataset:
     """The template with the certified values; all of its numbers but `plain` ones are required."""
-    found = template.copy()
+    # Variables, which no index aligns: a certified time is not the stored one.
+    variables = {str(each): variable.copy() for each, variable in template.variables.items()}
     for each, (middle, exponent) in arrays.items():
-        found[each] = template[each].copy(data=middle)
-        found[f"{each}{RADIUS}"] = (template[each].dims, exponent)
+        dims, attrs = template[each].dims, template[each].attrs
+        variables[each] = xr.Variable(dims, middle, attrs)
+        variables[f"{each}{RADIUS}"] = xr.Variable(dims, exponent)
+    coords = {each: variables.pop(each) for each in map(str, template.coords)}
+    found = xr.Dataset(variables, coords, template.attrs)
     if plain is not None:
         _require_all(name, found, plain)
     return found
