@@ -14,6 +14,7 @@ from ruamel.yaml import YAML
 from manual.pages import PAGES, blocks, name
 from planar_pushing.commands import main
 from planar_pushing.study.files.scenes import load_scene
+from planar_pushing.study.study_file import load_study
 from shown import FLAGS, Checker, agrees
 
 pytestmark = pytest.mark.slow
@@ -78,7 +79,7 @@ def read_yaml(text, names, capsys):
     if "jobs" in content:
         check_schema(path)
     else:
-        (load_scene if "contact" in content else load_any)(path)
+        (load_scene if "contact" in content else load_study)(path)
 
 
 def check_schema(path):

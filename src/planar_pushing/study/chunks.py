@@ -32,7 +32,7 @@ PIECE = 2**24
 POINTS_PER_THREAD, MOST_THREADS = 2**20, 4
 #: Megabytes of a job (measured at most: 540 for contact modes with both effects).
 MEMORY = 900
-#: Minutes of a job, and seconds of a point: ten times what contact modes take on a slow core.
+#: Minutes of a job, and seconds of a point: three times what contact modes take (measured: 3e-5).
 MINUTES, SECONDS_PER_POINT = 10, 1e-4
 
 
