@@ -10,9 +10,8 @@ import pytest
 
 from manual.pages import PAGES
 from planar_pushing.report.manual import build_manual
-from planar_pushing.study.build import build_dataset
+from planar_pushing.study import build
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import write_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from planar_pushing.study.study_file import load_study
 from report.setting import PICTURE, set_up
@@ -22,7 +21,7 @@ READ = {
     "data/motion_cones.nc": (PAPER_FILE, {}),
     "data/contact_modes.nc": (
         PAPER_FILE,
-        {"contact_friction_coefficient": [1.4], "rod_length": [2.0]},
+        {"contact": ["coulomb_1.4"], "rod_length": [2.0]},
     ),
     "studies/my_study/data/motion_cones.nc": (
         "src/planar_pushing/study/templates/my_study.yaml",
@@ -30,7 +29,7 @@ READ = {
     ),
     "studies/sliders/data/support_cones.nc": (
         SLIDERS_FILE,
-        {"rod_length": [2.0], "rod_angle": [45.0], "friction_coefficient": [0.5]},
+        {"rod_length": [2.0], "rod_angle": [45.0], "friction_coefficient": [0.25]},
     ),
 }
 #: What a page finds beside it, as in the project's folder.
@@ -49,7 +48,8 @@ def filled(tmp_path_factory):
         name = Path(file).stem
         values = study_slice(load_study(study), name)
         values["grid"] |= part
-        write_dataset(build_dataset(name, values), folder / file)
+        (folder / file).parent.mkdir(parents=True, exist_ok=True)
+        build.dataset(folder / file, name=name, study=values, marks={})
     return folder
 
 

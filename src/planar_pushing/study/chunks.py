@@ -26,11 +26,13 @@ if TYPE_CHECKING:
 
 #: Most points of a block, which one call computes.
 BLOCK = 2**16
+#: Bytes of a variable that dask reads at once.
+PIECE = 2**24
 #: Points for which a job takes another thread, and the most threads that it keeps busy.
 POINTS_PER_THREAD, MOST_THREADS = 2**20, 4
 #: Megabytes of a job (measured at most: 540 for contact modes with both effects).
 MEMORY = 900
-#: Minutes of a job, and seconds of a point: ten times what contact modes take on a slow core.
+#: Minutes of a job, and seconds of a point: three times what contact modes take (measured: 3e-5).
 MINUTES, SECONDS_PER_POINT = 10, 1e-4
 
 
@@ -86,17 +88,20 @@ def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int
     MissingExtra
         Where dask is not installed.
     """
+    require_extra("chunks")
+    import dask
     import xarray as xr
 
-    require_extra("chunks")
 
     files = [Path(folder, f"{chunk_name(part)}.nc") for part in cuts(lengths, steps)]
     counts = [-(-lengths[dim] // step) for dim, step in steps.items()]
-    return xr.open_mfdataset(
-        np.array(files).reshape(counts).tolist(), combine="nested", concat_dim=list(steps),
-        data_vars="minimal", coords="minimal", compat="override", join="override",
-        combine_attrs=_attributes, engine="h5netcdf", chunks={}, decode_times=False,
-    )  # fmt: skip
+    # Pieces as they are stored would take longer to find than to read.
+    with dask.config.set({"array.chunk-size": PIECE}):
+        return xr.open_mfdataset(
+            np.array(files).reshape(counts).tolist(), combine="nested", concat_dim=list(steps),
+            data_vars="minimal", coords="minimal", compat="override", join="override",
+            combine_attrs=_attributes, engine="h5netcdf", chunks="auto", decode_times=False,
+        )  # fmt: skip
 
 
 def _attributes(parts: Sequence[dict[str, Any]], context: object = None) -> dict[str, Any]:
