@@ -33,7 +33,7 @@ def wanted():
 
 @pytest.fixture
 def found(wanted):
-    return wanted.drop_vars("force_radius").assign_attrs({"versions": "new"})
+    return wanted.drop_vars("force_radius").copy(deep=True).assign_attrs({"versions": "new"})
 
 
 def failed(found, wanted):
