@@ -45,7 +45,7 @@ def describe(
         if flags and variable.dtype.kind == "i":
             variable.attrs["flag_values"] = np.array(flags, variable.dtype)
             variable.attrs["flag_meanings"] = " ".join(flag.name for flag in flags)
-            if "solution" in variable.dims:
+            if "solution" in variable.dims and "solutions" in dataset:
                 variable.attrs |= {"comment": BEHIND[str(name)]}
     dataset.attrs = {
         "title": title,
@@ -64,7 +64,9 @@ def described(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
     order = [*entry.dims, *entry.inner]
     ordered = dataset[list(entry.variables)].transpose(*order, missing_dims="ignore")
     coords = sorted(map(str, ordered.coords), key=lambda each: (_place(order, each), each))
-    variables = {each: ordered[each].variable for each in entry.variables}  # which bring no coordinates
+    variables = {
+        each: ordered[each].variable for each in entry.variables
+    }  # which bring no coordinates
     ordered = xr.Dataset(variables, {each: ordered.coords[each].variable for each in coords})
     support = "support" in entry.dims
     return describe(
