@@ -92,7 +92,6 @@ def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int
     import dask
     import xarray as xr
 
-
     files = [Path(folder, f"{chunk_name(part)}.nc") for part in cuts(lengths, steps)]
     counts = [-(-lengths[dim] // step) for dim, step in steps.items()]
     # Pieces as they are stored would take longer to find than to read.

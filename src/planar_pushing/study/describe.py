@@ -45,7 +45,7 @@ def describe(
         if flags and variable.dtype.kind == "i":
             variable.attrs["flag_values"] = np.array(flags, variable.dtype)
             variable.attrs["flag_meanings"] = " ".join(flag.name for flag in flags)
-            if "solution" in variable.dims:
+            if "solution" in variable.dims and "solutions" in dataset:
                 variable.attrs |= {"comment": BEHIND[str(name)]}
     dataset.attrs = {
         "title": title,

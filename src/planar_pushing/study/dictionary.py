@@ -104,7 +104,7 @@ def _times() -> str:
 def _figures(results: str) -> str:
     """Section of what the figures plot."""
     found = [open_dataset(f"{FIGURES}/{name}", results) for name in DRAWN]
-    about = "the numbers that each figure plots, a file for each; most are parts of the datasets"
+    about = "the numbers that each figure plots, a file for each: parts of the datasets, and finer lines"
     return _lines("figures/data/NAME.nc", about, *_table(found))
 
 

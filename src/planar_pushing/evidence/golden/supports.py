@@ -22,7 +22,7 @@ from planar_pushing.evidence.golden.cells import Record, Values, columns
 from planar_pushing.evidence.golden.ellipsoid import errors
 
 ONE = fmpq(1)
-#: Distance of a motion center at which it is that of a translation, to a double.
+#: Distance of a motion center at which it is that of a translation, to a double; and of one along an axis.
 FAR = 10**15
 #: A ball of zero that is smaller is one of a number that vanishes by symmetry.
 NOTHING = 1e-30
@@ -144,9 +144,9 @@ def _center(motion: Vector, own: Vector, v: Vector, spin: arb) -> list[arb]:
         return [-motion[1] / spin, motion[0] / spin]
     if all(each.is_zero() for each in v):  # at rest
         return [own[0], arb.pos_inf()]
-    across = -v[1], v[0]
+    across, speed = (-v[1], v[0]), norm(*v)
     return [
-        place if _vanishes(part) else arb.pos_inf() * part.sgn()
+        arb.pos_inf() * part.sgn() if abs(part) * FAR > speed else place
         for place, part in zip(own, across, strict=True)
     ]
 
