@@ -20,7 +20,7 @@ CALLS = {
     "hard_cases": ("hard_cases", "evidence.hard_cases.dataset"),
     "times": ("costs", "evidence.costs.times"),
     "effects": ("costs", "evidence.costs.effects", *map(code.builder, GRIDS)),
-    "golden": ("golden", "evidence.golden.check", *code.BUILDERS, *code.DRAWINGS),
+    "golden": ("golden", "evidence.golden.check"),
     "report": ("report", "report.jobs"),
     "manual": ("manual", "report.manual"),
 }  # fmt: skip
