@@ -32,10 +32,16 @@ def check_run(run):
     """Energy and steps of both integrators, and their agreement while the motion is unique."""
     exact, stepped = (check(run.log(each), 1e-7) for each in ("event-driven", "time-stepping"))
     assert exact.evaluations.values[-1].max() <= EVALUATIONS
-    times = np.linspace(0.0, common_end(exact, stepped), 41)
-    apart = np.abs(angle_at(exact, times) - angle_at(stepped, times))
-    assert apart.max() <= AGREE, run
+    if apart(exact, stepped) > AGREE:  # an impact: the step's error tells where it hits
+        stepped = check(run.log("time-stepping", 4), 1e-7)
+    assert apart(exact, stepped) <= AGREE, run
     return exact
+
+
+def apart(exact, stepped):
+    """Largest difference of the rod angle while the motion is unique."""
+    times = np.linspace(0.0, common_end(exact, stepped), 41)
+    return np.abs(angle_at(exact, times) - angle_at(stepped, times)).max()
 
 
 @pytest.mark.parametrize("shape", ["fence", "finger"])
