@@ -11,6 +11,8 @@ from simulation.runs import check
 
 #: Degrees of rod angle by which the integrators may differ, of which one is of first order.
 AGREE = 0.2
+#: By what factor steps are finer where they differ by more.
+FINER = 16
 #: A run takes at most ten thousand steps of twelve stages.
 EVALUATIONS = 10_000 * 12
 
@@ -32,9 +34,10 @@ def check_run(run):
     """Energy and steps of both integrators, and their agreement while the motion is unique."""
     exact, stepped = (check(run.log(each), 1e-7) for each in ("event-driven", "time-stepping"))
     assert exact.evaluations.values[-1].max() <= EVALUATIONS
-    if apart(exact, stepped) > AGREE:  # an impact: the step's error tells where it hits
-        stepped = check(run.log("time-stepping", 4), 1e-7)
-    assert apart(exact, stepped) <= AGREE, run
+    coarse = apart(exact, stepped)
+    if coarse > AGREE:  # an impact: the error of the step decides where it hits; it has to fall
+        finer = apart(exact, check(run.log("time-stepping", FINER), 1e-7))
+        assert finer <= min(AGREE, coarse / 2), run
     return exact
 
 

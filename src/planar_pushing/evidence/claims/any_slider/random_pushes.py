@@ -1,4 +1,4 @@
-"""What the paper says of every push, on random supports that are touched at random places."""
+"""Statements of the paper on every push, for random supports that are touched at random places."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the paper does not say: duality of the ring, and solutions beyond its pair."""
+"""Findings beyond the paper: duality of the ring, and solutions beyond its pair."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the checks of the claims are made of."""
+"""Parts of the checks of the claims."""
 
 from planar_pushing.terms.extras import require_extra
 

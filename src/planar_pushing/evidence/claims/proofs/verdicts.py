@@ -20,7 +20,7 @@ Identity = Any  # fmpq_mpoly in normal form
 
 
 class Verdict(StrEnum):
-    """What a check found; of several the last in this order decides."""
+    """Verdict of a check; of several the last in this order decides."""
 
     PROVED = "proved"
     VERIFIED = "verified on the grid"

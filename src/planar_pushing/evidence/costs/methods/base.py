@@ -1,4 +1,4 @@
-"""What a method is that work-precision diagrams compare."""
+"""The methods that work-precision diagrams compare."""
 
 from __future__ import annotations
 
