@@ -41,11 +41,11 @@ EXAMPLES = [
 
 
 def compiled_files():
-    """Names of the files of machine code."""
+    """Names of the files of machine code, to which no other process may add."""
     return {path.name for path in core.CACHE.rglob("*.nbc")}
 
 
-@pytest.mark.slow
+@pytest.mark.alone
 def test_the_examples_compile_nothing_after_compile(tmp_path):
     subprocess.run([*COMMAND, "compile"], check=True, capture_output=True)
     before = compiled_files()

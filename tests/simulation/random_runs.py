@@ -25,9 +25,10 @@ class RandomRun:
     duration: float
     twist: tuple[float, float, float]
 
-    def log(self, method):
-        """The log of the run by a method."""
-        steps = {"step": self.duration / STEPS} if method == "time-stepping" else {}
+    def log(self, method, finer=1):
+        """The log of the run by a method; steps of equal length may be so many times finer."""
+        step = {"step": self.duration / STEPS / finer}
+        steps = step if method == "time-stepping" else {}
         pusher = pp.Pusher(velocity=self.velocity, shape=self.shape)
         twist = {"twist": self.twist} if self.scene.stores_energy else {}
         return log_of(

@@ -1,1 +1,1 @@
-"""What the results rest on: golden data, claims, hard cases, and what accuracy costs."""
+"""Evidence for the results: golden data, claims, hard cases, and the cost of accuracy."""

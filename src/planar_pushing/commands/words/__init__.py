@@ -1,1 +1,1 @@
-"""What the commands share: arguments and printed text."""
+"""Arguments and printed text, which the commands share."""

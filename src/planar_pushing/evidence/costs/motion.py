@@ -1,4 +1,4 @@
-"""What accuracy costs over time: both integrators against certified motion, slipping and pulling."""
+"""Cost of accuracy over time: both integrators against certified motion, slipping and pulling."""
 
 from __future__ import annotations
 
