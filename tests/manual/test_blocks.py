@@ -50,7 +50,7 @@ def run_ours(arguments, capsys):
 
 
 def plan_jobs(arguments, capsys):
-    """What Snakemake would do; it does nothing."""
+    """Plan the jobs of Snakemake; none runs."""
     run = [sys.executable, "-m", "snakemake", *arguments, "--dry-run", "--quiet"]
     environment = os.environ | {"PYTHONPATH": str(PROJECT / "src")}
     done = subprocess.run(run, env=environment, capture_output=True, text=True, check=False)

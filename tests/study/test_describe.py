@@ -1,4 +1,4 @@
-"""What a dataset says of itself: units, names, flags and provenance."""
+"""Attributes of datasets: units, names, flags and provenance."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""What the library needs, and what its extras bring."""
+"""Packages that the library needs, and those of its extras."""
 
 import json
 import re

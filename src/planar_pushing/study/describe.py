@@ -25,7 +25,7 @@ from planar_pushing.terms.quantities import (
 )
 
 FLAGS = {"mode": ContactMode, "outcome": Outcome, "status": Status}
-#: What an entry of the axis `solution` holds behind the last solution.
+#: Meaning of an entry of the axis `solution` behind the last solution.
 BEHIND = {"mode": "-1 behind the last solution"}
 
 

@@ -76,7 +76,7 @@ def _simulations(results: str) -> str:
 
 
 def _finger_table() -> Iterator[str]:
-    """What the log of a finger holds besides, and what means something else there."""
+    """Rows of the further variables of a finger's log, and of those with another meaning there."""
     yield "| name | unit | meaning |"
     yield "| --- | --- | --- |"
     for name, (unit, meaning) in FINGER.items():

@@ -48,7 +48,7 @@ def _located(study: StudyFile, folder: Path) -> StudyFile:
 
 
 def _study_problems(study: StudyFile) -> Iterator[str]:
-    """What keeps a well-formed study from being computed and drawn."""
+    """Reasons why a well-formed study cannot be computed and drawn."""
     computed = [name for name in DATASETS if computes(study, name)]
     if not computed:
         yield "grid: gives all axes of no dataset; allowed: those of one at least; add axes"

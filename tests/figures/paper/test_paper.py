@@ -1,4 +1,4 @@
-"""What holds of every figure, each from the smallest study that shows it."""
+"""Properties of every figure, each from the smallest study that shows it."""
 
 from itertools import combinations
 

@@ -1,4 +1,4 @@
-"""What a study holds: axes, lists that hold ranges, supports and effects together."""
+"""The model of a study: axes, lists that hold ranges, supports and effects together."""
 
 import numpy as np
 import pytest

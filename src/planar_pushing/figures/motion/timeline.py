@@ -1,4 +1,4 @@
-"""What the pictures of motion over time show of a log, and its parts: rows, runs of a mode, colors."""
+"""The part of a log that pictures of motion over time show: rows, runs of a mode, colors."""
 
 from __future__ import annotations
 

@@ -95,7 +95,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 REACH, FAR = 2.6, 30.0
 #: Colors of the paper's bound and of the exact set.
 BOUND, EXACT = drawing.tint(CENTER, 0.16), drawing.tint(CENTER, 0.6)
-#: What the two panels show, units of length; the second is half the width of a square.
+#: Views of the two panels, units of length; the second is half the width of a square.
 VIEW, DETAIL = (-3.6, 7.8, -2.35, 5.4), 1.55
 
 

@@ -23,7 +23,7 @@ from planar_pushing.mechanics.supports import Ring
 from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
 
-#: What a scene file says of the slider alone.
+#: Keys of a scene file that do not describe a motion over time.
 OWN = ("slider", "contact", "effects")
 #: A center nearer to the origin of the body than this, in units of the support's size, is there.
 NEAR = 1e-6

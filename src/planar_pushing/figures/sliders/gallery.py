@@ -1,4 +1,4 @@
-"""What the figures of sliders share: the supports of a dataset, their names and styles, and scenes."""
+"""Shared by the figures of sliders: the supports of a dataset, their names and styles, and scenes."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def _between(heading: xr.DataArray, force: xr.DataArray) -> xr.DataArray:
 
 
 def described_supports(grid: xr.Dataset, rod: SliderEntry) -> xr.Dataset:
-    """What a figure's numbers say of the supports, and of the rod where it is no axis."""
+    """Variables of a figure that describe the supports, and the rod where it is no axis."""
     data = grid[["extent"]]
     text = "rod length, from the contact to the slider's center"
     data["rod_length"] = named((), rod.rod_length, "length", text)

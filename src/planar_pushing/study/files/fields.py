@@ -95,7 +95,7 @@ def _truth(given: object) -> object:
     return given
 
 
-#: What is true or false, and no word for it.
+#: A truth value, not a word for one.
 Truth = Annotated[bool, BeforeValidator(_truth)]
 
 #: Path of a file or a folder that a study names, relative to the study's file.
@@ -129,7 +129,7 @@ def choice(options: type[StrEnum]) -> Any:
     return Literal.__getitem__(tuple(map(str, options)))
 
 
-#: What a number of things is.
+#: Numbers that count things.
 COUNT = "an integer >= 1"
 
 
