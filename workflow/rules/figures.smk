@@ -5,7 +5,9 @@ rule figures:
         over("{results}/figures/{name}.{kind}", drawn),
         over(
             "{results}/figures/simulation_{name}.{kind}",
-            lambda folder: STUDIES[folder].simulations if STUDIES[folder].scenes else [],
+            lambda folder: (
+                STUDIES[folder].simulations if STUDIES[folder].scenes else []
+            ),
         ),
 
 

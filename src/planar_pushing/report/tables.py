@@ -38,7 +38,6 @@ PACKAGES = (
     "typst",
 )
 #: Packages that the golden data were computed with, and the attributes that hold their versions.
-GOLDEN_PACKAGES = {"python-flint": "python_flint", "FLINT": "flint"}
 
 
 def numbers_text(results: Results) -> str:
@@ -152,5 +151,5 @@ def provenance_text(results: Results, study: PathLike) -> str:
     rows.append(("Python", platform.python_version()))
     rows += [(name, version(name)) for name in PACKAGES]
     marks = results.golden_marks()[0]
-    rows += [(f"{name}, golden data", marks[key]) for name, key in GOLDEN_PACKAGES.items()]
+    rows += [tuple(each.split(" ")) for each in marks["golden_versions"].split(", ")]
     return csv_text([{"what": name, "version": value} for name, value in rows])

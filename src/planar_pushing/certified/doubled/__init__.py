@@ -1,1 +1,0 @@
-"""Arithmetic with 32 digits over numpy arrays: a number is the unevaluated sum of two doubles."""
