@@ -12,9 +12,9 @@ from planar_pushing.report.results import Results
 TABLES = {
     "numbers": tables.numbers_text,
     "figures": tables.figures_text,
-    "cones": tables.cones_text,
+    "infinite_friction_cones": tables.cones_text,
     "ellipsoids": tables.ellipsoids_text,
-    "verdict": tables.verdict_text,
+    "golden_summary": tables.verdict_text,
     **COST_TABLES,
 }
 

@@ -37,7 +37,6 @@ PACKAGES = (
     "snakemake",
     "typst",
 )
-#: Packages that the golden data were computed with, and the attributes that hold their versions.
 
 
 def numbers_text(results: Results) -> str:
@@ -151,5 +150,7 @@ def provenance_text(results: Results, study: PathLike) -> str:
     rows.append(("Python", platform.python_version()))
     rows += [(name, version(name)) for name in PACKAGES]
     marks = results.golden_marks()[0]
-    rows += [tuple(each.split(" ")) for each in marks["golden_versions"].split(", ")]
+    for each in marks["golden_versions"].split(", "):
+        name, number = each.split(" ")
+        rows.append((f"{name}, golden data", number))
     return csv_text([{"what": name, "version": value} for name, value in rows])
