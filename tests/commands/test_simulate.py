@@ -29,7 +29,9 @@ def test_an_option_takes_the_place_of_the_section(run, tmp_path):
     assert [(each["time"], each["mode"]) for each in told["modes"]] == [
         (0.0, "STICK"),
         (0.5, "SEPARATE"),
+        (0.515625, "SEPARATE"),  # the contact has opened
     ]
+    assert told["modes"][2]["consistent"] == 1
     assert told["modes"][1]["consistent"] > 1
     assert told["gap"] == pytest.approx(np.sin(np.deg2rad(10)), abs=1e-12)
 

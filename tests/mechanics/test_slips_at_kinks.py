@@ -96,3 +96,20 @@ def test_feet_along_the_fence_of_which_one_just_holds_what_the_others_leave():
     mass, rod = pp.Inertia(gyration_radius=1.8443127836501367), (10.0, 1.3703497203542114)
     own = scene(feet, [2, 3, 1], rod, pp.Coulomb(1.0), mass, weight=437.37102864753484)
     assert names(solved(own, math.pi, 334.5625080874837))[0] == "SEPARATE"
+
+
+#: Rod angle in degrees at which a push starts to turn three equal feet about the first.
+ONSET = 21.228146214862
+
+
+@pytest.mark.parametrize("ahead", [10.0**-n for n in range(5, 13)])
+def test_the_force_of_a_pivot_that_begins_is_on_the_line_of_force(ahead):
+    """Just behind the onset the root is next to the kink, which a step from one side passes."""
+    feet = [(1, 0), (-0.5, math.sqrt(0.75)), (-0.5, -math.sqrt(0.75))]
+    force = UPRIGHT - math.atan(0.25)
+    before, after = (
+        pp.limit_curve(scene(feet, [1, 1, 1], (2.0, math.radians(rod)), pp.Coulomb(0.25)), force)
+        for rod in (ONSET + ahead, ONSET - ahead)
+    )
+    assert after.magnitude == pytest.approx(before.magnitude, abs=0.1 * ahead, rel=1e-12)
+    assert after.spin_ratio == pytest.approx(before.spin_ratio, abs=0.1 * ahead, rel=1e-12)

@@ -12,7 +12,7 @@ from planar_pushing.study.study_file import load_study
 STUDY = load_study("workflow/config/paper.yaml")
 SCENES = {name: load_scene_file(push.file) for name, push in STUDY.scenes.items()}
 PUSHES, FIGURES = STUDY.scenes, STUDY.figures
-MAPPED = read_dataset("tests/golden/figure_06.nc").mapped_force_angle.values.tolist()
+MAPPED = read_dataset("tests/golden/figures/figure_06.nc").mapped_force_angle.values.tolist()
 
 
 def both(read):

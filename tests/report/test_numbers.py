@@ -57,8 +57,8 @@ SMALL = STUDY.model_copy(update={"grid": STUDY.grid.model_copy(update=GRID)})
 SHORT = STUDY.model_copy(update={"grid": SMALL.grid.model_copy(update={"rod_length": (2.0,)})})
 CHECKS = [
     Check(file="motion_cones", variable="left", count=100, error=4.6e-13, ulp=32.6, allowed=5e-13),
-    Check(file="scenes.figure_02", variable="force", count=200, error=1e-16, ulp=1, allowed=1e-14),
-    Check(file="scenes.figure_03", variable="force", count=40),
+    Check(file="scenes/figure_02", variable="force", count=200, error=1e-16, ulp=1, allowed=1e-14),
+    Check(file="scenes/figure_03", variable="force", count=40),
 ]
 
 
@@ -120,7 +120,8 @@ def results(tmp_path_factory):
         claim(name, *(check(part, value=value) for part, value in values.items()))
         for name, values in VALUES.items()
     ]
-    write_text(json_text(verdict(CHECKS)), folder / "tables/golden_verdict.json")
+    for place in (folder, sliders):
+        write_text(json_text(verdict(CHECKS)), place / "tables/golden_verdict.json")
     ledger = {"counts": {}, "claims": claims() + known}
     write_text(json.dumps(ledger), folder / "tables/claims.json")
     return Results(folder, Path("tests/golden"))
@@ -156,8 +157,8 @@ def numbers(results):
         ("slow-pull", "-7.1"),
         ("fast-pull", "3.9"),
         ("golden-verdict", "passed"),
-        ("golden-values", "340"),
-        ("golden-variables", "3"),
+        ("golden-enclosed", "680"),
+        ("golden-variables", "6"),
         ("golden-precision", "192"),
         ("claims", str(7 + len(VALUES))),
         ("claims-ours", "1"),
@@ -257,8 +258,8 @@ def test_verdict_by_dataset(results):
     assert rows["motion cones"]["worst difference"] == "4.6e-13"
     assert rows["scenes"] == {
         "compared": "scenes",
-        "variables": "2",
-        "values": "240",
+        "variables": "4",
+        "values": "480",
         "worst difference": "1.0e-16",
         "allowed there": "1.0e-14",
     }
@@ -319,7 +320,7 @@ def test_missing_tables_and_claims_are_named(results, tmp_path):
     with pytest.raises(InvalidFile, match="holds no golden data"):
         empty.golden_marks()
     with pytest.raises(InvalidFile, match=r"golden_verdict\.json: no such table; build it"):
-        _ = empty.verdict
+        _ = empty.verdicts
     with pytest.raises(InvalidFile, match=r"claims\.json: no claim 'none'; allowed: claim-0"):
         results.check("none", "threshold")
     with pytest.raises(
@@ -330,10 +331,13 @@ def test_missing_tables_and_claims_are_named(results, tmp_path):
     with pytest.raises(InvalidFile, match=r"claims\.json: is not JSON"):
         _ = empty.claims
     failed = [replace(CHECKS[0], failed=1)]
-    write_text(json_text(verdict(failed)), tmp_path / "tables/golden_verdict.json")
+    both = [tmp_path / each / "tables/golden_verdict.json" for each in (".", "studies/sliders")]
+    for path in both:
+        write_text(json_text(verdict(failed)), path)
     with pytest.raises(InvalidFile, match="holds no verdict that passed"):
-        NUMBERS["golden-values"].entry(empty)
-    write_text(json_text(verdict([])), tmp_path / "tables/golden_verdict.json")
+        NUMBERS["golden-enclosed"].entry(empty)
+    for path in both:
+        write_text(json_text(verdict([])), path)
     with pytest.raises(InvalidFile, match="compares nothing"):
         verdict_text(empty)
 

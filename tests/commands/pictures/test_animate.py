@@ -37,8 +37,8 @@ WRONG = [
      "frames: 1 given; allowed: a whole number from 2 to 1000"),
     (["animate", "LOG", "--frames-per-second", "0", "-o", "motion.gif"],
      "frames_per_second: 0.0 given; allowed: a number in (0, 50]"),
-    (["animate", "tests/golden/figure_01.nc", "-o", "motion.gif"],
-     "tests/golden/figure_01.nc: the dataset lacks position"),
+    (["animate", "tests/golden/figures/figure_01.nc", "-o", "motion.gif"],
+     "tests/golden/figures/figure_01.nc: the dataset lacks position"),
 ]  # fmt: skip
 
 

@@ -15,7 +15,7 @@ from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 
 STUDY = """title: Mine
-slider: {radius: 2, rod_angle: 60}
+slider: {radius: 2, rod_length: 2, rod_angle: 60}
 support_friction: {weight: 3}
 inertia: {mass: 0.5, gyration_radius: 2}
 supports:

@@ -7,6 +7,8 @@ from evidence.golden.goldens import dataset_name, golden, names, result
 from planar_pushing.evidence.golden.compare import compare, load_tolerances
 
 COUNT, CHANGE = 1000, 1e-9
+#: Errors of methods and of rounding, which are compared to their size.
+ERRORS = ("accuracy_errors", "hard_cases")
 
 
 @pytest.fixture(scope="module")
@@ -34,6 +36,7 @@ def test_changes_of_numbers_are_seen(pairs):
     places = [
         (pair, str(name))
         for pair in pairs
+        if pair[0] not in ERRORS
         for name, each in pair[1].variables.items()
         if each.dtype.kind == "f" and (np.isfinite(each.values) & (each.values != 0)).any()
     ]

@@ -1,4 +1,4 @@
-"""Stored enclosures: midpoints as doubles, and radii as exponents of two in a byte."""
+"""Stored enclosures: midpoints as doubles, and radii as exponents of two in a byte, or as they are."""
 
 from __future__ import annotations
 
@@ -14,9 +14,11 @@ RADIUS = "_radius"
 EXACT = -128
 
 
-def radii(exponents: npt.NDArray[np.int8]) -> Floats:
-    """Radii of exponents."""
-    found: Floats = np.where(exponents == EXACT, 0.0, np.exp2(exponents.astype(float)))
+def radii(stored: npt.NDArray[Any]) -> Floats:
+    """Radii of exponents; numbers are radii."""
+    if stored.dtype.kind == "f":
+        return stored
+    found: Floats = np.where(stored == EXACT, 0.0, np.exp2(stored.astype(float)))
     return found
 
 

@@ -188,9 +188,10 @@ def crossing(way, low, high, here):
         slope = sense * here.slope
         step = -value / slope if slope > 0.0 else copysign(inf, -value)
         size, new = abs(step) / scale, here.s + step
-        if is_last(size, last) and low.s <= new <= high.s:
-            return beside(way, here, new)
-        if not low.s < new < high.s or size > last / 2.0:
+        done = is_last(size, last) and low.s <= new <= high.s
+        if done:
+            pass
+        elif not low.s < new < high.s or size > last / 2.0:
             if high.s - low.s <= 4.0 * EPSILON * scale:
                 return here
             last, new = inf, _middle(low.s, high.s, scale, EPSILON * least)
@@ -202,8 +203,10 @@ def crossing(way, low, high, here):
         ahead = here.s < kink.s < new or new < kink.s < here.s
         if ahead or abs(kink.s - new) <= DIRECTION * scale:
             last, here = inf, node(way, kink.s, kink.spin, kink.point)
-        else:
-            here = beside(way, here, new)
+            continue
+        here = beside(way, here, new)
+        if done:
+            return here
     return unsettled(here)
 
 
