@@ -29,7 +29,7 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
     sub.add_argument(
         "--points", type=int, metavar="N",
-        help="enclose N random points of each dataset, a whole number > 0, instead of comparing with golden data",
+        help="enclose N random points of each dataset, a whole number > 0, instead of the comparison with golden data",
     )  # fmt: skip
 
 

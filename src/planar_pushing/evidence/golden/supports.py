@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from functools import lru_cache
+from itertools import product
 from typing import Any
 
 from flint import arb, fmpq
@@ -26,6 +27,8 @@ ONE = fmpq(1)
 FAR = 10**15
 #: A ball of zero that is smaller is one of a number that vanishes by symmetry.
 NOTHING = 1e-30
+#: Doubles take a load that exceeds a share by less than this part, squared, for one within the share.
+KINK = 1e-12
 
 
 def support(values: Values, name: str) -> Pieces:
@@ -81,6 +84,7 @@ def numbers(values: Values, name: str) -> Record:
 def cone(values: Values, name: str, length: float, angle: float, friction: float) -> Record:
     """Edges of a motion cone, the feet about which they pivot, and what follows from them."""
     rod = support(values, name), rational(length), rational(angle)
+    _refuse_kinks(*rod, friction)
     right, left = (cone_edges.edge(*rod, friction, side) for side in (1, -1))
     low, high = sign(right.angle), sign(left.angle - 180)
     return {
@@ -97,9 +101,19 @@ def solutions(
 ) -> Record:
     """Every consistent solution of a push."""
     own = support(values, name)
+    _refuse_kinks(own, rational(length), rational(angle), friction)
     found = modes(_scene(own, length, angle), Law(friction), _pusher(pusher), ONE)
     found.sort(key=lambda each: each.mode)
     return columns([_entry(each, own, length, angle, friction) for each in found])
+
+
+@lru_cache(maxsize=1 << 12)
+def _refuse_kinks(own: Pieces, length: fmpq, angle: fmpq, friction: float) -> None:
+    """Refuse edges under which a foot would have to take more than its share by a rounding error."""
+    for side, foot in product((1, -1), range(len(own.points))):
+        load = cone_edges.pivot_load(own, length, angle, friction, side, foot)
+        if load is not None and 1 < load and load < 1 + KINK:
+            raise Undecided("a foot takes its share to all digits")
 
 
 def _entry(found: Solution, own: Pieces, length: float, angle: float, friction: float) -> Record:

@@ -28,12 +28,17 @@ SCENES = {scene: figure for figure in FIGURES.values() for scene in figure.group
 
 
 def draws(study: StudyFile, name: str) -> bool:
-    """Whether a study has the datasets, effects and simulations that a scene or a figure needs."""
+    """Whether a study has the datasets, effects and simulations that a scene or a figure needs.
+
+    Those of the paper need an entry, of which a study has all or none.
+    """
     from planar_pushing.study.slices import computes
 
     figure = ALL.get(name, SCENES.get(name))
     if figure is None:
         return True
+    if figure.name in FIGURES and not (study.scenes or study.figures):
+        return False
     for each in figure.datasets:
         stem, _, group = each.partition("/")
         if stem == "simulations" and group not in study.simulations:
