@@ -121,5 +121,5 @@ def test_picture_of_motion(pictures, name):
             assert bottom <= y - 1 < y + 1 <= top
     strips = [p for p in figure.axes[-1].patches if isinstance(p, Rectangle)]
     assert [bool(strip.get_hatch()) for strip in strips] == (
-        [False, True, False, True] if name == "figure_14" else [False]
+        [False, True, False, True, False] if name == "figure_14" else [False]
     )
