@@ -29,7 +29,8 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
     sub.add_argument(
         "--points", type=int, metavar="N",
-        help="enclose N random points of each dataset, a whole number > 0, instead of the comparison with golden data",
+        help="enclose N random points of each dataset, a whole number > 0, instead of comparing it with "
+        "golden data",
     )  # fmt: skip
 
 

@@ -112,7 +112,7 @@ def _refuse_kinks(own: Pieces, length: fmpq, angle: fmpq, friction: float) -> No
     """Refuse edges under which a foot would have to take more than its share by a rounding error."""
     for side, foot in product((1, -1), range(len(own.points))):
         load = cone_edges.pivot_load(own, length, angle, friction, side, foot)
-        if load is not None and 1 < load and load < 1 + KINK:
+        if load is not None and load > 1 and load < 1 + KINK:
             raise Undecided("a foot takes its share to all digits")
 
 
