@@ -16,6 +16,7 @@ from planar_pushing.study.slices import computes, points, sizes, study_slice
 from planar_pushing.study.studies import chosen_studies, study_folder, study_name
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.extras import require_extra
 
 if any(" " in path for path in (sys.executable, workflow.basedir)):
     raise WorkflowError(
@@ -28,6 +29,8 @@ try:
         str(study_folder(study_name(file))): file for file in chosen_studies(config)
     }
     STUDIES = {folder: load_study(file) for folder, file in FILES.items()}
+    if any(study.chunks for study in STUDIES.values()):
+        require_extra("chunks")
     MARKS = {folder: provenance(STUDIES[folder], FILES[folder]) for folder in FILES}
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
@@ -109,3 +112,107 @@ def figure_code(wildcards):
     """Code and entry of a figure."""
     entry = ALL[wildcards.figure]
     return [code_of("figure", entry.module), repr(entry)]
+
+
+def chunked(wildcards):
+    """The chunks of a dataset by name, none of one that is built in one piece."""
+    study = study_of(wildcards)
+    return (
+        chunks.chunk_parts(study, wildcards.dataset)
+        if wildcards.dataset in study.chunks
+        else {}
+    )
+
+
+def job_slice(wildcards):
+    """The values of the study from which a dataset or a chunk is computed."""
+    study, name = study_of(wildcards), wildcards.dataset
+    part = chunked(wildcards).get(wildcards.get("chunk"), {})
+    return chunks.chunk_slice(study, name, part)
+
+
+def job_points(wildcards):
+    if wildcards.dataset == "scenes":
+        return 0
+    return points(wildcards.dataset, job_slice(wildcards))
+
+
+def job_threads(wildcards):
+    return chunks.threads(job_points(wildcards))
+
+
+def job_minutes(wildcards):
+    return chunks.minutes(job_points(wildcards))
+
+
+def chunk_files(wildcards):
+    """Chunks from which a dataset is gathered."""
+    folder = f"{wildcards.results}/chunks/{wildcards.dataset}"
+    files = [f"{folder}/{chunk}.nc" for chunk in chunked(wildcards)]
+    return {"chunks": files} if files else {}
+
+
+def job_call(wildcards):
+    """The function that builds a dataset, gathers its chunks, or lists them."""
+    if not chunked(wildcards):
+        return "study.build:dataset"
+    gathers = study_of(wildcards).gather.get(wildcards.dataset, True)
+    return f"study.build:{'gather' if gathers else 'index'}"
+
+
+def job_values(wildcards, threads):
+    """The keywords of that function."""
+    study, name = study_of(wildcards), wildcards.dataset
+    if not chunked(wildcards):
+        return {"study": study_slice(study, name), "threads": threads}
+    lengths, steps = (
+        sizes(name, study_slice(study, name)),
+        chunks.chunk_steps(study, name),
+    )
+    return {"whole": {"lengths": lengths, "steps": steps}}
+
+
+def figure_files(wildcards):
+    """Datasets from which a figure is drawn."""
+    sources = ALL[wildcards.figure].datasets
+    return sorted({f"{wildcards.results}/{dataset_file(source)}" for source in sources})
+
+
+def figure_settings(wildcards):
+    """The study's values for a figure; of any slider the rod."""
+    study, name = study_of(wildcards), wildcards.figure
+    entry = study.slider if name in GALLERY else study.figures.get(name, FigureEntry())
+    return entry.model_dump()
+
+
+def golden_results(wildcards):
+    """The results of a study that golden data hold, and the golden files."""
+    from planar_pushing.evidence.golden.check import result_names
+
+    study = study_of(wildcards)
+    files = [
+        f"{wildcards.results}/{dataset_file(name)}" for name in result_names(study)
+    ]
+    return [*files, *sorted(map(str, Path(study.golden).rglob("*.nc")))]
+
+
+def counted(wildcards, name):
+    """The study whose effects are counted or timed."""
+    names = ("evaluations", "effects")
+    return {"study": FILES[wildcards.results]} if name in names else {}
+
+
+def table(name):
+    category, title, caption = TABLES[name]
+    return report(
+        f"{WHOLE}/tables/{name}.csv",
+        category=category,
+        labels={"table": title},
+        caption=f"../report/{caption}.rst",
+    )
+
+
+def golden_files():
+    """Golden data of all studies that are built."""
+    folders = [Path(study.golden) for study in STUDIES.values() if study.golden]
+    return sorted({str(path) for folder in folders for path in folder.rglob("*.nc")})

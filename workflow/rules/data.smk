@@ -9,64 +9,6 @@ rule data:
         ),
 
 
-def chunked(wildcards):
-    """The chunks of a dataset by name, none of one that is built in one piece."""
-    study = study_of(wildcards)
-    return (
-        chunks.chunk_parts(study, wildcards.dataset)
-        if wildcards.dataset in study.chunks
-        else {}
-    )
-
-
-def job_slice(wildcards):
-    """The values of the study from which a dataset or a chunk is computed."""
-    study, name = study_of(wildcards), wildcards.dataset
-    part = chunked(wildcards).get(wildcards.get("chunk"), {})
-    return chunks.chunk_slice(study, name, part)
-
-
-def job_points(wildcards):
-    if wildcards.dataset == "scenes":
-        return 0
-    return points(wildcards.dataset, job_slice(wildcards))
-
-
-def job_threads(wildcards):
-    return chunks.threads(job_points(wildcards))
-
-
-def job_minutes(wildcards):
-    return chunks.minutes(job_points(wildcards))
-
-
-def chunk_files(wildcards):
-    """Chunks from which a dataset is gathered."""
-    folder = f"{wildcards.results}/chunks/{wildcards.dataset}"
-    files = [f"{folder}/{chunk}.nc" for chunk in chunked(wildcards)]
-    return {"chunks": files} if files else {}
-
-
-def job_call(wildcards):
-    """The function that builds a dataset, gathers its chunks, or lists them."""
-    if not chunked(wildcards):
-        return "study.build:dataset"
-    gathers = study_of(wildcards).gather.get(wildcards.dataset, True)
-    return f"study.build:{'gather' if gathers else 'index'}"
-
-
-def job_values(wildcards, threads):
-    """The keywords of that function."""
-    study, name = study_of(wildcards), wildcards.dataset
-    if not chunked(wildcards):
-        return {"study": study_slice(study, name), "threads": threads}
-    lengths, steps = (
-        sizes(name, study_slice(study, name)),
-        chunks.chunk_steps(study, name),
-    )
-    return {"whole": {"lengths": lengths, "steps": steps}}
-
-
 rule dataset:
     input:
         unpack(chunk_files),

@@ -12,17 +12,6 @@ rule golden:
         ),
 
 
-def golden_results(wildcards):
-    """The results of a study that golden data hold, and the golden files."""
-    from planar_pushing.evidence.golden.check import result_names
-
-    study = study_of(wildcards)
-    files = [
-        f"{wildcards.results}/{dataset_file(name)}" for name in result_names(study)
-    ]
-    return [*files, *sorted(map(str, Path(study.golden).rglob("*.nc")))]
-
-
 rule golden_verdict:
     input:
         golden_results,
@@ -86,12 +75,6 @@ rule hard_cases:
         expand(
             "{results}/figures/{name}.{kind}", results=CERTIFIED, name=OURS, kind=KINDS
         ),
-
-
-def counted(wildcards, name):
-    """The study whose effects are counted or timed."""
-    names = ("evaluations", "effects")
-    return {"study": FILES[wildcards.results]} if name in names else {}
 
 
 # Datasets on how this work computes.

@@ -11,19 +11,6 @@ rule figures:
         ),
 
 
-def figure_files(wildcards):
-    """Datasets from which a figure is drawn."""
-    sources = ALL[wildcards.figure].datasets
-    return sorted({f"{wildcards.results}/{dataset_file(source)}" for source in sources})
-
-
-def figure_settings(wildcards):
-    """The study's values for a figure; of any slider the rod."""
-    study, name = study_of(wildcards), wildcards.figure
-    entry = study.slider if name in GALLERY else study.figures.get(name, FigureEntry())
-    return entry.model_dump()
-
-
 rule figure:
     input:
         figure_files,

@@ -33,22 +33,6 @@ SUPPLEMENT_TABLES = [
 ]
 
 
-def table(name):
-    category, title, caption = TABLES[name]
-    return report(
-        f"{WHOLE}/tables/{name}.csv",
-        category=category,
-        labels={"table": title},
-        caption=f"../report/{caption}.rst",
-    )
-
-
-def golden_files():
-    """Golden data of all studies that are built."""
-    folders = [Path(study.golden) for study in STUDIES.values() if study.golden]
-    return sorted({str(path) for folder in folders for path in folder.rglob("*.nc")})
-
-
 rule report_tables:
     input:
         rules.data.input,
@@ -182,7 +166,7 @@ rule manual_pages:
         f"{WHOLE}/benchmarks/manual/manual_pages.tsv"
     params:
         call="report.manual:build_manual",
-        source="paper/manual",
+        source=lambda wildcards: "paper/manual",
         code=code_of("manual"),
         measured=[path.read_text() for path in MEASURED],
     message:
