@@ -18,7 +18,6 @@ from planar_pushing.study.figures import FIGURES
 from planar_pushing.study.store import read_attributes, read_dataset, write_dataset
 from workflow.conftest import PROJECT, copy_project
 
-
 #: Datasets of a study without supports.
 OF_RING = [name for name, entry in DATASETS.items() if "support" not in entry.dims]
 
