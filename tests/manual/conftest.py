@@ -23,10 +23,13 @@ READ = {
         PAPER_FILE,
         {"contact": ["coulomb_1.4"], "rod_length": [2.0]},
     ),
-    "studies/my_study/data/motion_cones.nc": (
-        "src/planar_pushing/study/templates/my_study.yaml",
-        {},
-    ),
+    **{
+        f"studies/my_study/data/{name}.nc": (
+            "src/planar_pushing/study/templates/my_study.yaml",
+            {},
+        )
+        for name in ("limit_curves", "motion_cones", "contact_modes")
+    },
     "studies/sliders/data/support_cones.nc": (
         SLIDERS_FILE,
         {"rod_length": [2.0], "rod_angle": [45.0], "friction_coefficient": [0.25]},
