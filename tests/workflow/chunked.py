@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+from planar_pushing.study.store import read_dataset
 from workflow.conftest import PROJECT
 
 STUDY = "workflow/config/split.yaml"
@@ -42,8 +44,13 @@ def snakemake(root: Path, *arguments: str, code: int = 0) -> str:
 
 
 def files(root: Path) -> dict[str, bytes]:
-    """Every dataset, chunk and figure."""
+    """Every chunk and figure, and the content of every dataset, which dask gathers in any order."""
     folder = root / RESULTS
-    kinds = ("data/*.nc", "chunks/*/*.nc", "figures/data/*.nc", "figures/*.*")
+    kinds = ("chunks/*/*.nc", "figures/data/*.nc", "figures/*.*")
     paths = [path for kind in kinds for path in folder.glob(kind)]
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(paths)}
+    found = {str(path.relative_to(folder)): path.read_bytes() for path in sorted(paths)}
+    datasets = {path.name: read_dataset(path) for path in sorted(folder.glob("data/*.nc"))}
+    return found | {
+        name: json.dumps(data.to_dict(), default=str, sort_keys=True).encode()
+        for name, data in datasets.items()
+    }
