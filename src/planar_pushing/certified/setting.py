@@ -31,7 +31,7 @@ FRICTION, INERTIA = fmpq(0), fmpq(1)  # shares of inertia
 
 
 class Effects(StrEnum):
-    """What resists the motion, by the names of the datasets."""
+    """Effects that resist the motion, by the names of the datasets."""
 
     FRICTION = "support_friction"
     INERTIA = "inertia"

@@ -112,7 +112,7 @@ def _table(found: xr.Dataset) -> str:
 
 
 def _in_words(variable: xr.DataArray) -> xr.DataArray:
-    """Flags by their words; a number that is none is a dash."""
+    """The names of flags; a value without a name is shown as a dash."""
     import numpy as np
 
     attrs = variable.attrs

@@ -1,4 +1,4 @@
-"""What the workflow's jobs on evidence call; each imports what it needs, since some are never installed."""
+"""Entry points of the jobs on evidence; each imports only the extras that it needs."""
 
 from __future__ import annotations
 

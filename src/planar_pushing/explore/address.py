@@ -74,7 +74,7 @@ def _text(given: Any) -> str:
 
 
 def _value(given: str) -> Any:
-    """What a text of `_text` was; a word that is no JSON is a word."""
+    """The inverse of `_text`: text that is not JSON is returned as it is."""
     try:
         return json.loads(given)
     except ValueError:

@@ -1,4 +1,4 @@
-"""What accuracy and each effect cost: errors, counts of evaluations, and times."""
+"""The cost of accuracy and of each effect: errors, counts of evaluations, and times."""
 
 from planar_pushing.terms.extras import require_extra
 

@@ -145,7 +145,7 @@ def _variables(golden: xr.Dataset) -> list[str]:
 
 
 def _differences(result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]:
-    """What differs in the lists of variables, their dimensions and attributes."""
+    """Differences in the lists of variables, their dimensions and attributes."""
     wanted = _variables(golden)
     for name in sorted(set(wanted) - set(map(str, result.variables))):
         yield f"{name} is missing from the result"
@@ -173,7 +173,7 @@ def _short(value: Any) -> str:
 
 
 def _unlike(found: xr.DataArray, wanted: xr.DataArray) -> str:
-    """What keeps a variable from being compared."""
+    """The reason why a variable cannot be compared; empty where it can."""
     if found.dims != wanted.dims:
         return f"has the dims {found.dims}, not {wanted.dims}"
     if found.shape != wanted.shape:

@@ -158,7 +158,7 @@ def single(
 
 
 def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
-    """What is said of a point at which nothing is certified."""
+    """The message about a point that cannot be certified."""
     where = ", ".join(f"{dim}={each}" for dim, each in zip(cell.dims, point, strict=True))
     return (
         f"{name}: {where}: on a kink, where rounding decides ({reason}); allowed: a point off it; "
@@ -200,7 +200,7 @@ def _assembled(
 
 
 def _empty(name: str, dtype: np.dtype[Any]) -> Any:
-    """What a place holds that a point does not fill, such as one behind the last solution."""
+    """The value of unused entries, such as those behind the last solution."""
     if dtype.kind == "f":
         return np.nan
     return -1 if name in ("mode", "pivot") else 0

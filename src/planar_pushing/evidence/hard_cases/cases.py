@@ -40,7 +40,7 @@ QUANTITIES = {"force": "1", "torque": "1", "spin_ratio": "1", "motion_angle": "r
 
 
 class Function(NamedTuple):
-    """What is under test: the mechanics, doubles to a double, and the certified route, balls to a ball."""
+    """A quantity on both routes: `compute` maps doubles to a double, `reference` balls to a ball."""
 
     quantity: str
     compute: Callable[..., float]

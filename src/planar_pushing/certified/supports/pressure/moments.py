@@ -26,7 +26,7 @@ _route: Route | None = None
 
 
 class Moments(NamedTuple):
-    """What friction needs of a support at a center of rotation.
+    """Moments of a support's pressure about a motion center, from which friction follows.
 
     Attributes
     ----------

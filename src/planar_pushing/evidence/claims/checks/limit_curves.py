@@ -51,7 +51,7 @@ def motion_normal_to_curve() -> Evidence:
 
 @proof
 def extreme_forces(along: float, across: float, force: float) -> Evidence:
-    """The force is greatest along and least across the rod, at these angles and half a turn on.
+    """The force is maximal along the rod and minimal across it: at these angles, and 180 degrees from them.
 
     The torque about the contact vanishes only with k = 0 where the line of force meets the center, that
     is at the force angles along the rod, for every l > 0. There the slider translates and the force is

@@ -154,7 +154,7 @@ def l_least_force_off(rod_length: float) -> arb:
 
     The magnitude of the force falls with its angle where the motion is ahead of the force, and rises
     where it is behind. The motion never turns back, so that its enclosure at one angle decides up to
-    the next: steps from the direction of the rod and from the opposite one cover half a turn, but for a
+    the next: steps from the direction of the rod and from the opposite one cover 180 degrees, but for a
     small interval around the least force and for half a degree about the rod, where the convex curve
     lies outside of its chord.
     """
