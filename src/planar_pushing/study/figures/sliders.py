@@ -45,9 +45,9 @@ GALLERY = by_name(
         section=SECTION,
         caption=(
             "Slip with infinite friction: the part of all pushes into the slider that slip, over the "
-            "length and over the angle of the rod. The motion cone spans 180 degrees whatever the "
-            "support, and what it leans away from the friction cone slips. Dots are the cones of the "
-            "study's grid."
+            "length and over the angle of the rod. The motion cone is a half plane for every support; "
+            "the fraction of pushes that slip equals its tilt from the friction cone. Dots are the "
+            "cones of the study's grid."
         ),
     ),
     Figure(
