@@ -27,10 +27,10 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import words
 from planar_pushing.study.files.study_model import SliderEntry
 
-#: Rod lengths and rod angles, in degrees, of the curves.
-LENGTHS = np.geomspace(0.1, 10.0, 121)
+#: Rod lengths and rod angles, in degrees, of the curves; rounded, for powers differ between processors.
+LENGTHS = np.round(np.geomspace(0.1, 10.0, 121), 12)
 #: How far from an upright rod, where the curves are steep, the denser angles lie.
-BESIDE = np.geomspace(1e-3, 5.0, 80)
+BESIDE = np.round(np.geomspace(1e-3, 5.0, 80), 9)
 ANGLES = np.unique([*np.linspace(1.0, 179.0, 357), *(90.0 - BESIDE), *(90.0 + BESIDE)])
 AXES = ("rod_length", "rod_angle")
 #: The line of the ring lies behind the others, and is wider.
