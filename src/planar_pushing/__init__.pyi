@@ -1,5 +1,7 @@
 """Planar pushing: pulling by pushing, slip with infinite friction, and the mechanics behind them."""
 
+from .figures.animate import animate
+from .figures.draw import draw, plot_log
 from .mechanics.angles import AngleInterval
 from .mechanics.centers import (
     conservative_motion_cone,
@@ -84,8 +86,10 @@ __all__ = [
     "Status",
     "SupportFriction",
     "Viscous",
+    "animate",
     "can_pull",
     "conservative_motion_cone",
+    "draw",
     "fit_ellipsoid",
     "friction_cone",
     "limit_curve",
@@ -94,6 +98,7 @@ __all__ = [
     "motion_centers",
     "motion_cone",
     "open_dataset",
+    "plot_log",
     "potential",
     "save_scene",
     "simulate",

@@ -1,43 +1,150 @@
-"""Logs of motion over time."""
+"""Small studies, logs, and the figures that are drawn from them, each when it is first asked for."""
 
 import os
 import subprocess
 import sys
+from pathlib import Path
+from types import SimpleNamespace
+from unittest.mock import patch
 
+import numpy as np
 import pytest
 
+from planar_pushing.evidence.costs import tables
+from planar_pushing.figures import axes, render
+from planar_pushing.figures.figure import drawing, entry, figure_names
+from planar_pushing.figures.studies import numbered, settings
+from planar_pushing.figures.style import paper_style
 from planar_pushing.simulation.simulate import simulate
+from planar_pushing.study.build import build_dataset
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import arguments
-from planar_pushing.study.store import read_dataset
+from planar_pushing.study.slices import study_slice
+from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.study_file import load_study
+from report.costs import effects, hard_cases
 
+FIGURES, NUMBERED = figure_names(), numbered()
+#: Pictures by name: each figure, and its variant for one column.
+PICTURES = [name + variant for name in FIGURES for variant in entry(name).variants]
 LOGS = ("figure_14a", "figure_14b", "figure_15", "pulling_with_inertia", "impact")
 #: Logs of sliders on other supports.
 OTHERS = ("stool", "box")
+ACCURACY = Path(__file__).parents[1] / "evidence/costs/golden_accuracy.nc"
 
 
-def simulated(name):
-    file = load_scene_file(f"workflow/scenes/{name}.yaml")
-    return simulate(file.build(), **arguments(file.simulate))
+class Made(dict):
+    """Values that are made when they are first asked for."""
 
+    def __init__(self, make):
+        self.make = make
 
-def uncompiled(name, path):
-    """A log of steps, whose kind would be compiled for these pictures alone."""
-    options = ["--method", "time-stepping", "--step", "0.02", "-o", str(path)]
-    command = [sys.executable, "-m", "planar_pushing.commands", "simulate"]
-    subprocess.run(
-        [*command, f"workflow/scenes/{name}.yaml", *options],
-        env=os.environ | {"NUMBA_DISABLE_JIT": "1"}, check=True, capture_output=True,
-    )  # fmt: skip
-    return read_dataset(path)
+    def __missing__(self, key):
+        self[key] = self.make(key)
+        return self[key]
 
 
 @pytest.fixture(scope="session")
-def logs():
-    return {name: simulated(name) for name in LOGS}
+def logs(tmp_path_factory):
+    """Logs of scene files; the box's without the compiler, whose kind is compiled for no other test."""
+
+    def run(name):
+        path = f"workflow/scenes/{name}.yaml"
+        if name != "box":
+            file = load_scene_file(path)
+            return simulate(file.build(), **arguments(file.simulate))
+        log = tmp_path_factory.mktemp("logs") / "box.nc"
+        command = [sys.executable, "-m", "planar_pushing.commands", "simulate", path]
+        subprocess.run(
+            [*command, "--method", "time-stepping", "--step", "0.02", "-o", str(log)],
+            env=os.environ | {"NUMBA_DISABLE_JIT": "1"}, check=True, capture_output=True,
+        )  # fmt: skip
+        return read_dataset(log)
+
+    return Made(run)
 
 
 @pytest.fixture(scope="session")
-def others(tmp_path_factory):
-    path = tmp_path_factory.mktemp("others") / "box.nc"
-    return {"stool": simulated("stool"), "box": uncompiled("box", path)}
+def studies():
+    """The study of each figure."""
+    files = [f"workflow/config/{name}.yaml" for name in ("smoke", "sliders_smoke")]
+    return {name: study for study in map(load_study, files) for name in study.figures}
+
+
+@pytest.fixture(scope="session")
+def sources(studies, logs):
+    """Datasets by the names that figures read them by; errors of methods with times made up."""
+
+    def whole(name):
+        study = studies["figure_16" if name.startswith("support") else "figure_01"]
+        return build_dataset(name, study_slice(study, name))
+
+    def timed(group):
+        data, times = read_dataset(ACCURACY, group), np.random.default_rng(2)
+        name, axes = {"wrench": ("wrench", ("point", "spin_ratio")), "cone": ("cone", ("point",)),
+                      "motion": ("motion", ("point", "scene"))}[group]  # fmt: skip
+        shape = [data.sizes[axis] for axis in axes]
+        data[f"{name}_seconds"] = (*axes, "repeat"), 10 ** times.uniform(-7, -3, (*shape, 3))
+        return tables.described(data)
+
+    datasets = Made(whole)
+
+    def source(name):
+        stem, _, group = name.partition("/")
+        if stem == "simulations":
+            return logs[group]
+        if stem.startswith("accuracy"):
+            return timed(group or "wrench")
+        if stem in ("effects", "hard_cases"):
+            return {"effects": effects("{}"), "hard_cases": hard_cases()}[stem]
+        return datasets[stem][group] if group else datasets[stem]
+
+    return Made(source)
+
+
+@pytest.fixture(scope="session")
+def plotted(studies, sources):
+    """The numbers that each figure plots."""
+
+    def select(name):
+        figure = drawing(name)
+        given = {each: sources[each] for each in figure.FIGURE.reads}
+        if name not in NUMBERED:
+            return next(iter(given.values()))
+        return figure.select(given, SimpleNamespace(**settings(studies[name], name)))
+
+    return Made(select)
+
+
+@pytest.fixture(scope="session")
+def pictures(plotted):
+    """The pictures of `PICTURES`, with their axes, marks and sheets as `drawn`."""
+
+    def draw(name):
+        stem, drawn = name.removesuffix("_column"), []
+        spies = {
+            kind: lambda *given, add=add: (drawn.append(given), add(*given))
+            for kind, add in axes.DRAWN.items()
+        }
+        with paper_style(), patch.dict(axes.DRAWN, spies):
+            found = render.picture(stem, plotted[stem], name.removeprefix(stem))
+            found.draw_without_rendering()
+        found.drawn = drawn
+        return found
+
+    return Made(draw)
+
+
+@pytest.fixture
+def results(sources, tmp_path):
+    """A folder of results with what a figure reads."""
+
+    def write(name):
+        for each in entry(name).reads:
+            stem, _, group = each.partition("/")
+            path = f"{stem}/{group}" if stem == "simulations" else stem
+            given = {group: sources[each]} if group and path == stem else sources[each]
+            write_dataset(given, tmp_path / f"data/{path}.nc")
+        return tmp_path
+
+    return write

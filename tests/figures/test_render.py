@@ -1,54 +1,114 @@
-"""Selecting, drawing and saving by name."""
+"""Selecting, storing, drawing and saving by name."""
 
+from types import SimpleNamespace
+
+import matplotlib
 import pytest
+import xarray as xr
 from matplotlib.figure import Figure
 
+from figures.conftest import FIGURES
 from planar_pushing.figures import render, style
-from planar_pushing.figures.parts import arrows, drawing
-from planar_pushing.study.figures import ALL, FIGURES, GALLERY
-from planar_pushing.study.files.study_model import FigureEntry
+from planar_pushing.figures.figure import drawing
+from planar_pushing.figures.studies import settings
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.terms.errors import InvalidValue
 
-
-def test_an_unknown_figure_is_named():
-    with pytest.raises(InvalidValue, match="figure: 'figure_99' given; allowed: figure_01, "):
-        render.select("figure_99", "results", FigureEntry())
+KINDS = ("svg", "pdf", "png")
 
 
-@pytest.mark.parametrize("name", ALL)
-def test_every_entry_names_a_drawing(name):
-    found = render.drawing(name)
-    assert callable(found.draw)
-    assert (name in FIGURES | GALLERY) == hasattr(found, "select")
+def paths(folder):
+    return {kind: folder / f"picture.{kind}" for kind in KINDS}
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+@pytest.mark.parametrize("call", [drawing, lambda name: render.select(name, "results", None)])
+def test_an_unknown_figure_is_one_line_with_the_names_of_all(call):
+    with pytest.raises(InvalidValue) as caught:
+        call("figure_99")
+    names = ", ".join(FIGURES)
+    said = f"figure: 'figure_99' given; allowed: {names}; name one of these figures"
+    assert str(caught.value) == said
+
+
+@pytest.mark.parametrize("name", ["figure_08", "figure_15", "figure_16"])
+def test_a_figure_stores_its_numbers_and_draws_from_them_alike_twice(
+    results, studies, plotted, name
+):
+    folder = results(name)
+    given = settings(studies[name], name)
+    for run in ("one", "two"):
+        (folder / run).mkdir()
+        data = folder / run / f"{name}.nc"
+        render.figure(name=name, results=folder, settings=given, marks={"study": "small"}, data=data,
+                      **paths(folder / run))  # fmt: skip
+    assert contents(folder / "one") == contents(folder / "two")
+    assert len(contents(folder / "one")) == 4
+    stored = read_dataset(folder / f"one/{name}.nc")
+    assert stored.attrs["study"] == "small"
+    xr.testing.assert_equal(stored, plotted[name])
+    xr.testing.assert_equal(render.select(name, folder, SimpleNamespace(**given)), plotted[name])
+    render.file_figure(folder / f"one/{name}.nc", name=name, **paths(folder))
+    assert (folder / "picture.svg").read_bytes() == contents(folder / "one")["picture.svg"]
+
+
+@pytest.mark.parametrize(
+    ("name", "variant", "file"),
+    [
+        ("figure_09", "_column", "figure_09"),
+        ("accuracy_wrench", "", "data/accuracy"),
+        ("hard_cases", "_column", "data/hard_cases"),
+    ],
+)
+def test_a_figure_is_drawn_from_its_numbers_or_its_one_dataset(
+    results, plotted, name, variant, file
+):
+    folder = results(name)
+    write_dataset(plotted[name], folder / f"{name}.nc")
+    render.file_figure(folder / f"{file}.nc", name=name, variant=variant, **paths(folder))
+    wide, _ = drawing(name).FIGURE.variants[variant]
+    assert f'width="{72 * wide:g}pt"' in (folder / "picture.svg").read_text(encoding="utf-8")
+
+
+def test_a_simulation_is_drawn_from_its_log(logs, tmp_path):
+    write_dataset(logs["figure_14b"], tmp_path / "log.nc")
+    for run in ("one", "two"):
+        (tmp_path / run).mkdir()
+        render.simulation_figure(tmp_path / "log.nc", **paths(tmp_path / run))
+    assert contents(tmp_path / "one") == contents(tmp_path / "two")
 
 
 def test_an_unknown_kind_of_file_is_named(tmp_path):
-    with pytest.raises(
-        InvalidValue, match=r"a name ending in \.svg, \.pdf, \.png; rename the file"
-    ):
+    with pytest.raises(InvalidValue) as caught:
         render.save(Figure(), tmp_path / "picture.jpg")
+    allowed = "allowed: a name ending in .svg, .pdf, .png; rename the file"
+    assert str(caught.value) == f"output: '{tmp_path}/picture.jpg' given; {allowed}"
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
-def test_a_picture_is_saved_with_the_same_bytes_and_without_a_date(tmp_path, kind):
-    for name in ("one", "two"):
-        with style.paper_style():
-            figure = Figure(figsize=(2, 2))
-            arrows.force_arrow(drawing.schematic(figure, (0, 1, 0, 1)), (0, 0), (1, 1), "$f$")
-            render.save(figure, tmp_path / f"{name}.{kind}")
-    first, second = ((tmp_path / f"{name}.{kind}").read_bytes() for name in ("one", "two"))
-    assert first == second
-    assert b"Date" not in first
-    assert b"dc:date" not in first
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_picture_has_no_date(tmp_path, kind):
+    path = tmp_path / f"picture.{kind}"
+    render.save_drawn(lambda figure: figure.text(0.5, 0.5, "$f$"), (2.0, 2.0), [path])
+    assert b"Date" not in path.read_bytes()
+    assert b"dc:date" not in path.read_bytes()
 
 
 def test_a_picture_that_cannot_be_drawn_leaves_the_old_one(tmp_path):
     path = tmp_path / "picture.svg"
-    path.write_text("old")
-    figure = Figure()
-    figure.add_axes((0, 0, 1, 1)).text(0, 0, "$\\nosuchcommand$")
+    path.write_text("old", encoding="utf-8")
     with pytest.raises(ValueError, match="nosuchcommand"):
-        render.save(figure, path)
-    assert path.read_text() == "old"
+        render.save_drawn(lambda figure: figure.text(0, 0, "$\\nosuchcommand$"), (2.0, 2.0), [path])
+    assert path.read_text(encoding="utf-8") == "old"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_the_style_does_not_depend_on_the_user_and_leaves_nothing_behind():
+    with matplotlib.rc_context({"lines.linewidth": 9.0, "svg.hashsalt": None}):
+        with style.paper_style():
+            assert matplotlib.rcParams["lines.linewidth"] == 1.2
+            assert matplotlib.rcParams["svg.hashsalt"] == "planar-pushing"
+        assert matplotlib.rcParams["lines.linewidth"] == 9.0

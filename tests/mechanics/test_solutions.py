@@ -1,5 +1,7 @@
 """Solutions in a user's hands: indexed, compared, printed."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -62,7 +64,8 @@ def test_printed_they_are_a_table_with_a_column_each(three):
 
 def test_the_table_of_a_notebook(three):
     html = three._repr_html_()
-    assert html.startswith("<p>AMBIGUOUS: 3 consistent solutions</p>\n<table")
+    assert html.startswith("<svg ")
+    assert "</svg><p>AMBIGUOUS: 3 consistent solutions</p>\n<table" in html
     assert html.count("<tr") == 11
     assert html.count("<td>") == 30
     assert all(f"<th>{mode}</th>" in html for mode in three.modes)
@@ -73,4 +76,7 @@ def test_one_solution_and_none_in_words():
     none = pp.solve(make_scene(2.0, pp.InfiniteFriction("none")), np.deg2rad(165))
     assert repr(one).startswith("UNIQUE: 1 consistent solution\n")
     assert repr(none) == "INCONSISTENT: 0 consistent solutions"
-    assert none._repr_html_() == "<p>INCONSISTENT: 0 consistent solutions</p>"
+    assert none._repr_html_().endswith("</svg><p>INCONSISTENT: 0 consistent solutions</p>")
+    assert (
+        replace(none, problem=None)._repr_html_() == "<p>INCONSISTENT: 0 consistent solutions</p>"
+    )

@@ -8,11 +8,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planar_pushing.evidence.claims.table import COLUMNS
+from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.studies import OURS, numbered
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
 from planar_pushing.report.quantities import Numbers
 from planar_pushing.report.supplement import NUMBERS as TIMES
-from planar_pushing.study.figures import FIGURES, GALLERY, OURS
+from planar_pushing.study.store import read_dataset
 
 Entries = dict[str, dict[str, str]]
 #: Tables of the numbers of the report and of its supplement.
@@ -54,6 +56,10 @@ class Setting:
         (self.tables / file).write_text(json.dumps(numbers), encoding="utf-8")
 
 
+#: Golden numbers of the figures, and the figures of the study of sliders.
+GOLDEN, SLIDERS = Path("tests/golden"), ("_16", "_17", "_18", "_19")
+
+
 def zeros(numbers: Numbers) -> Entries:
     """Entries of numbers that are all zero."""
     return {
@@ -91,25 +97,32 @@ def claims() -> list[dict[str, object]]:
     return [*marked, claim("claim-ours", ours, origin="ours")]
 
 
+def captioned(name: str) -> str:
+    """Caption of a figure from its golden numbers; those of ours show hard cases, or read none."""
+    files = {"hard_cases": "hard_cases"} | {each: f"figures/{each}" for each in numbered()}
+    folder = GOLDEN / "sliders" if any(map(name.endswith, SLIDERS)) else GOLDEN
+    data = read_dataset(folder / f"{files[name]}.nc") if name in files else None
+    return drawing(name).caption(data)
+
+
 def set_up(root: Path) -> Setting:
     setting = Setting(root)
     shutil.copytree(PAPER, root / "paper")
     pictures = root / "results" / "figures"
     pictures.mkdir(parents=True)
     setting.tables.mkdir()
-    for name in [*FIGURES, *GALLERY, *OURS, *PICTURES]:
+    for name in [*numbered(), *OURS, *PICTURES]:
         (pictures / f"{name}.svg").write_text(PICTURE, encoding="utf-8")
     figures = {
         name: {
-            "caption": figure.caption,
-            "promise": figure.promise,
-            "section": figure.section,
+            "caption": captioned(name),
+            "promise": entry(name).promise,
+            "section": entry(name).section,
             "file": f"figures/{name}",
-            "margins": {"top": 1.0, "bottom": 2.0},
         }
-        for name, figure in (FIGURES | GALLERY | OURS).items()
+        for name in [*numbered(), *OURS]
     }
-    for number, name in enumerate(OURS, len(FIGURES | GALLERY) + 1):
+    for number, name in enumerate(OURS, len(numbered()) + 1):
         figures[name]["number"] = str(number)
     setting.write_numbers(zeros(NUMBERS))
     setting.write_numbers(zeros(TIMES), SUPPLEMENT)

@@ -4,19 +4,20 @@ import csv
 import io
 import json
 import platform
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 from scipy import special
 
 import planar_pushing as pp
 from planar_pushing.evidence.golden.compare import Check
 from planar_pushing.evidence.golden.verdict import verdict
 from planar_pushing.evidence.writing import json_text, write_text
-from planar_pushing.figures.render import select
+from planar_pushing.figures.figure import drawing
+from planar_pushing.figures.studies import OURS, numbered
 from planar_pushing.report.derived import furthest_pull
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.quantities import rounded, significant
@@ -31,8 +32,6 @@ from planar_pushing.report.tables import (
 )
 from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.figures import FIGURES, GALLERY, OURS
-from planar_pushing.study.files.study_model import FigureEntry
 from planar_pushing.study.slices import computes, study_slice
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
@@ -97,22 +96,12 @@ def results(tmp_path_factory):
             continue
         study = SHORT if name == "contact_modes" else SMALL
         write_dataset(build_dataset(name, study_slice(study, name)), folder / f"data/{name}.nc")
-    for name in ("figure_06", "figure_10"):
-        settings = FigureEntry(
-            rod_length=(1.0, 2.0), mapped_rod_length=1.0, friction_coefficient=5.0
-        )
-        data = select(name, folder, STUDY.figures["figure_06"] if name == "figure_06" else settings)
-        write_dataset(data, folder / f"figures/data/{name}.nc")
-    for name in [*FIGURES, *OURS]:
-        picture = Image.new("RGB", (10, 20), "black")
-        picture.save(folder / "figures" / f"{name}.png")
+    shutil.copytree("tests/golden/figures", folder / "figures/data")
+    shutil.copytree("tests/golden/sliders/figures", folder / "studies/sliders/figures/data")
     sliders = folder / "studies/sliders"
     write_dataset(
         build_dataset("supports", study_slice(SLIDERS, "supports")), sliders / "data/supports.nc"
     )
-    (sliders / "figures").mkdir()
-    for name in GALLERY:
-        Image.new("RGB", (10, 20), "black").save(sliders / "figures" / f"{name}.png")
     write_costs(folder)
     samples = [check(name, verdict="sampled", points=4321) for name in ON_SAMPLES]
     known = [claim("library-on-random-supports", *samples, verdict="sampled")]
@@ -175,7 +164,7 @@ def numbers(results):
         ("l-cone-right", "-4.3"),
         ("pivot-offset", "3.732"),
         ("constant-square", "0.5411"),
-        ("figures", "2"),
+        ("figures", "15"),
     ],
 )
 def test_number(numbers, key, text):
@@ -277,8 +266,8 @@ def test_provenance_names_versions_and_no_folder(results):
 
 def test_figures_table(results):
     found = json.loads(figures_text(results))
-    assert list(found) == [*FIGURES, *GALLERY, *OURS]
-    assert [found[name]["number"] for name in OURS] == ["21", "22", "23"]
+    assert list(found) == [*numbered(), *OURS]
+    assert [found[name]["number"] for name in OURS] == ["20", "21", "22"]
     assert found["figure_06"]["file"] == "figures/figure_06"
     assert found["figure_16"]["file"] == "studies/sliders/figures/figure_16"
     assert found["figure_06"]["section"].startswith("Sec. 3.1")
@@ -289,8 +278,9 @@ def test_a_caption_names_the_machine_where_times_are_shown(results):
     machine = "Machine: Some Processor, number of cores: 6, Python 3.98, NumPy 9.9."
     named = [name for name, entry in found.items() if "Machine:" in entry["caption"]]
     assert named == ["accuracy_time"]
-    assert found["accuracy_time"]["caption"] == f"{OURS['accuracy_time'].caption} {machine}"
-    assert found["hard_cases"]["caption"] == OURS["hard_cases"].caption
+    assert (
+        found["accuracy_time"]["caption"] == f"{drawing('accuracy_time').caption(None)} {machine}"
+    )
 
 
 def test_ellipsoids_by_support(results):

@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
+from planar_pushing.figures.figure import entry
+from planar_pushing.figures.studies import OURS, numbered
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.typeset import compiled, typeset
-from planar_pushing.study.figures import FIGURES, GALLERY, OURS
 from planar_pushing.terms.errors import InvalidFile
 from report.setting import REPORT, SUPPLEMENT, set_up
 
@@ -104,9 +105,9 @@ def test_units_and_thousands(setting):
 
 
 def test_every_figure_has_our_caption(text):
-    for number in range(1, len(FIGURES | GALLERY | OURS) + 1):
+    for number in range(1, len(numbered()) + len(OURS) + 1):
         assert f"Figure {number}." in text
-    ours = [name for name, figure in (FIGURES | GALLERY).items() if not figure.promise]
+    ours = [name for name in numbered() if not entry(name).promise]
     assert text.count("Not in the paper.") == len(ours)
     assert "Limit curves for several rod lengths" in text
 

@@ -1,6 +1,7 @@
 """The data dictionary covers every file that is written, and every one is opened by its name."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -10,11 +11,10 @@ from planar_pushing.evidence.costs.tables import accuracy_errors
 from planar_pushing.evidence.costs.times import accuracy_time
 from planar_pushing.evidence.hard_cases.dataset import build as hard_cases
 from planar_pushing.figures.render import select
+from planar_pushing.figures.studies import settings
 from planar_pushing.study.catalog import DATASETS, EVIDENCE, TABLES, TIMES
 from planar_pushing.study.dictionary import dictionary_text
-from planar_pushing.study.figures import FIGURES, GALLERY
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.files.study_model import FigureEntry
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
@@ -30,15 +30,16 @@ def whole(results, sliders):
     for name in ("figure_14a", "figure_14b"):
         log = simulate_file(load_scene_file(study.simulations[name]))
         write_dataset(log, results / f"data/simulations/{name}.nc")
-    for name in FIGURES:
-        data = select(name, results, study.figures.get(name, FigureEntry()))
+    for name in study.figures:
+        data = select(name, results, SimpleNamespace(**settings(study, name)))
         write_dataset(data, results / f"figures/data/{name}.nc")
     log = simulate_file(load_scene_file("workflow/scenes/tripod.yaml"))
     own = sliders / "studies/sliders"
     write_dataset(log, own / "data/simulations/tripod.nc")
-    rod = load_study(SLIDERS_SMOKE).slider
-    for name in GALLERY:
-        write_dataset(select(name, own, rod), own / f"figures/data/{name}.nc")
+    of_sliders = load_study(SLIDERS_SMOKE)
+    for name in of_sliders.figures:
+        data = select(name, own, SimpleNamespace(**settings(of_sliders, name)))
+        write_dataset(data, own / f"figures/data/{name}.nc")
     write_dataset(accuracy_errors(), results / "data/accuracy_errors.nc")
     write_dataset(accuracy_time(1), results / "data/accuracy_time.nc")
     write_dataset(hard_cases(), results / "data/hard_cases.nc")

@@ -4,13 +4,26 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from figures.parts.conftest import ROUGH, coulomb, scene
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.entries import support_entry
 from planar_pushing.study.datasets.rubbing import place_friction, ring_friction, support_of
+from planar_pushing.study.datasets.scenes import scene_dataset
+from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.study.files.study_model import PushEntry
 
+ROUGH = {"law": "perfectly_rough"}
 TRIPOD = pp.Points([(1, 0), (-0.5, 0.8), (-0.5, -0.9)], [1, 2, 3])
 SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+
+
+def scene(contact, pusher_angle, effects):
+    slider = {"rod_length": 2.0, "rod_angle": 45.0, "radius": 1.0}
+    file = SceneFile.model_validate({"slider": slider, "contact": contact, "effects": effects})
+    return scene_dataset(file, PushEntry(file="", pusher_angle=pusher_angle))
+
+
+def coulomb(mu):
+    return {"law": "coulomb", "friction_coefficient": mu}
 
 
 def friction(support, **more):

@@ -45,21 +45,12 @@ def test_paths_are_relative_to_the_file():
         ("center_x: [-1, 0, 1]", "center_x: [1, 0]",
          "grid.center_x: [1, 0] given; allowed: a list of increasing numbers, or {start, stop, step} with "
          "a step > 0 that divides the range, or a list that holds such ranges; change the value"),
-        ("rod_length: [1, 2]", "rod_length: [1, 3]",
-         "grid.rod_length: (1.0, 3.0) given; allowed: values that include [2.0], which the figures plot; "
-         "add them"),
-        ("[0.25, 2, inf]", "[0.25, 2]",
-         "grid.friction_coefficient: (0.25, 2.0) given; allowed: values that include [inf], which the "
-         "figures plot; add them"),
         ("title:", "effects: [inertia]\ntitle:",
          "effects: ['inertia'] given; allowed: the keys slider, support_friction, inertia, supports, "
          "title, grid, scenes, simulations, figures, chunks, gather, golden; remove the key"),
         ("  center_x", "  effects: [inertia]\n  center_x",
          "grid.effects: 'inertia' given; allowed: effects that the study has parameters for; add the key "
          "inertia, or remove the entry"),
-        ("slider: {rod_length: 2, rod_angle: 45}", "slider: {rod_angle: 45}",
-         "slider.rod_length: missing; allowed: a value of the grid, on which the figures of supports show "
-         "them; add it"),
         ("tripod.yaml", "figure_08.yaml", "simulations.tripod: "),
         ("simulations:", "golden: nowhere\nsimulations:", "golden: "),
     ],

@@ -2,14 +2,16 @@
 
 import pytest
 
+from planar_pushing.figures.studies import numbered
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.figures import FIGURES, GALLERY
+from planar_pushing.study.study_file import load_study
 from workflow.conftest import Copy, copy_project
 from workflow.test_workflow import edited, jobs, outputs, targets
 
 pytestmark = pytest.mark.slow
 
 STUDY = "workflow/config/sliders_smoke.yaml"
+GALLERY = load_study(STUDY).figures
 OF_SUPPORTS = [name for name, entry in DATASETS.items() if "support" in entry.dims]
 
 
@@ -40,10 +42,10 @@ def test_every_output_is_a_target(sliders):
 @pytest.mark.parametrize(
     ("module", "stale"),
     [
-        ("figures/sliders/figure_17.py", {"figure": 1}),
+        ("figures/figure_17.py", {"figure": 1, "column_figure": 1}),
         ("study/datasets/support_modes.py", {"dataset": 1}),
-        ("study/datasets/supports.py", {"dataset": 1, "figure": 4}),
-        ("simulation/pusher.py", {"simulation": 1, "figure": 1}),
+        ("study/datasets/supports.py", {"dataset": 1, "figure": 3, "column_figure": 3}),
+        ("simulation/pusher.py", {"simulation": 1, "figure": 1, "column_figure": 1}),
     ],
 )
 def test_only_what_depends_on_a_module_reruns(sliders, module, stale):
@@ -58,8 +60,8 @@ def test_both_studies_are_built_and_nothing_twice(fresh):
         text = file.read_text(encoding="utf-8").replace(f"golden: ../../{golden}\n", "")
         file.write_text(text, encoding="utf-8")
     alone = jobs(fresh.dry("--config", "study=workflow/config/sliders.yaml"))
-    assert alone == {"dataset": 3, "simulation": 1, "figure": 5, "all": 1}
+    assert alone == {"dataset": 3, "simulation": 1, "figure": 4, "column_figure": 4, "all": 1}
     both = jobs(fresh.dry())
     assert both["dataset"] == len(DATASETS)
-    assert both["figure"] == len(FIGURES | GALLERY)
+    assert both["figure"] == len(numbered())
     assert jobs(fresh.dry("--config", "study=workflow/config/paper.yaml")) == both

@@ -5,16 +5,21 @@ from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
 
+from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.studies import (
+    OURS,
+    SUPPLEMENT,
+    load_drawn_study,
+    numbered,
+    settings,
+)
 from planar_pushing.study import chunks
 from planar_pushing.study.catalog import DATASETS, dataset_file
-from planar_pushing.study.figures import ALL, FIGURES, GALLERY, OURS, SUPPLEMENT, draws
-from planar_pushing.study.files.study_model import FigureEntry
 from planar_pushing.study.provenance import provenance, whole_digest
 from planar_pushing.study.running.code import builder, code_of
 from planar_pushing.study.running.jobs import failure_text
 from planar_pushing.study.slices import computes, points, sizes, study_slice
 from planar_pushing.study.studies import chosen_studies, study_folder, study_name
-from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.extras import require_extra
 
@@ -28,7 +33,7 @@ try:
     FILES = {
         str(study_folder(study_name(file))): file for file in chosen_studies(config)
     }
-    STUDIES = {folder: load_study(file) for folder, file in FILES.items()}
+    STUDIES = {folder: load_drawn_study(file) for folder, file in FILES.items()}
     if any(study.chunks for study in STUDIES.values()):
         require_extra("chunks")
     MARKS = {folder: provenance(STUDIES[folder], FILES[folder]) for folder in FILES}
@@ -51,9 +56,9 @@ if workflow.is_main_process:
 KINDS = ["svg", "pdf", "png"]
 #: Datasets on how this work computes, and their figures; times of this machine are compared with nothing.
 COUNTS, TIMES = ["hard_cases", "accuracy_errors", "evaluations"], ["accuracy_time"]
-EVIDENCE_FIGURES = OURS | SUPPLEMENT
+EVIDENCE_FIGURES = [*OURS, *SUPPLEMENT]
 #: Figures of datasets.
-DRAWN = FIGURES | GALLERY
+DRAWN = numbered()
 
 
 def one_of(names):
@@ -68,7 +73,22 @@ def computed(folder):
 
 def drawn(folder):
     """Figures of a study."""
-    return [name for name in DRAWN if draws(STUDIES[folder], name)]
+    return list(STUDIES[folder].figures)
+
+
+def columns(folder):
+    """Figures of a study that have a variant for one column."""
+    return [name for name in drawn(folder) if entry(name).column]
+
+
+def undrawn(folder):
+    """Simulations of a study that none of its figures shows."""
+    shown = {source for name in drawn(folder) for source in entry(name).reads}
+    return [
+        name
+        for name in STUDIES[folder].simulations
+        if f"simulations/{name}" not in shown
+    ]
 
 
 #: The folder of the study that golden data certify as a whole; the report is about it.
@@ -76,7 +96,7 @@ WHOLE = next(
     (
         folder
         for folder, study in STUDIES.items()
-        if study.golden and set(FIGURES) <= set(drawn(folder))
+        if study.golden and "figure_01" in study.figures
     ),
     None,
 )
@@ -109,9 +129,8 @@ def marks_of(wildcards):
 
 
 def figure_code(wildcards):
-    """Code and entry of a figure."""
-    entry = ALL[wildcards.figure]
-    return [code_of("figure", entry.module), repr(entry)]
+    """Code of a figure."""
+    return code_of("figure", f"figures.{wildcards.figure}")
 
 
 def chunked(wildcards):
@@ -174,15 +193,13 @@ def job_values(wildcards, threads):
 
 def figure_files(wildcards):
     """Datasets from which a figure is drawn."""
-    sources = ALL[wildcards.figure].datasets
+    sources = entry(wildcards.figure).reads
     return sorted({f"{wildcards.results}/{dataset_file(source)}" for source in sources})
 
 
 def figure_settings(wildcards):
-    """The study's values for a figure; of any slider the rod."""
-    study, name = study_of(wildcards), wildcards.figure
-    entry = study.slider if name in GALLERY else study.figures.get(name, FigureEntry())
-    return entry.model_dump()
+    """The study's values for a figure."""
+    return settings(study_of(wildcards), wildcards.figure)
 
 
 def golden_results(wildcards):

@@ -3,12 +3,8 @@ rule figures:
     input:
         over("{results}/figures/data/{name}.nc", drawn),
         over("{results}/figures/{name}.{kind}", drawn),
-        over(
-            "{results}/figures/simulation_{name}.{kind}",
-            lambda folder: (
-                STUDIES[folder].simulations if STUDIES[folder].scenes else []
-            ),
-        ),
+        over("{results}/figures/{name}_column.{kind}", columns),
+        over("{results}/figures/simulation_{name}.{kind}", undrawn),
 
 
 rule figure:
@@ -18,7 +14,7 @@ rule figure:
         data="{results}/figures/data/{figure}.nc",
         svg=report(
             "{results}/figures/{figure}.svg",
-            category=lambda wildcards: DRAWN[wildcards.figure].section,
+            category=lambda wildcards: entry(wildcards.figure).section,
             caption="../report/figure.rst",
             labels={"figure": "{figure}"},
         ),
@@ -31,16 +27,39 @@ rule figure:
     wildcard_constraints:
         figure=one_of(DRAWN),
     params:
-        call="figures.jobs:figure",
+        call="figures.render:figure",
         code=figure_code,
         name="{figure}",
         settings=figure_settings,
         results="{results}",
         marks=marks_of,
-        caption=lambda wildcards: DRAWN[wildcards.figure].caption,
-        promise=lambda wildcards: DRAWN[wildcards.figure].promise,
+        title=lambda wildcards: entry(wildcards.figure).title,
+        promise=lambda wildcards: entry(wildcards.figure).promise,
     message:
         "Drawing {wildcards.figure}"
+    script:
+        "../scripts/run.py"
+
+
+# The variant for one column of a figure that is as wide as a page.
+rule column_figure:
+    input:
+        source="{results}/figures/data/{figure}.nc",
+    output:
+        svg="{results}/figures/{figure}_column.svg",
+        pdf="{results}/figures/{figure}_column.pdf",
+        png="{results}/figures/{figure}_column.png",
+    log:
+        "{results}/logs/figures/{figure}_column.log",
+    wildcard_constraints:
+        figure=one_of(DRAWN),
+    params:
+        call="figures.render:file_figure",
+        code=figure_code,
+        name="{figure}",
+        variant="_column",
+    message:
+        "Drawing {wildcards.figure} for one column"
     script:
         "../scripts/run.py"
 
@@ -65,10 +84,10 @@ rule file_figure:
     wildcard_constraints:
         figure=one_of(EVIDENCE_FIGURES),
     params:
-        call="figures.jobs:file_figure",
+        call="figures.render:file_figure",
         code=figure_code,
         name="{figure}",
-        caption=lambda wildcards: ALL[wildcards.figure].caption,
+        title=lambda wildcards: entry(wildcards.figure).title,
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -92,7 +111,7 @@ rule simulation_figure:
     benchmark:
         "{results}/benchmarks/figures/simulation_{simulation}.tsv"
     params:
-        call="figures.jobs:simulation_figure",
+        call="figures.render:simulation_figure",
         code=code_of("figure"),
     message:
         "Drawing the simulation {wildcards.simulation}"

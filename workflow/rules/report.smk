@@ -51,7 +51,7 @@ rule report_tables:
         f"{WHOLE}/benchmarks/paper/report_tables.tsv"
     params:
         call="report.jobs:report_tables",
-        code=[code_of("report"), *map(whole_digest, STUDIES.values()), repr(ALL)],
+        code=[code_of("report"), *map(whole_digest, STUDIES.values())],
         study=FILES.get(WHOLE),
         golden=STUDIES[WHOLE].golden if WHOLE else "",
         results=WHOLE,

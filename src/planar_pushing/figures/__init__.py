@@ -1,4 +1,4 @@
-"""The figures: their drawings in four folders; the one place that knows matplotlib."""
+"""The figures and every other picture: a list of marks, drawn by matplotlib or written as SVG."""
 
 from planar_pushing.terms.extras import require_extra
 

@@ -13,19 +13,22 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from planar_pushing.study.figures import FIGURES, GALLERY
+from planar_pushing.figures.studies import pictures
 from planar_pushing.study.running.jobs import run_command
-from planar_pushing.study.studies import SLIDERS_FILE, study_folder, study_name
+from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
+from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
-#: Stored images are this wide, pixels: wide enough to see a moved label.
-WIDTH = 720
+#: Size of a stored image in that of its picture: large enough to see a moved label.
+SCALE = 0.36
+#: Colors of a stored image.
+COLORS = 128
 #: Largest root mean square difference of the color levels, 0 to 255.
 TOLERANCE = 2.0
 
 
 def thumbnail(path: Path) -> Image.Image:
-    """Picture of the stored width, in RGB.
+    """Picture of the stored size, in few colors.
 
     Raises
     ------
@@ -35,21 +38,25 @@ def thumbnail(path: Path) -> Image.Image:
     if not path.is_file():
         raise InvalidFile(f"{path}: no such picture; build it with make or snakemake")
     with Image.open(path) as image:
-        height = round(image.height * WIDTH / image.width)
-        return image.convert("RGB").resize((WIDTH, height), Image.Resampling.LANCZOS)
+        size = round(SCALE * image.width), round(SCALE * image.height)
+        small = image.convert("RGB").resize(size, Image.Resampling.LANCZOS)
+        return small.quantize(COLORS)
 
 
 def difference(path: Path, stored: Path) -> float:
     """Root mean square difference of two pictures; infinite where their sizes differ."""
-    new, old = (np.asarray(thumbnail(each), dtype=float) for each in (path, stored))
+    with Image.open(stored) as image:
+        old = np.asarray(image.convert("RGB"), dtype=float)
+    new = np.asarray(thumbnail(path).convert("RGB"), dtype=float)
     return float(np.sqrt(np.mean((new - old) ** 2))) if new.shape == old.shape else np.inf
 
 
-def pictures(results: Path) -> dict[str, Path]:
-    """Pictures of the figures, those of the study of sliders in its own folder."""
+def every_picture(results: Path) -> dict[str, Path]:
+    """Pictures of the figures of both default studies."""
     own = study_folder(study_name(SLIDERS_FILE), results)
-    folders = dict.fromkeys(FIGURES, results) | dict.fromkeys(GALLERY, own)
-    return {name: folder / "figures" / f"{name}.png" for name, folder in folders.items()}
+    folders = {PAPER_FILE: results, SLIDERS_FILE: own}
+    found = [pictures(folder, load_study(file)) for file, folder in folders.items()]
+    return found[0] | found[1]
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -60,10 +67,10 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--write", action="store_true", help="store the images that differ")
     args = parser.parse_args(arguments)
     changed = 0
-    for name, picture in pictures(args.results).items():
+    for name, picture in every_picture(args.results).items():
         stored = args.golden / "images" / f"{name}.png"
         gap = difference(picture, stored) if stored.is_file() else np.inf
-        print(f"{name}: {'unchanged' if gap <= TOLERANCE else 'differs'}, {gap:.2f} colour levels")
+        print(f"{name}: {'unchanged' if gap <= TOLERANCE else 'differs'}, {gap:.2f} color levels")
         if gap > TOLERANCE:
             changed += 1
             if args.write:

@@ -1,26 +1,24 @@
-"""Select, store, draw and save a figure: its data first, then the picture from that file alone."""
+"""Select, store, draw and save a figure: its data first, then the pictures from that file alone."""
 
 from __future__ import annotations
 
 import os
-import pkgutil
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any, Protocol, cast
+from types import SimpleNamespace
+from typing import Any
 
 import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.settings import Settings, Sources
+from planar_pushing.figures.figure import Settings, drawing
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.describe import of_study
-from planar_pushing.study.figures import ALL
 from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
 from planar_pushing.terms.errors import InvalidValue
 
 PathLike = str | os.PathLike[str]
-Draw = Callable[[Figure, xr.Dataset], object]
 
 #: How each format is saved: without metadata that would tell when and by which program version.
 SAVING: dict[str, dict[str, Any]] = {
@@ -30,45 +28,18 @@ SAVING: dict[str, dict[str, Any]] = {
 }
 
 
-#: What a picture outside of a study is marked with.
-NO_MARKS: dict[str, str] = {}
-
-
-class Drawing(Protocol):
-    """What draws a figure; one of a single dataset needs no `select`."""
-
-    def select(self, sources: Sources, settings: Settings) -> xr.Dataset: ...
-
-    def draw(self, figure: Figure, data: xr.Dataset) -> None: ...
-
-
-def drawing(name: str) -> Drawing:
-    """Drawing of a figure, such as "figure_08".
-
-    Its entry names the module, and a job's digest starts from the same entry: a job depends on the
-    module of its own figure alone.
-
-    Raises
-    ------
-    InvalidValue
-        Where there is no figure of this name.
-    """
-    if name not in ALL:
-        raise InvalidValue("figure", name, ", ".join(ALL), "name one of these figures")
-    return cast(Drawing, pkgutil.resolve_name(f"planar_pushing.{ALL[name].drawing}"))
-
-
 def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
     """Numbers that a figure plots, read from the datasets in a results folder."""
     found = drawing(name)
-    sources = {source: open_dataset(source, results) for source in ALL[name].datasets}
-    return found.select(sources, settings)
+    return found.select(
+        {each: open_dataset(each, results) for each in found.FIGURE.reads}, settings
+    )
 
 
-def picture(name: str, data: xr.Dataset) -> Figure:
+def picture(name: str, data: xr.Dataset, variant: str = "") -> Figure:
     """Figure drawn from its data; call it, and save the figure, within `paper_style`."""
     found = drawing(name)
-    figure = Figure(figsize=ALL[name].size)
+    figure = Figure(figsize=found.FIGURE.variants[variant])
     found.draw(figure, data)
     return figure
 
@@ -89,49 +60,59 @@ def save(figure: Figure, path: PathLike) -> None:
         figure.savefig(temporary, format=kind, **SAVING[kind])
 
 
-def draw_to_files(
-    draw: Draw, size: tuple[float, float], data: xr.Dataset, paths: Iterable[PathLike]
+def save_drawn(
+    draw: Callable[[Figure], object], size: tuple[float, float], paths: Iterable[PathLike]
 ) -> None:
-    """Draw a picture of a size in inches, and save it under each name; errors as in `save`."""
+    """Draw on a figure of a size in inches, and save it under each name; errors as in `save`."""
     with paper_style():
         figure = Figure(figsize=size)
-        draw(figure, data)
+        draw(figure)
         for path in paths:
             save(figure, path)
 
 
-def render_file(name: str, data: PathLike, paths: Iterable[PathLike]) -> None:
-    """Draw a figure of one dataset from its file, and save it under each name."""
-    (source,) = ALL[name].datasets
-    found = read_dataset(data, source.partition("/")[2] or None)
-    draw_to_files(drawing(name).draw, ALL[name].size, found, paths)
+def _draw(name: str, data: xr.Dataset, paths: Iterable[PathLike], variant: str = "") -> None:
+    with paper_style():
+        figure = picture(name, data, variant)
+        for path in paths:
+            save(figure, path)
 
 
-def render(
-    name: str,
-    results: PathLike,
-    settings: Settings,
-    *,
-    marks: Mapping[str, str] = NO_MARKS,
-    data: PathLike,
-    svg: PathLike,
-    pdf: PathLike,
-    png: PathLike,
-) -> None:
-    """Write a figure's data and its picture in three formats.
+def figure(
+    *, name: str, results: str, settings: Mapping[str, object], marks: Mapping[str, str],
+    data: PathLike, **paths: PathLike,
+) -> None:  # fmt: skip
+    """Write the numbers that a figure plots, and its pictures from that file.
 
     Parameters
     ----------
     name : str
-        "figure_01" to "figure_20".
-    results : path
+        Such as "figure_01".
+    results : str
         The folder that holds data/*.nc.
-    settings : Settings
+    settings : mapping
         The study's values for this figure.
     marks : mapping
         Attributes that name the study, as `provenance` gives them.
-    data, svg, pdf, png : path
-        Files to write. The picture is drawn from what `data` holds once it is written.
+    data : path
+        File of the numbers.
+    paths : paths
+        Pictures to save; the end of a name says the format.
     """
-    write_dataset(of_study(select(name, results, settings), name, marks), data)
-    draw_to_files(drawing(name).draw, ALL[name].size, read_dataset(data), (svg, pdf, png))
+    write_dataset(of_study(select(name, results, SimpleNamespace(**settings)), name, marks), data)
+    _draw(name, read_dataset(data), paths.values())
+
+
+def file_figure(source: PathLike, *, name: str, variant: str = "", **paths: PathLike) -> None:
+    """Draw a figure, or a variant of it, from the file of its numbers or of its one dataset."""
+    group = drawing(name).FIGURE.reads[0].partition("/")[2]
+    whole = Path(source).stem == name
+    _draw(name, read_dataset(source, None if whole else group or None), paths.values(), variant)
+
+
+def simulation_figure(source: PathLike, **paths: PathLike) -> None:
+    """Draw a simulation from its log."""
+    from planar_pushing.figures.draw import LOG, plot_log
+
+    log = read_dataset(source)
+    save_drawn(lambda figure: plot_log(log, figure), LOG, paths.values())

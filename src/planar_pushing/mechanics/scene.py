@@ -18,6 +18,7 @@ from planar_pushing.mechanics.effects import (
     SupportFriction,
     Viscous,
 )
+from planar_pushing.mechanics.pictures import picture
 from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
 from planar_pushing.terms.errors import InvalidValue, require_kind
 
@@ -118,6 +119,10 @@ class Scene:
             radius = extents(supports[0]) if supports else 1.0
             object.__setattr__(self, "slider", replace(self.slider, radius=radius))
         _ = self.inertia
+
+    def _repr_svg_(self) -> str | None:
+        """The slider with its cones in a notebook."""
+        return picture("scene_svg", self)
 
     @property
     def friction(self) -> list[Any]:

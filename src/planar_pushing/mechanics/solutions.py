@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.numerics.arrays import same
+from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import InvalidValue
 
@@ -79,12 +80,14 @@ def _numbers(solution: Solution) -> Array:
 class Solutions:
     """All consistent solutions of one pushing problem, in the order of `ContactMode`.
 
-    Of several slips of one mode the slower comes first. ``solutions[0]`` is the first, and printed they
-    are a table with a column each.
+    Slips of the same mode are ordered by speed. ``solutions[0]`` is the first solution; printing shows one
+    column per solution, and a notebook a picture too. `problem` holds the scene, the direction of the push
+    in radians, and its magnitude.
     """
 
     solutions: tuple[Solution, ...]
     status: Status = Status.CONSISTENT
+    problem: tuple[Any, float, float] | None = field(default=None, compare=False)
 
     @property
     def outcome(self) -> Outcome:
@@ -112,8 +115,9 @@ class Solutions:
         return f"{self._title}\n{self._table().to_string()}" if self.solutions else self._title
 
     def _repr_html_(self) -> str:
-        """The table in a notebook."""
-        title = f"<p>{self._title}</p>"
+        """The picture and the table in a notebook."""
+        drawn = picture("push_svg", *self.problem, self) if self.problem else None
+        title = f"{drawn or ''}<p>{self._title}</p>"
         return f"{title}\n{self._table().to_html()}" if self.solutions else title
 
     @property

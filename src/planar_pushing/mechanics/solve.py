@@ -257,10 +257,14 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}
     if is_labelled(found[0]):
         return _dataset(**by_name)
-    return SolutionArrays(**by_name) if np.ndim(found[0]) else _solutions(**by_name)
+    if np.ndim(found[0]):
+        return SolutionArrays(**by_name)
+    return _solutions((scene, float(pusher_angle), float(pusher_magnitude)), **by_name)
 
 
-def _solutions(solutions: int, status: int, mode: Any, **values: Array) -> Solutions:
+def _solutions(
+    problem: tuple[Scene, float, float], solutions: int, status: int, mode: Any, **values: Array
+) -> Solutions:
     """The solutions of one problem."""
     entries = {name: each if each.ndim > 1 else each.tolist() for name, each in values.items()}
     return Solutions(
@@ -269,6 +273,7 @@ def _solutions(solutions: int, status: int, mode: Any, **values: Array) -> Solut
             for i in range(solutions)
         ),
         Status(status),
+        problem,
     )
 
 

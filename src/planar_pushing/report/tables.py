@@ -7,20 +7,22 @@ import re
 from importlib.metadata import version
 
 import numpy as np
+import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text, json_text
+from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.studies import OURS
 from planar_pushing.report.costs.times import machine
 from planar_pushing.report.derived import ROD_ANGLE
-from planar_pushing.report.margins import margins
 from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from planar_pushing.report.verdict import verdict_rows
 from planar_pushing.study.datasets.base import words
-from planar_pushing.study.figures import FIGURES, GALLERY, OURS
-from planar_pushing.study.figures.base import Figure
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.provenance import whole_digest
+from planar_pushing.study.store import read_dataset
+from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
@@ -45,37 +47,36 @@ def numbers_text(results: Results) -> str:
 
 
 def figures_text(results: Results) -> str:
-    """Table of the figures: captions, what the paper's promise, files, and margins in points.
+    """Table of the figures: captions, promises of the paper's captions, files, and sections.
 
     Figures about our own work are numbered on from those of the paper's subjects and of any slider. The
     caption of one that shows times ends with the machine.
     """
-    found = {name: _figure(results, figure, "figures") for name, figure in FIGURES.items()}
-    for name, figure in GALLERY.items():
-        found[name] = _figure(results, figure, f"studies/{SLIDERS}/figures")
-    for number, (name, figure) in enumerate(OURS.items(), len(found) + 1):
-        caption = figure.caption + _machine(results, figure)
-        found[name] = _figure(results, figure, "figures") | {
-            "caption": caption,
-            "number": str(number),
-        }
+    studies = {"figures": PAPER_FILE, f"studies/{SLIDERS}/figures": SLIDERS_FILE}
+    found: dict[str, dict[str, object]] = {}
+    for folder, file in studies.items():
+        for name in load_study(file).figures:
+            data = read_dataset(results.folder / folder / "data" / f"{name}.nc")
+            found[name] = _figure(name, data, folder)
+    for number, name in enumerate(OURS, len(found) + 1):
+        data = results.dataset(entry(name).reads[0])
+        found[name] = _figure(name, data, "figures") | {"number": str(number)}
+        found[name]["caption"] = f"{found[name]['caption']}{_machine(data)}"
     return json_text(found)
 
 
-def _figure(results: Results, figure: Figure, folder: str) -> dict[str, object]:
-    file = f"{folder}/{figure.name}"
+def _figure(name: str, data: xr.Dataset, folder: str) -> dict[str, object]:
+    figure = drawing(name)
     return {
-        "caption": figure.caption,
-        "promise": figure.promise,
-        "section": figure.section,
-        "file": file,
-        "margins": margins(results.folder / f"{file}.png"),
+        "caption": figure.caption(data),
+        "promise": figure.FIGURE.promise,
+        "section": figure.FIGURE.section,
+        "file": f"{folder}/{name}",
     }
 
 
-def _machine(results: Results, figure: Figure) -> str:
+def _machine(data: xr.Dataset) -> str:
     """Sentence that names the machine on which a figure's dataset was measured, if it was."""
-    data = results.dataset(figure.datasets[0])
     if "machine" not in data.attrs:
         return ""
     found = machine(data)

@@ -17,11 +17,9 @@ from planar_pushing.study.catalog import (
     TABLES,
     TIMES,
 )
-from planar_pushing.study.figures import FIGURES as DRAWN
-from planar_pushing.study.figures import GALLERY
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
-from planar_pushing.study.studies import SLIDERS_FILE, study_name
+from planar_pushing.study.studies import SLIDERS_FILE, study_folder, study_name
 from planar_pushing.terms.quantities import FINGER, LOG, NOTES, unit_of
 
 #: The study of sliders.
@@ -103,7 +101,7 @@ def _times() -> str:
 
 def _figures(results: str) -> str:
     """Section of what the figures plot."""
-    found = [open_dataset(f"{FIGURES}/{name}", results) for name in DRAWN]
+    found = [open_dataset(f"{FIGURES}/{name}", results) for name in _plotted(Path(results))]
     about = "the numbers that each figure plots, a file for each: parts of the datasets, and finer lines"
     return _lines("figures/data/NAME.nc", about, *_table(found))
 
@@ -114,9 +112,15 @@ def _sliders(results: str, names: Iterable[str]) -> Iterator[str]:
         dataset = open_dataset(name, results, study=STUDY)
         place = f"studies/{STUDY}/data/{name}.nc"
         yield _lines(place, DATASETS[name].about, *_source(dataset), *_table([dataset]))
-    plotted = [open_dataset(f"{FIGURES}/{name}", results, study=STUDY) for name in GALLERY]
+    folder = study_folder(STUDY, results)
+    plotted = [open_dataset(f"{FIGURES}/{name}", results, study=STUDY) for name in _plotted(folder)]
     about = "the numbers that each figure of the study of sliders plots"
     yield _lines(f"studies/{STUDY}/figures/data/NAME.nc", about, *_table(plotted))
+
+
+def _plotted(folder: Path) -> list[str]:
+    """Figures whose numbers a folder holds."""
+    return sorted(path.stem for path in (folder / FIGURES / "data").glob("*.nc"))
 
 
 def _tables() -> str:

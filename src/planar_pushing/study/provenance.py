@@ -8,7 +8,6 @@ from typing import Any
 
 from planar_pushing.mechanics.entries import to_json
 from planar_pushing.study.catalog import DATASETS, SIMULATIONS
-from planar_pushing.study.figures import FIGURES, GALLERY
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import StudyFile
@@ -74,10 +73,8 @@ def _read(study: StudyFile, whole: dict[str, Any], result: str) -> object:
         return whole["scenes"]
     if name in DATASETS:
         return study_slice(study, name)
-    if name in FIGURES:
-        return whole["figures"].get(name)
-    if name in GALLERY:
-        return whole["slider"]
+    if name in study.figures:
+        return {"figure": whole["figures"][name], "slider": whole["slider"]}
     if name in UNREAD:
         return {key: each for key, each in whole.items() if key not in UNREAD[name]}
     return None

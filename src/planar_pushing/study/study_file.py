@@ -1,4 +1,4 @@
-"""Study files: reading one, and what keeps a well-formed study from being computed and drawn."""
+"""Study files: reading one, and reasons why a well-formed study cannot be computed."""
 
 from __future__ import annotations
 
@@ -8,17 +8,14 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.figures import FIGURES, SCENES, draws
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_model, load_scene_file
-from planar_pushing.study.files.study_model import FigureEntry, Grid, StudyFile
-from planar_pushing.study.files.yaml_text import shown
+from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import computes
 from planar_pushing.terms.domain import LONGEST
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import EFFECT_TYPES
 
-Values = tuple[float, ...]
 #: Most points of a dataset's grid: a terabyte.
 POINTS = 10**10
 
@@ -48,7 +45,7 @@ def _located(study: StudyFile, folder: Path) -> StudyFile:
 
 
 def _study_problems(study: StudyFile) -> Iterator[str]:
-    """Reasons why a well-formed study cannot be computed and drawn."""
+    """Reasons why a well-formed study cannot be computed."""
     computed = [name for name in DATASETS if computes(study, name)]
     if not computed:
         yield "grid: gives all axes of no dataset; allowed: those of one at least; add axes"
@@ -58,13 +55,6 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
     yield from _chunk_problems(study, computed)
     yield from _scene_problems(study)
     yield from _simulation_problems(study.simulations)
-    if study.scenes or study.figures:
-        yield from _entry_problems(study, "scenes", study.scenes, SCENES)
-        needed = [name for name, figure in FIGURES.items() if figure.takes]
-        yield from _entry_problems(study, "figures", study.figures, needed)
-    yield from _axis_problems(study)
-    for name, figure in study.figures.items():
-        yield from _figure_problems(name, figure, study.grid)
     if study.inertia and study.inertia.gyration_radius != study.slider.radius:
         yield (
             f"inertia.gyration_radius: {study.inertia.gyration_radius!r} given; allowed: the radius of "
@@ -102,12 +92,7 @@ def _chunk_problems(study: StudyFile, computed: Collection[str]) -> Iterator[str
 
 
 def _support_problems(study: StudyFile) -> Iterator[str]:
-    """Supports without the rod on which figures show them, and some that are too small for the rods."""
-    if study.supports and study.slider.rod_length is None:
-        yield (
-            "slider.rod_length: missing; allowed: a value of the grid, on which the figures of supports "
-            "show them; add it"
-        )
+    """Supports that are too small for the rods."""
     longest = max([*study.grid.rod_length, study.slider.rod_length or 0.0])
     for name, support in study.gallery().items():
         if longest > LONGEST * support.extent:
@@ -130,45 +115,6 @@ def _scene_problems(study: StudyFile) -> Iterator[str]:
                 f"scenes.{name}.file: {push.file} lists {', '.join(sorted(kinds))}; allowed: the effects "
                 f"of the study, {', '.join(study.parts)}; name another scene"
             )
-
-
-def _entry_problems(
-    study: StudyFile, kind: str, given: Collection[str], known: Iterable[str]
-) -> Iterator[str]:
-    """Scenes or figures of the paper that have no entry, and entries that are none of them."""
-    needed = [name for name in known if draws(study, name)]
-    for name in needed:
-        if name not in given:
-            yield f"{kind}.{name}: missing; allowed: an entry for each of {', '.join(needed)}; add it"
-    for name in given:
-        if name not in needed:
-            yield (
-                f"{kind}.{name}: unknown, or of effects that grid.effects does not list; "
-                f"allowed: {', '.join(needed)}; remove it"
-            )
-
-
-def _axis_problems(study: StudyFile) -> Iterator[str]:
-    """Axes of the grid without a value that the figures plot."""
-    for key, values, wanted in _plotted_values(study):
-        missing = [value for value in wanted if value not in values]
-        if missing:
-            yield (
-                f"grid.{key}: {shown(values)} given; allowed: values that include {missing!r}, "
-                "which the figures plot; add them"
-            )
-
-
-def _plotted_values(study: StudyFile) -> Iterator[tuple[str, Values, Values]]:
-    """Axis of the grid, its values, and those among them without which figures cannot be drawn."""
-    slider, grid = study.slider, study.grid
-    if study.figures or study.supports:
-        yield "rod_angle", grid.rod_angle, (slider.rod_angle,)
-        yield "friction_coefficient", grid.friction_coefficient, (math.inf,)
-    if study.supports and slider.rod_length is not None:
-        yield "rod_length", grid.rod_length, (slider.rod_length,)
-    if study.figures and grid.inertia_share:
-        yield "inertia_share", grid.inertia_share, (0.0, 1.0)
 
 
 def _simulation_problems(simulations: Mapping[str, str]) -> Iterator[str]:
@@ -195,16 +141,3 @@ def _effects_problems(study: StudyFile) -> Iterator[str]:
                     f"grid.effects: {name!r} given; allowed: effects that the study has parameters for; "
                     f"add the key {part}, or remove the entry"
                 )
-
-
-def _figure_problems(name: str, figure: FigureEntry, grid: Grid) -> Iterator[str]:
-    """Values of a figure that are missing, or not on the grid."""
-    for key in FIGURES[name].takes:
-        if getattr(figure, key) is None:
-            yield f"figures.{name}.{key}: missing; allowed: values of the grid; add it"
-    for key, values, allowed in figure.grid_values(grid):
-        if not set(values) <= set(allowed):
-            yield (
-                f"figures.{name}.{key}: {shown(values)} given; "
-                f"allowed: values of the grid, {shown(allowed)}; change it or add it to the grid"
-            )

@@ -1,13 +1,16 @@
 """The command `draw`, with right and with wrong input."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.figures import scene_picture
+from planar_pushing.figures import draw
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.plane import direction
+from planar_pushing.study.files.scenes import load_scene_file
 
 SCENE = "workflow/scenes/figure_03.yaml"
 BOTH = "workflow/scenes/figure_12.yaml"
@@ -37,15 +40,41 @@ def test_the_limit_curve_is_drawn_where_it_is_asked_for(run, tmp_path):
     assert sizes[1] > sizes[0] + 1000
 
 
+@pytest.fixture
+def sketched(run, tmp_path, monkeypatch):
+    """The sketch that the command draws."""
+    found = []
+    monkeypatch.setattr(draw, "draw_on", lambda figure, sketch: found.append(sketch))
+
+    def sketch(*arguments):
+        assert run("draw", *arguments, "-o", str(tmp_path / "scene.svg"))[0] == 0
+        return found[-1]
+
+    return sketch
+
+
 @pytest.mark.parametrize("angle", [27.0, 90.0, 153.0, 150.0 - 360.0])
-def test_the_force_that_is_asked_for_is_drawn(run, tmp_path, monkeypatch, angle):
-    drawn = {}
-    monkeypatch.setattr(scene_picture, "draw_to_files", lambda *given: drawn.update(data=given[2]))
-    code, _, _ = run("draw", SCENE, "--force-angle", str(angle), "-o", str(tmp_path / "scene.svg"))
-    data = drawn["data"]
-    (force,) = data.force.values[data["mode"].values == ContactMode.STICK]
-    assert code == 0
-    assert (np.rad2deg(np.arctan2(*force[::-1])) - angle) % 360 % 360 == pytest.approx(0, abs=1e-9)
+def test_the_force_that_is_asked_for_is_drawn(sketched, angle):
+    solution = sketched(SCENE, "--force-angle", str(angle)).solution
+    assert solution.mode is ContactMode.STICK
+    off = np.rad2deg(np.arctan2(*solution.force[::-1])) - angle
+    assert (off + 180) % 360 == pytest.approx(180, abs=1e-9)
+
+
+def test_the_push_is_that_of_the_file_unless_another_is_given(sketched):
+    own = load_scene_file("workflow/scenes/figure_15.yaml").simulate.pieces[0].angle
+    for arguments, angle in (((), own), (("--pusher-angle", "70"), 70.0)):
+        pusher = sketched("workflow/scenes/figure_15.yaml", *arguments).pusher
+        assert pusher == pytest.approx(direction(np.deg2rad(angle)))
+    assert sketched(SCENE).pusher == pytest.approx([0.0, 1.0])
+
+
+def test_a_finger_is_drawn_as_one(sketched, tmp_path):
+    text = Path("workflow/scenes/figure_15.yaml").read_text(encoding="utf-8")
+    path = tmp_path / "finger.yaml"
+    path.write_text(f"{text}  pusher_shape: finger\n", encoding="utf-8")
+    assert sketched(str(path)).side == (-np.inf, np.inf)
+    assert sketched("workflow/scenes/figure_15.yaml").side is None
 
 
 def test_a_perfectly_rough_contact_transmits_every_force(run, tmp_path):

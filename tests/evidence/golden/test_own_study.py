@@ -8,10 +8,9 @@ import pytest
 
 from planar_pushing.commands import main
 from planar_pushing.evidence.golden import update
-from planar_pushing.figures.render import drawing
+from planar_pushing.figures.figure import drawing, entry
 from planar_pushing.study import build
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.figures import GALLERY, draws
 from planar_pushing.study.slices import computes, study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
@@ -38,6 +37,7 @@ grid:
   contact_friction_coefficient: [0, 1.4]
   center_x: [0, 0.5]
   center_y: [0.25]
+figures: {figure_16: {}, figure_17: {}, figure_18: {}}
 """
 
 
@@ -55,9 +55,9 @@ def built(path, results):
         file = folder / f"data/{name}.nc"
         file.parent.mkdir(parents=True, exist_ok=True)
         build.dataset(file, name=name, study=study_slice(study, name), marks=marks)
-    for name in (each for each in GALLERY if draws(study, each)):
-        drawn = {each: read_dataset(folder / f"data/{each}.nc") for each in GALLERY[name].datasets}
-        data = drawing(name).select(drawn, study.slider)
+    for name in study.figures:
+        sources = {each: read_dataset(folder / f"data/{each}.nc") for each in entry(name).reads}
+        data = drawing(name).select(sources, study.slider)
         write_dataset(data, folder / f"figures/data/{name}.nc")
     return folder
 

@@ -14,9 +14,8 @@ from mpmath import mp, mpf
 import reference as straight
 from planar_pushing.evidence.hard_cases.cases import QUANTITIES, cases, make_scene
 from planar_pushing.evidence.hard_cases.dataset import DIGITS, build, measure
-from planar_pushing.figures.evidence import hard_cases
+from planar_pushing.figures import hard_cases
 from planar_pushing.mechanics.solve import solve
-from planar_pushing.study.figures import OURS
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.quantities import DATASET as VARIABLES
 
@@ -147,7 +146,7 @@ def test_dataset_is_described():
 
 
 def test_figure_shows_every_case():
-    data, figure = build(), Figure(figsize=OURS["hard_cases"].size)
+    data, figure = build(), Figure(figsize=hard_cases.FIGURE.size)
     hard_cases.draw(figure, data)
     (ax,) = figure.axes
     strokes, fine, ill = (line.get_xdata().size for line in ax.lines[:3])

@@ -5,8 +5,8 @@ import shutil
 import grimp
 import pytest
 
+from planar_pushing.figures.figure import figure_names
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.figures import ALL
 from planar_pushing.study.running import code
 
 GRIDS = ("limit_curves", "motion_cones", "contact_modes")
@@ -14,7 +14,9 @@ GRAPH = grimp.build_graph("planar_pushing", cache_dir=None)
 #: What each kind of job calls, and the members of families among it.
 CALLS = {
     **{f"dataset {name}": ("dataset", "study.build", code.builder(name)) for name in DATASETS},
-    **{f"figure {name}": ("figure", "figures.jobs", entry.module) for name, entry in ALL.items()},
+    **{
+        f"figure {name}": ("figure", "figures.render", f"figures.{name}") for name in figure_names()
+    },
     "simulation": ("simulation", "study.build", "study.simulations"),
     "claims": ("claims", "evidence.claims.table"),
     "hard_cases": ("hard_cases", "evidence.hard_cases.dataset"),
@@ -26,7 +28,6 @@ CALLS = {
 }  # fmt: skip
 #: Modules that call by name what a job does not run: each is followed from the job's own member.
 TABLES = {
-    "planar_pushing.study.figures",
     "planar_pushing.study.simulations",
 }
 
@@ -57,8 +58,7 @@ def test_the_digest_holds_all_that_a_job_imports(call):
     for module in reached(set(names)):
         place = code.ROOT.joinpath(*module.split(".")[1:])
         file = (place / "__init__" if place.is_dir() else place).relative_to(code.ROOT)
-        free = str(file) == "__init__" or str(file).startswith("study/figures")
-        assert free or file in held, module
+        assert str(file) == "__init__" or file in held, module
 
 
 def test_a_member_of_a_family_counts_where_it_is_named_alone(tmp_path, monkeypatch):
@@ -70,8 +70,8 @@ def test_a_member_of_a_family_counts_where_it_is_named_alone(tmp_path, monkeypat
         return {
             "cones": code.code_of("dataset", "study.datasets.motion_cones"),
             "modes": code.code_of("dataset", "study.datasets.contact_modes"),
-            "figure 5": code.code_of("figure", "figures.paper.figure_05"),
-            "figure 6": code.code_of("figure", "figures.paper.figure_06"),
+            "figure 5": code.code_of("figure", "figures.figure_05"),
+            "figure 6": code.code_of("figure", "figures.figure_06"),
             "claims": code.code_of("claims"),
         }
 
@@ -84,12 +84,12 @@ def test_a_member_of_a_family_counts_where_it_is_named_alone(tmp_path, monkeypat
 
     try:
         every = set(digests())
-        assert changed("figures/paper/figure_05.py") == {"figure 5"}
+        assert changed("figures/figure_05.py") == {"figure 5"}
         assert changed("study/datasets/motion_cones.py") == {"cones"}
         assert changed("study/datasets/base.py") == every
         assert changed("mechanics/cones.py") == every
         assert changed("figures/paper.mplstyle") == {"figure 5", "figure 6"}
-        assert changed("study/figures/paper.py") == set()  # an entry is a parameter of its job
+        assert changed("figures/marks.py") == {"figure 5", "figure 6"}
         assert changed("commands/query.py") == set()
     finally:
         code.code_of.cache_clear()

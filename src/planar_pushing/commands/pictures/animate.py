@@ -28,8 +28,8 @@ def add(commands: Commands) -> None:
 
 def animated(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the frames of the log into one file."""
-    from planar_pushing.figures.motion.animation import animate
-    from planar_pushing.figures.motion.timeline import plotted
+    from planar_pushing.figures.animate import animate
+    from planar_pushing.figures.timeline import plotted
     from planar_pushing.study.store import read_dataset
 
     if not args.log.exists():
@@ -39,6 +39,5 @@ def animated(args: argparse.Namespace) -> dict[str, Any]:
         plotted(log)
     except InvalidFile as error:
         raise InvalidFile(f"{args.log}: {error}") from None
-    frames = animate(log, args.output, frames=args.frames, rate=args.frames_per_second)
-    size = args.output.stat().st_size
-    return {"written": str(args.output), "frames": frames, "bytes": size}
+    found = animate(log, args.output, frames=args.frames, rate=args.frames_per_second)
+    return {"written": str(args.output), "frames": found.frames, "bytes": len(found.gif)}

@@ -16,6 +16,7 @@ from planar_pushing.terms.errors import InvalidValue
 
 if TYPE_CHECKING:
     from planar_pushing.mechanics.scene import Scene
+    from planar_pushing.study.files.scene_model import SceneFile
 
 
 def add(commands: Commands) -> None:
@@ -38,26 +39,50 @@ def add(commands: Commands) -> None:
 
 
 def drawn(args: argparse.Namespace) -> dict[str, Any]:
-    """Draw the scene, pushed straight ahead where no angle is given."""
-    from planar_pushing.figures.scene_picture import render_curve, render_scene
+    """Draw the scene under the push given, or that of its file, or straight ahead."""
+    from math import radians
+
+    from planar_pushing.figures.draw import SCENE, draw_on
+    from planar_pushing.figures.render import save_drawn
+    from planar_pushing.figures.sketch import Sketch, with_curve
     from planar_pushing.study.files.scenes import load_scene_file
-    from planar_pushing.study.files.study_model import PushEntry
 
     angles = args.pusher_angle, args.force_angle
     if None not in angles:
         raise InvalidValue("pusher_angle, force_angle", angles, "one of them", "leave one out")
     file = load_scene_file(args.scene)
+    scene = file.build()
     if args.force_angle is not None:
-        _require_force(file.build(), args.force_angle)
-    push = PushEntry(
-        file=str(args.scene),
-        pusher_angle=90.0 if angles == (None, None) else args.pusher_angle,
-        force_angle=args.force_angle,
-        pusher_magnitude=args.pusher_magnitude,
-    )
-    render = render_curve if args.limit_curve else render_scene
-    render(file, push, args.output)
+        _require_force(scene, args.force_angle)
+    angle, magnitude, side = _push(args, file, scene)
+    sketch = Sketch.of(scene, radians(angle), magnitude, side=side)
+    if args.limit_curve:
+        sketch = with_curve(sketch, scene)
+    save_drawn(lambda figure: draw_on(figure, sketch), SCENE, [args.output])
     return {"written": str(args.output)}
+
+
+def _push(
+    args: argparse.Namespace, file: SceneFile, scene: Scene
+) -> tuple[float, float, tuple[float, float] | None]:
+    """Angle in degrees and magnitude of the push, and the side that a finger pushes."""
+    from planar_pushing.study.datasets.scenes import pusher_angle
+    from planar_pushing.study.files.study_model import PushEntry
+    from planar_pushing.terms.options import Shape
+
+    section = file.simulate
+    own = section.pieces[0] if section else None
+    finger = section is not None and section.pusher_shape == Shape.FINGER
+    angle = args.pusher_angle
+    if args.force_angle is not None:
+        push = PushEntry(file=str(args.scene), force_angle=args.force_angle)
+        angle = pusher_angle(scene, push)
+    elif angle is None:
+        angle = own.angle if own else 90.0
+    # The file gives a velocity; a scene with inertia is pushed from rest, by an acceleration.
+    speed = own.speed if own and own.speed and not scene.stores_energy else 1.0
+    magnitude = args.pusher_magnitude or speed
+    return float(angle), float(magnitude), scene.slider.side if finger else None
 
 
 def _require_force(scene: Scene, angle: float) -> None:

@@ -73,15 +73,16 @@ def add_output(sub: argparse.ArgumentParser, example: str, about: str) -> None:
 
 def add_push(sub: argparse.ArgumentParser, required: bool) -> None:
     """Add the fence's motion."""
-    default = "required" if required else "default: 90, or what --force-angle makes it"
+    default = "required" if required else "default: that of the scene file, or 90"
+    magnitude = 1.0 if required else None
     sub.add_argument(
         "--pusher-angle", type=float, required=required, metavar="DEGREES",
         help=f"direction of the fence's motion, {DIRECTION} ({default})",
     )  # fmt: skip
     sub.add_argument(
-        "--pusher-magnitude", type=float, default=1.0, metavar="NUMBER",
-        help="size of the fence's velocity, or with inertia of its acceleration from rest, in the "
-        "scene's units, a finite number > 0 (default: 1)",
+        "--pusher-magnitude", type=float, default=magnitude, metavar="NUMBER",
+        help="magnitude of the fence's velocity, or with inertia of its acceleration from rest, in the "
+        f"scene's units, a finite number > 0 (default: {'1' if required else 'that of the file, or 1'})",
     )  # fmt: skip
 
 
@@ -92,5 +93,6 @@ def check_push(args: argparse.Namespace) -> None:
         if given is not None:
             allowed = "a finite number of degrees"
             require_number(name, given, math.isfinite, allowed, "give one angle")
-    magnitude = getattr(args, "pusher_magnitude", 1.0)
-    require_positive("pusher_magnitude", magnitude, "turn the pusher around by its angle")
+    magnitude = getattr(args, "pusher_magnitude", None)
+    if magnitude is not None:
+        require_positive("pusher_magnitude", magnitude, "turn the pusher around by its angle")

@@ -15,8 +15,6 @@ from planar_pushing.evidence.golden.compare import (
     load_tolerances,
 )
 from planar_pushing.study.catalog import DATASETS, FIGURES, SIMULATIONS, dataset_place
-from planar_pushing.study.figures import FIGURES as PAPER_FIGURES
-from planar_pushing.study.figures import GALLERY, draws
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import computes
@@ -31,11 +29,10 @@ COUNTS = ("hard_cases", "accuracy_errors", "evaluations")
 def result_names(study: StudyFile) -> list[str]:
     """Names of all results of a study that golden data hold, as `open_dataset` takes them."""
     computed = [name for name in DATASETS if computes(study, name)]
-    drawn = [name for name in PAPER_FIGURES | GALLERY if draws(study, name)]
     return [
         *computed,
         *(f"{SIMULATIONS}/{name}" for name in study.simulations),
-        *(f"{FIGURES}/{name}" for name in drawn),
+        *(f"{FIGURES}/{name}" for name in study.figures),
         *(COUNTS if "scenes" in computed else ()),
     ]
 

@@ -1,1 +1,1 @@
-"""Parts that the drawings share: arrows, labels, sliders, fences, scenes, curves and cones."""
+"""Shared by several figures: numbers and captions, curves, frames, supports over rods, methods."""

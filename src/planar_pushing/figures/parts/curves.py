@@ -1,96 +1,43 @@
-"""Parts that the figures of curves, cones and maps share: scenes of a study, curves, and panels."""
+"""Limit curves of the paper's slider, and a cone of forces mapped through one to a cone of motions."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
-import matplotlib
 import numpy as np
 import xarray as xr
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
-from planar_pushing.figures.parts import arrows, drawing, labels
-from planar_pushing.figures.settings import Settings, Sources
-from planar_pushing.figures.style import DARK, FORCE, GUIDE, MOTION, NOTE_SIZE
-from planar_pushing.mechanics.contact import InfiniteFriction
+from planar_pushing.figures.axes import Panel, is_column, panels
+from planar_pushing.figures.body import add_fence, add_rod
+from planar_pushing.figures.colors import DARK, FORCE, MOTION, rod_color
+from planar_pushing.figures.marks import NOTE, Picture, corners, unit
+from planar_pushing.figures.parts.data import (
+    attributed,
+    degrees,
+    labelled,
+    mathematical,
+    named,
+    radius,
+    rod_angle,
+    scene_of,
+)
+from planar_pushing.figures.supports import Ink, Pose, add_support
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.supports import Ring
 from planar_pushing.study.datasets.base import pushing
-from planar_pushing.study.describe import parameters_of
-from planar_pushing.terms.quantities import DATASET, attributes, described
 
-#: Ends of curves that close on themselves.
-BUTT: dict[str, Any] = {"solid_capstyle": "butt", "zorder": 3}
 #: Force angles of a limit curve, degrees: as close as a smooth line takes.
 ANGLES = np.linspace(0.0, 360.0, 361)
 #: Force angles of a mapping that are drawn between the edges of its cone, degrees.
 INSIDE = (45.0, 90.0)
 
 
-def chosen(given: float | None, default: float) -> float:
-    """Value of a figure: the study's, or the module's own."""
-    return default if given is None else given
-
-
-def rod_lengths(settings: Settings, default: tuple[float, ...]) -> tuple[float, ...]:
-    """Rod lengths of a figure: the study's, or the module's own."""
-    given = settings.rod_length
-    if given is None:
-        return default
-    return given if isinstance(given, tuple) else (given,)
-
-
-def scene_of(dataset: xr.Dataset, effects: str, rod_length: float | xr.DataArray) -> Scene:
-    """The slider of a dataset over the grid on this rod, or these rods, under infinite friction."""
-    part = parameters_of(dataset)
-    return Scene(
-        slider=part.ring(rod_length), contact=InfiniteFriction(), effects=part.effects(effects)
-    )
-
-
-def labelled(name: str, values: Iterable[float]) -> xr.DataArray:
-    """Values along an axis of their own."""
-    array = np.array(list(values), dtype=float)
-    return xr.DataArray(array, dims=name, coords={name: array})
-
-
-def attributed(dataset: xr.Dataset) -> xr.Dataset:
-    """Give variables the units and the names that they have in the datasets of a study."""
-    for name in dataset.variables.keys() & DATASET.keys():
-        dataset[name].attrs = attributes(DATASET, str(name))
-    return dataset
-
-
-def rod_angle(dataset: xr.Dataset) -> float:
-    """The study's rod angle, degrees; a dataset over other angles is cut there."""
-    return float(parameters_of(dataset).slider.rod_angle)
-
-
-def radius(dataset: xr.Dataset) -> xr.Variable:
-    """Radius of the ring that a dataset over the grid was computed for."""
-    return named((), parameters_of(dataset).slider.radius, "length", "radius of the ring")
-
-
-def named(dims: Iterable[str] | str, values: object, units: str, long_name: str) -> xr.Variable:
-    """Make a variable with its unit and name."""
-    axes = dims if isinstance(dims, str) else tuple(dims)
-    return xr.Variable(axes, np.asarray(values), described(units, long_name))
-
-
-def titled(dataset: xr.Dataset, title: str, sources: Sources) -> xr.Dataset:
-    """Give the plotted numbers a title, and the sources of the datasets that they come from."""
-    origins = dict.fromkeys(str(each.attrs["source"]) for each in sources.values())
-    named = {name: each for name, each in dataset.attrs.items() if name == "scene"}
-    dataset.attrs = {"title": title, "source": "; ".join(origins)} | named
-    return dataset
-
-
-def forces(scene: Scene, degrees: xr.DataArray) -> xr.Dataset:
+def forces(scene: Scene, angles: xr.DataArray) -> xr.Dataset:
     """Limit curve at force angles in degrees: force, its components, and the motion in degrees."""
-    phi = pushing(degrees)
+    phi = pushing(angles)
     curve = limit_curve(scene, phi)
     x, y = (phi.copy(data=each) for each in direction(phi.values).T)
     return attributed(
@@ -145,107 +92,88 @@ def cone_mapping(cones: xr.Dataset, effects: str, length: float, friction: float
     )
 
 
-def shades(count: int) -> list[tuple[float, ...]]:
-    """Colors of an ordered family of force curves, from dark to light, which differ in gray too."""
-    return [tuple(each) for each in matplotlib.colormaps["copper"](np.linspace(0.1, 0.82, count))]
-
-
-def number(value: float) -> str:
-    """Number as mathematical text, infinity included."""
-    return r"\infty" if np.isinf(value) else f"{value:g}"
-
-
-def degrees(angle: float) -> str:
-    """Angle as mathematical text, to a tenth of a degree."""
-    return rf"${angle:.1f}^\circ$"
-
-
-def on_curve(ax: Axes, xy: Array, text: str, color: Any, side: str = "center") -> None:
-    """Label that interrupts the curve it names; `side` is its horizontal alignment."""
-    box = {"boxstyle": "round,pad=0.12", "facecolor": "white", "edgecolor": "none"}
-    labels.label(ax, xy, text, color=color, size=NOTE_SIZE, bbox=box, zorder=4, ha=side)
-
-
-def family(ax: Axes, data: xr.Dataset, place: float, side: str, bold: float | None = None) -> None:
-    """Force curves of several rod lengths, each interrupted by its length at the angle `place`.
+def family(
+    picture: Picture, data: xr.Dataset, place: float, side: str, bold: float | None = None
+) -> None:
+    """Force curves of several rod lengths, each with its length at the angle `place`, degrees.
 
     The first, outermost one carries the symbol too, aligned to `side`; `bold` is the rod length of
     a curve to draw heavier.
     """
-    colors = shades(data.sizes["rod_length"])
-    for color, length in zip(colors, data.rod_length.values, strict=True):
+    for length in data.rod_length.values:
         curve = data.sel(rod_length=length)
-        width = None if bold is None else (1.7 if length == bold else 0.9)
-        ax.plot(curve.force_x, curve.force_y, color=color, linewidth=width, **BUTT)
+        width = 1.2 if bold is None else (1.8 if length == bold else 0.9)
+        points = np.stack([curve.force_x, curve.force_y], axis=-1)
+        picture.line(points, rod_color(float(length)), width=width, order=3.0)
         at = curve.sel(force_angle=place, method="nearest")
-        tip = np.array([float(at.force_x), float(at.force_y)])
         first = length == data.rod_length[0]
-        text = f"$l = {number(length)}$" if first else f"${number(length)}$"
-        on_curve(ax, tip, text, color, side if first else "center")
+        text = f"$l = {mathematical(length)}$" if first else f"${mathematical(length)}$"
+        tip = (float(at.force_x), float(at.force_y))
+        picture.label(tip, text, size=NOTE, align=side if first else "center")
 
 
-def mapping_panels(
-    figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbol: str, titles: Sequence[str]
-) -> Axes:
-    """Three panels from the friction cone through the curve to the motion cone.
-
-    Returns the middle one, for the caller to draw the curves `lines` in; `symbol` names the motion.
-    """
-    angles = {"f": data.mapped_force_angle.values, symbol: data.mapped_motion_angle.values}
-    for place, name in zip((0.0, 0.68), angles, strict=True):
-        _cone_panel(figure, data, (place, 0.0, 0.32, 0.9), name, angles[name])
-    middle = _curve_panel(figure, data, lines, symbol)
-    for place, title in zip((0.16, 0.5, 0.84), titles, strict=True):
-        figure.text(place, 0.97, title, ha="center", va="top", color=DARK)
-    for place in (0.335, 0.665):
-        figure.text(place, 0.975, r"$\longrightarrow$", ha="center", va="top", color=GUIDE)
-    return middle
-
-
-def _cone_panel(
-    figure: Figure,
-    data: xr.Dataset,
-    rect: tuple[float, float, float, float],
-    name: str,
-    angles: Array,
+def mapping(
+    figure: Any, data: xr.Dataset, middle: Picture, span: float, symbol: str, titles: Sequence[str]
 ) -> None:
+    """Three panels from the friction cone through the curve to the motion cone, numbered alike.
+
+    `middle` holds the curves, drawn to a distance `span` from the origin; `symbol` names the motion.
+    """
+    first, last = (
+        _cone_panel(data, name, data[f"mapped_{of}_angle"].values)
+        for name, of in (("f", "force"), (symbol, "motion"))
+    )
+    _forces_on_curve(middle, data, span, symbol)
+    box = corners([(-1.25 * span, -1.1 * span), (1.35 * span, 1.3 * span)])
+    given = [Panel(*first), Panel(middle, box, pad=6.0), Panel(*last)]
+    named = [each._replace(title=title) for each, title in zip(given, titles, strict=True)]
+    panels(figure, named, 1 if is_column(figure) else 3)
+
+
+def _cone_panel(data: xr.Dataset, name: str, angles: Array) -> tuple[Picture, Array, str, float]:
     """Slider and fence with a cone at the contact, its edges' angles and the numbered arrows."""
-    color, draw = (FORCE, arrows.force_arrow) if name == "f" else (MOTION, arrows.motion_arrow)
+    picture, color = Picture(), FORCE if name == "f" else MOTION
     rod, ring = float(data.mapped_rod_length), float(data.radius)
-    center, reach = rod * arrows.unit(float(data.rod_angle)), 0.62 * (rod + ring)
+    center, reach = rod * unit(float(data.rod_angle)), 0.62 * (rod + ring)
     right = max(center[0] + ring, reach)
-    box = (-reach, right, min(center[1] - ring, -0.4 * reach), max(center[1] + ring, reach))
-    ax = drawing.schematic(figure, box, rect=rect, pad=14)
-    drawing.slider(ax, center, ring, width=1.6)
-    drawing.fence(ax, -reach, right)
-    drawing.cone(ax, (0, 0), angles[0], angles[-1], reach, color)
+    low = min(center[1] - ring, -0.45 * reach if name != "f" else -0.1 * reach)
+    box = corners([(-1.1 * reach, low), (right, max(center[1] + ring, 1.05 * reach))])
+    add_fence(picture, -reach, right, depth=0.06 * reach)
+    add_support(picture, Ring(ring), Pose(center, 0.0), Ink(width=1.6))
+    add_rod(picture, center, contact=(0.0, 0.0), ink=Ink(width=1.6))
+    right_edge, left_edge = np.deg2rad(angles[[0, -1]])
+    picture.cone(right_edge, left_edge, reach, color)
     for edge in (angles[0], angles[-1]):
-        tip = arrows.unit(edge)
-        shift = (14.0 * tip[0], 8.0 * tip[1])
-        labels.label(ax, reach * tip, degrees(edge), offset=shift, color=color, size=NOTE_SIZE)
+        x, y = unit(edge)
+        picture.label(
+            reach * unit(edge), degrees(edge), color=color, size=NOTE,
+            offset=(15.0 * float(x), 8.0 * float(y)),
+        )  # fmt: skip
     # Shorter than the rod, which one of them may cover.
     length = min(0.76 * reach, 0.7 * max(rod, ring))
-    low = -0.04 * (reach + right)
+    draw = picture.force if name == "f" else picture.motion
     for index, angle in enumerate(angles):
-        text, tip = rf"$\mathbf{{{name}}}_{{{index + 1}}}$", length * arrows.unit(angle)
-        draw(ax, (0, 0), tip, text if tip[1] >= 0 else "", head=10, width=1.1)
-        if tip[1] < 0:  # below the fence, as its arrow is
-            labels.label(ax, (0.8 * tip[0], min(tip[1], low)), text, color=color, va="top")
-    labels.declutter(ax)
+        draw((0, 0), length * unit(angle), rf"$\mathbf{{{name}}}_{index + 1}$", head=10, width=1.1)
+    return picture, box, "", 20.0
 
 
-def _curve_panel(figure: Figure, data: xr.Dataset, lines: Sequence[Array], symbol: str) -> Axes:
+def _forces_on_curve(picture: Picture, data: xr.Dataset, span: float, symbol: str) -> None:
     """Forces from the origin to the curve, and the motions normal to it there."""
-    span = 1.3 * float(np.abs(lines).max())
-    ax = drawing.schematic(figure, (-span, span, -span, span), rect=(0.33, 0.0, 0.34, 0.9), pad=6)
-    arrows.coordinate_axes(ax, (0, 0), 0.0, 1.05 * span, ("$f_x$", "$f_y$"), color=GUIDE)
-    angle = data.mapped_force_angle.values
-    drawing.cone(ax, (0, 0), angle[0], angle[-1], 1.12 * span / 1.3, FORCE, strength=0.1)
+    for turn, name in zip((0.0, np.pi / 2), ("$f_x$", "$f_y$"), strict=True):
+        picture.axis((0, 0), turn, 1.25 * span, name)
+    angle = np.deg2rad(data.mapped_force_angle.values)
+    picture.cone(angle[0], angle[-1], 1.12 * span, FORCE, strength=0.1)
     tips = np.stack([data.mapped_force_x, data.mapped_force_y], axis=-1)
     for index, (tip, motion) in enumerate(zip(tips, data.mapped_motion_angle.values, strict=True)):
-        arrows.force_arrow(ax, (0, 0), tip, head=8, width=1.0)
-        text = rf"$\mathbf{{{symbol}}}_{{{index + 1}}}$"
-        arrows.motion_arrow(
-            ax, tip, 0.36 * span * arrows.unit(float(motion)), text, head=8, width=1.0
-        )
-    return ax
+        picture.force((0, 0), tip, rf"$\mathbf{{f}}_{index + 1}$", head=8, width=1.0, at=0.6,
+                      offset=(0.0, 7.0))  # fmt: skip
+        text = rf"$\mathbf{{{symbol}}}_{index + 1}$"
+        picture.motion(tip, 0.42 * span * unit(float(motion)), text, head=8, width=1.0)
+
+
+def curve_picture(data: xr.Dataset) -> tuple[Picture, float]:
+    """Picture of one curve, and its farthest coordinate."""
+    points = np.stack([data.force_x, data.force_y], axis=-1)
+    picture = Picture()
+    picture.line(points, DARK, order=3.0)
+    return picture, float(np.abs(points).max())

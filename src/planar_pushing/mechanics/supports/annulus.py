@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.record import Pieces
 from planar_pushing.terms.errors import InvalidValue, require_positive
 
 
 @dataclass(frozen=True, slots=True)
-class Annulus:
+class Annulus(Pictured):
     """Support between two circles about one center, its pressure even.
 
     Parameters

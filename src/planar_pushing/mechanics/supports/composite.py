@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, is_kind, weights
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.pressure.assembly import (
@@ -18,7 +19,7 @@ from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True)
-class Composite:
+class Composite(Pictured):
     """Support made of other supports in one body frame.
 
     Parameters

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.record import DISCS, PLATES, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
@@ -26,7 +27,7 @@ SLOPE = tuple((2 * j + 1) * each for j, each in enumerate(TORQUE))
 
 
 @dataclass(frozen=True, slots=True)
-class Disc:
+class Disc(Pictured):
     """Support on a disc, its pressure even.
 
     Parameters

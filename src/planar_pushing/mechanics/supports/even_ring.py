@@ -8,6 +8,7 @@ from math import sqrt
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position
 from planar_pushing.mechanics.supports.pressure.record import DISCS, RINGS, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
@@ -16,7 +17,7 @@ from planar_pushing.terms.errors import require_positive
 
 
 @dataclass(frozen=True, slots=True)
-class Ring:
+class Ring(Pictured):
     """Support on a ring about the slider's center, its pressure even: the paper's.
 
     Parameters

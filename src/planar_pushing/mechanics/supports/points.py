@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.compiled import summing
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions, weights
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pieces
@@ -17,7 +18,7 @@ from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True)
-class Points:
+class Points(Pictured):
     """Support on points.
 
     Parameters

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined, kernel
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.multipole import far
@@ -21,7 +22,7 @@ THINNEST = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
-class Polygon:
+class Polygon(Pictured):
     """Support on a simple polygon, its pressure even.
 
     Parameters

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, array, require_all
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
@@ -17,7 +18,7 @@ BLOCK = 4
 
 
 @dataclass(frozen=True, slots=True)
-class PressureMap:
+class PressureMap(Pictured):
     """Support on a grid of rectangular cells, the pressure even in each.
 
     Parameters

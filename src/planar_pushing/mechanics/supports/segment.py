@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.edges import (
@@ -28,7 +29,7 @@ TORQUE = tuple((2 * k + 2) / (2 * k + 3) for k in range(9))
 
 
 @dataclass(frozen=True, slots=True)
-class Segment:
+class Segment(Pictured):
     """Support on a straight line, its pressure even.
 
     Parameters

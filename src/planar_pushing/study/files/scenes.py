@@ -74,7 +74,7 @@ def load_model(path: PathLike, model: type[Model]) -> Model:
     try:
         return model.model_validate(content)
     except ValidationError as error:
-        lines = [_explain(path, each) for each in error.errors()]
+        lines = [explain(path, each) for each in error.errors()]
         more = [f"{path}: and {len(lines) - 5} more"] if len(lines) > 5 else []
         raise InvalidFile("\n".join(lines[:5] + more)) from None
 
@@ -101,7 +101,7 @@ def _other_kind(given: dict[object, object], known: list[str]) -> str:
     return f"this is {kinds[0]}; give a file with these keys" if kinds else "remove the key"
 
 
-def _explain(path: Path, error: ErrorDetails) -> str:
+def explain(path: Path, error: ErrorDetails) -> str:
     """One line: file, key, value, what is allowed, what to do."""
     key, given, context = _key(error["loc"]), error["input"], error.get("ctx", {})
     allowed, remedy = error["msg"], "change the value"

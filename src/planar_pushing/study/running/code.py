@@ -13,7 +13,6 @@ from pathlib import Path
 
 import planar_pushing
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.figures import ALL
 
 ROOT = Path(planar_pushing.__path__[0])
 #: What every job runs: the terms, the mechanics and the study without its datasets.
@@ -28,7 +27,7 @@ PACKAGES = {
     "claims": (*LIBRARY, *EVIDENCE, "certified", "evidence.claims"),
     "hard_cases": (*LIBRARY, *EVIDENCE, "certified", "evidence.hard_cases"),
     "costs": (*LIBRARY, *EVIDENCE, "simulation", "certified", "evidence.costs"),
-    "report": (*LIBRARY, "certified", "evidence.claims", "evidence.writing", "report"),
+    "report": (*LIBRARY, "figures", "certified", "evidence.claims", "evidence.writing", "report"),
     "manual": (".",),
 }
 
@@ -38,11 +37,14 @@ def builder(dataset: str) -> str:
     return f"study.datasets.{DATASETS[dataset].module}"
 
 
-#: Modules of which a job runs those that it names; the figures' entries are parameters of their jobs.
+#: Modules of which a job runs those that it names: builders of datasets, and figures.
 BUILDERS = frozenset(map(builder, DATASETS))
-DRAWINGS = frozenset(figure.module for figure in ALL.values())
-ENTRIES = frozenset({"study.figures"})
-MEMBERS = BUILDERS | DRAWINGS | ENTRIES
+DRAWINGS = frozenset(
+    f"figures.{path.stem}"
+    for path in (ROOT / "figures").glob("*.py")
+    if "\nFIGURE = " in path.read_text(encoding="utf-8")
+)
+MEMBERS = BUILDERS | DRAWINGS
 
 
 @cache

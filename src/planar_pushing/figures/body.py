@@ -1,0 +1,154 @@
+"""Marks of a slider: its support, rod, contact and centers; of the fence or the finger that pushes it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.figures.colors import DARK, FENCE, PUSHER, SLIDER, tint
+from planar_pushing.figures.marks import ARROWS, NOTE, Hatch, Picture, Place
+from planar_pushing.figures.supports import OUTLINE, Ink, Pose, add_support, extents
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.supports import Ring
+from planar_pushing.study.datasets.rubbing import support_of
+from planar_pushing.study.files.scene_model import SceneFile
+
+#: Keys of a scene file that do not describe a motion over time.
+OWN = ("slider", "contact", "effects")
+#: A center nearer to the origin of the body than this, in units of the support's size, is there.
+NEAR = 1e-6
+#: By how much dots and signs reach beyond their places, in units of half the support.
+RIM = 0.07
+#: Names of the centers.
+NAMES = {"pressure": "center of\npressure", "mass": "center\nof mass"}
+#: Distance of two strokes of a fence's hatch, in units of its depth.
+APART = 0.8
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Body:
+    """A slider in its body frame, with the centers that are marked: those that are not its origin."""
+
+    support: Any
+    centers: tuple[tuple[str, Any], ...] = ()
+
+    @property
+    def half(self) -> float:
+        """Half of the support's larger side; a ring's radius."""
+        return float(np.ptp(self.bounds, axis=0).max() / 2)
+
+    @property
+    def bounds(self) -> Array:
+        """Corners of the box around the support, sides along the axes of the body."""
+        return _bounds(self.support)
+
+    @property
+    def middle(self) -> Array:
+        """Middle of that box."""
+        return np.asarray(self.bounds.mean(axis=0))
+
+    @property
+    def is_ring(self) -> bool:
+        return isinstance(self.support, Ring)
+
+    def box(self, pose: Pose) -> Array:
+        """Corners of the upright box around the support and what is marked, in a place."""
+        points = [*extents(self.support, pose), *(pose.at(place) for _, place in self.centers)]
+        rim = 0.0 if self.is_ring else RIM * self.half
+        return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
+
+
+@lru_cache(maxsize=32)
+def _bounds(support: Any) -> Array:
+    return extents(support, Pose((0.0, 0.0), 0.0))
+
+
+def body_of(scene: Scene) -> Body:
+    """The slider of a scene."""
+    support = support_of(scene)
+    if scene.isotropic:
+        return Body(support=support)
+    pressure = support.center_of_pressure
+    mass = tuple(scene.slider.radius * each for each in scene.mass_center)
+    found = {"pressure": pressure} if scene.friction else {}
+    found |= {"mass": mass} if scene.masses else {}
+    near = NEAR * support.extent
+    apart = any(np.hypot(*place) > near for place in found.values())
+    return Body(support=support, centers=tuple(found.items()) if apart else ())
+
+
+def body_in(data: xr.Dataset) -> Body:
+    """The slider of a scene's dataset or of a log; a ring where the dataset names no scene."""
+    named = data.attrs.get("scene") or data.attrs.get("parameters")
+    if named is None:
+        return Body(support=Ring(float(data["radius"])))
+    return _read(named)
+
+
+@lru_cache(maxsize=16)
+def _read(text: str) -> Body:
+    return body_of(scene_in(text))
+
+
+def scene_in(text: str) -> Scene:
+    """The scene in an attribute of a dataset."""
+    given = json.loads(text)
+    entry = given.get("scene", given)
+    return SceneFile.model_validate({name: entry[name] for name in OWN}).build()
+
+
+def add_body(
+    picture: Picture,
+    body: Body,
+    pose: Pose,
+    *,
+    contact: Place = (0.0, 0.0),
+    ink: Ink | None = None,
+) -> None:
+    """Support, rod, contact, and the signs of the centers."""
+    own = ink or Ink()
+    add_support(picture, body.support, pose, own)
+    add_rod(picture, pose.origin, contact=contact, ink=own)
+    for name, place in body.centers:
+        face = own.color if name == "pressure" else "white"
+        edge, width = ("white", 0.6) if name == "pressure" else (own.color, 0.9)
+        picture.dot(
+            pose.at(place), 7.2, face, edge=edge, width=width, shape=name, order=ARROWS - 0.5
+        )
+
+
+def add_rod(picture: Picture, center: Place, *, contact: Place, ink: Ink) -> None:
+    """Slider's center, the rod from there to the contact, and the contact's dot."""
+    picture.line([contact, center], ink.color, width=0.6 * ink.width, order=OUTLINE)
+    picture.dot(center, 2.2, ink.color)
+    picture.dot(contact, 4.0, ink.color, order=ARROWS + 1)
+
+
+def name_centers(picture: Picture, body: Body, pose: Pose) -> None:
+    """Names of the centers beside their signs."""
+    for name, place in body.centers:
+        picture.label(pose.at(place), NAMES[name], size=NOTE, color=DARK, offset=(0.0, -14.0))
+
+
+def add_fence(
+    picture: Picture, left: float, right: float, *, y: float = 0.0, color: str = FENCE,
+    width: float = 1.2, depth: float = 0.0,
+) -> None:  # fmt: skip
+    """Fence along a height, hatched to a depth on the side away from the slider."""
+    picture.line([(left, y), (right, y)], color, width=width)
+    if depth:
+        starts = np.arange(left + depth, right + 1e-9 * depth, APART * depth)
+        tops = np.stack([starts, np.full(len(starts), y)], axis=-1)
+        picture.add(Hatch(np.stack([tops, tops - depth], axis=1), color))
+
+
+def add_finger(picture: Picture, side: Array, place: Place, color: str = SLIDER) -> None:
+    """The flat side of the slider as a line, and the finger that touches it as a disc."""
+    picture.line(side, color, width=1.2, order=OUTLINE)
+    picture.dot(place, 6.0, tint(PUSHER, 0.5), edge=PUSHER, width=0.9, order=ARROWS + 1)

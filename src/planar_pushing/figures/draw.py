@@ -1,0 +1,198 @@
+"""Pictures that a user asks for: a scene under a push, and a log over time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from planar_pushing.figures.axes import schematic, to_axes
+from planar_pushing.figures.colors import GUIDE
+from planar_pushing.figures.marks import NOTE
+from planar_pushing.figures.motion import box, snapshots
+from planar_pushing.figures.over_time import explain, mark_time, series, strip, varying
+from planar_pushing.figures.scene import add_scale, scene_picture
+from planar_pushing.figures.sketch import Sketch, with_curve
+from planar_pushing.figures.style import paper_style
+from planar_pushing.figures.timeline import impacts, plotted
+from planar_pushing.figures.words import outcome
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.terms.errors import InvalidValue, require_number
+
+#: Size of a picture of a scene and of a log, inches; points around it.
+SCENE, LOG, PAD = (4.2, 4.0), (7.0, 3.2), 24.0
+#: Instants at which slider and pusher are drawn.
+COUNT = 5
+#: Variables over time that are shown where they vary, and their labels.
+SERIES = {
+    "path_rod_angle": "rod angle $\\psi$\n(degrees)",
+    "path_slip": "slip",
+    "path_gap": "gap",
+}
+
+
+def draw(
+    scene: Scene,
+    pusher_angle: float | None = None,
+    magnitude: float = 1.0,
+    *,
+    solution: int | ContactMode | None = None,
+    cones: bool = True,
+    limit_curve: bool = False,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw a scene under a push with its consistent solutions, or the slider with its cones.
+
+    Parameters
+    ----------
+    scene : Scene
+        One scene, whose parameters are numbers.
+    pusher_angle : float, optional
+        Direction of the pusher's motion, radians counter-clockwise from the fence; without one the picture
+        shows the slider and its cones.
+    magnitude : float
+        Magnitude of that motion: a velocity, or an acceleration where the scene has inertia; >= 0.
+    solution : int or ContactMode, optional
+        Number or mode of the solution that is drawn in full, the others pale. By default the one that
+        sticks, else the first that moves.
+    cones : bool
+        Whether to show friction cone and motion cone.
+    limit_curve : bool
+        Whether to show the limit curve around the contact, of a scene with one effect.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on, a new figure's by default. Their frame is taken away.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        With a bar of a round length as scale, and the outcome in words as title.
+
+    Raises
+    ------
+    InvalidValue
+        Where the scene is an array of scenes, there is no such solution, or no limit curve.
+    """
+    required_single(required_scene(scene))
+    if pusher_angle is None:
+        sketch = Sketch.of(scene)
+    else:
+        for name, given in (("pusher_angle", pusher_angle), ("magnitude", magnitude)):
+            require_number(name, given, math.isfinite, "a finite number", "draw one push at a time")
+        found = solve(scene, pusher_angle, magnitude)
+        chosen = None if solution is None else _number(list(found), solution)
+        sketch = Sketch.of(scene, pusher_angle, magnitude, found=found, chosen=chosen)
+    return _drawn(with_curve(sketch, scene) if limit_curve else sketch, cones, ax)
+
+
+def said(sketch: Sketch) -> str:
+    """Outcome of a push in words; nothing without a push."""
+    if sketch.pusher is None:
+        return ""
+    return outcome(sketch.solutions, sketch.pusher, sketch.chosen)
+
+
+def _number(found: Sequence[Any], wanted: int | ContactMode) -> int:
+    """Number of the solution that is asked for."""
+    if isinstance(wanted, ContactMode):
+        numbers = [i for i, each in enumerate(found) if each.mode is wanted]
+    else:
+        numbers = [wanted] if wanted in range(len(found)) else []
+    if not numbers:
+        modes = ", ".join(f"{i} ({each.mode})" for i, each in enumerate(found))
+        allowed = modes or "none, as no solution is consistent"
+        raise InvalidValue("solution", wanted, allowed, "choose one of these, or leave it out")
+    return numbers[0]
+
+
+def _drawn(sketch: Sketch, cones: bool, ax: Axes | None) -> Axes:
+    """Axes with the picture of a sketch, its scale and its title."""
+    with paper_style():
+        own = schematic(_new_figure(SCENE), (0.0, 0.0, 1.0, 0.9)) if ax is None else ax
+        own.set_axis_off()
+        picture, frame = scene_picture(sketch, cones=cones), sketch.box
+        add_scale(picture, frame, 0.3 * float(np.ptp(frame[:, 0])))
+        to_axes(picture, own, frame, PAD)
+        own.set_title(wrapped(said(sketch)), fontsize=NOTE + 0.5, color=GUIDE)
+    return own
+
+
+def wrapped(text: str, width: int = 64) -> str:
+    """Text in rows of about a width."""
+    import textwrap
+
+    return "\n".join(textwrap.wrap(text, width))
+
+
+def _new_figure(size: tuple[float, float]) -> Figure:
+    """A figure that notebooks and windows show, as those of pyplot; it needs no window by itself."""
+    import matplotlib.pyplot as plt
+
+    return plt.figure(figsize=size)
+
+
+def draw_on(figure: Figure, sketch: Sketch, *, cones: bool = True) -> None:
+    """Draw a sketch on a figure of its own, as `draw` does."""
+    _drawn(sketch, cones, schematic(figure, (0.0, 0.0, 1.0, 0.9)))
+
+
+def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
+    """Draw a motion over time: slider and pusher at some instants, and series beside them.
+
+    Parameters
+    ----------
+    log : xarray.Dataset
+        As `simulate` returns it.
+    figure : matplotlib.figure.Figure, optional
+        Figure to draw on, a new one by default.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    InvalidFile
+        Where the dataset is no log.
+    """
+    data = plotted(log)
+    with paper_style():
+        own = _new_figure(LOG) if figure is None else figure
+        motion_and_series(own, data, impacts(log))
+    return own
+
+
+def motion_and_series(figure: Figure, data: xr.Dataset, struck: Sequence[int] = ()) -> None:
+    """Trajectory on the left or above, and what changes over time on the right or below.
+
+    `struck` are the rows of impacts; slider and pusher are drawn there too.
+    """
+    wide = figure.get_figwidth() > figure.get_figheight()
+    ax = schematic(figure, (0.0, 0.0, 0.6, 1.0) if wide else (0.0, 0.5, 1.0, 0.5))
+    frame = box(data)
+    to_axes(snapshots(data, frame, COUNT, struck), ax, frame, 14.0)
+    shown = varying(data, SERIES) or ["path_rod_angle"]
+    edges = (
+        {"left": 0.69, "top": 0.97, "bottom": 0.19}
+        if wide
+        else {"left": 0.17, "top": 0.47, "bottom": 0.1}
+    )
+    grid = figure.add_gridspec(
+        len(shown) + 1, 1, right=0.97, hspace=0.28, height_ratios=[*(1.0 for _ in shown), 0.35],
+        **edges,
+    )  # fmt: skip
+    for place, name in enumerate(shown):
+        series(figure.add_subplot(grid[place]), data, name, SERIES[name])
+    last = figure.add_subplot(grid[len(shown)])
+    strip(last, data)
+    explain(last, data)
+    figure.align_ylabels()
+    for row in struck:
+        for each in figure.axes[1:]:
+            mark_time(each, data, row)

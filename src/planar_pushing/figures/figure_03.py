@@ -1,0 +1,32 @@
+"""Figure 3: quasi-static pulling."""
+
+from __future__ import annotations
+
+import xarray as xr
+
+from planar_pushing.figures.figure import COLUMN, STATICS, Figure, Settings, Sources
+from planar_pushing.figures.parts.solutions import angle_of, draw_balance, of_scene, shown
+
+FIGURE = Figure(
+    title="Quasi-static pulling",
+    reads=("scenes/figure_03",),
+    size=(COLUMN, 3.1),
+    section=STATICS,
+    promise="quasi-static pulling.",
+)
+draw = draw_balance
+
+
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
+    """Select the solution that sticks."""
+    return shown(sources, "figure_03")
+
+
+def caption(data: xr.Dataset) -> str:
+    """Caption with the values that are drawn."""
+    return (
+        "Quasi-static pulling, to the scale of Fig. 2. The line of the force f passes the ring's "
+        "center on its other side, far enough from it that the contact moves below the fence: it "
+        f"sticks although the pusher moves away from the slider (f at {angle_of(data, 'force')}, "
+        f"vₛ at {angle_of(data, 'contact_motion')}; {of_scene(data)})."
+    )

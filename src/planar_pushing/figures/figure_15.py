@@ -1,0 +1,64 @@
+"""Figure 15: slip with infinite friction over time."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.figures.axes import schematic, to_axes
+from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.motion import box, snapshots
+from planar_pushing.figures.over_time import series, strip
+from planar_pushing.figures.parts.data import named, number, titled, values
+from planar_pushing.figures.parts.pushes import told
+from planar_pushing.figures.timeline import plotted
+
+FIGURE = Figure(
+    title="Slip with infinite friction over time",
+    reads=("simulations/figure_15",),
+    size=(PAGE, 2.7),
+    column=(COLUMN, 4.4),
+    section="Ours, motion over time",
+)
+#: Instants that are drawn.
+COUNT = 5
+
+
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
+    """Select the motion over time, and the sine of the rod angle."""
+    data = plotted(sources["simulations/figure_15"])
+    sine = np.sin(np.deg2rad(data["path_rod_angle"].values))
+    data["sine"] = named("time", sine, "1", "sine of the rod angle")
+    return titled(data, "Slip with infinite friction over time", sources)
+
+
+def caption(data: xr.Dataset) -> str:
+    """Caption with the values that are drawn."""
+    known = values(data, "rod_length", "friction_coefficient", "radius", "weight")
+    start = number(float(data.path_rod_angle.values[0]))
+    return (
+        "Slip with infinite friction over time. The force stays along the fence, so that the "
+        "ring's center keeps its height while the fence rises; the rod leans more and more, and "
+        "the contact slips to the right. Slider, fence and force at the instants named; the tick "
+        "of each fence marks the point that the contact touched first. Right: sin ψ decreases "
+        f"linearly with the distance that the fence has traveled ({known}, ψ = {start}° at time 0; "
+        f"{told(data)})."
+    )
+
+
+def draw(figure: Any, data: xr.Dataset) -> None:
+    """Draw the trajectory, the sine of the rod angle, and the mode."""
+    wide = figure.get_figwidth() > COLUMN + 1
+    ax = schematic(figure, (0.0, 0.0, 0.66, 1.0) if wide else (0.0, 0.42, 1.0, 0.58))
+    frame = box(data)
+    to_axes(snapshots(data, frame, COUNT), ax, frame, 10.0)
+    edges = (
+        {"left": 0.75, "bottom": 0.19, "top": 0.95}
+        if wide
+        else {"left": 0.17, "bottom": 0.11, "top": 0.4}
+    )
+    grid = figure.add_gridspec(2, 1, right=0.98, hspace=0.25, height_ratios=[1.0, 0.25], **edges)
+    series(figure.add_subplot(grid[0]), data, "sine", r"$\sin \psi$")
+    strip(figure.add_subplot(grid[1]), data)

@@ -1,0 +1,159 @@
+"""Figure 17: the friction that pulling needs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, cast
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.figures.colors import DARK, GRAY
+from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.marks import NOTE
+from planar_pushing.figures.parts.data import named, number, titled
+from planar_pushing.figures.parts.gallery import SECTION, sustaining
+from planar_pushing.figures.parts.rods import ANGLES, Part, over_rods, panels
+from planar_pushing.mechanics.contact import PerfectlyRough
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.study.datasets.base import words
+
+FIGURE = Figure(
+    title="The friction that pulling needs",
+    reads=("supports",),
+    takes=("rod_length",),
+    size=(PAGE, 4.9),
+    column=(COLUMN, 9.0),
+    section=SECTION,
+)
+#: A force this close to the fence, radians, needs infinite friction.
+ALONG_FENCE = 1e-12
+#: Coefficients of friction that name their angles.
+TICKS = np.array([0.5, 1, 1.5, 2, 3, 5, 10, np.inf])
+#: A step of the angle of friction between two samples, degrees, that is a jump.
+JUMP = 8.0
+LEAST = "smallest coefficient of friction with which the contact can pull; infinite where none can"
+
+
+def pulling_friction(scenes: Scene) -> xr.DataArray:
+    """Smallest coefficient of friction with which pulling exists; infinite where it never does.
+
+    The map from force to motion increases, so the motion cone reaches below the fence on its right as soon
+    as the friction cone holds a force beyond all those that sustain the motion along the fence to the
+    right; on its left likewise.
+    """
+    right, left = sustaining(scenes, 0.0)[0], -sustaining(scenes, np.pi)[1]
+    steeper = right.where(right > left, left)
+    friction = cast(xr.DataArray, 1 / np.tan(steeper))
+    return friction.where(steeper > ALONG_FENCE, np.inf)
+
+
+def inertia_friction(length: Array, angle: Array) -> Array:
+    """The same of a ring with inertia alone, its radius of gyration its radius; 1 + 2/l^2 at 45 degrees.
+
+    By Eqs. (11)-(13): the force that moves the contact along the fence; lengths in radii.
+    """
+    c, s = np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle))
+    with np.errstate(divide="ignore"):
+        return np.asarray((1 + (length * c) ** 2) / np.abs(length**2 * s * c))
+
+
+def select(sources: Sources, settings: Settings) -> xr.Dataset:
+    """Compute the least friction over rod length and over rod angle, and the law of inertia."""
+    data = over_rods(sources["supports"], settings, PerfectlyRough(), pulling_friction, LEAST)
+    ring = float(data.ring_extent)
+    rods = {
+        "rod_length": (data.rod_length.values / ring, np.array(settings.rod_angle)),
+        "rod_angle": (np.array(settings.rod_length / ring), ANGLES),
+    }
+    for axis, rod in rods.items():
+        law = named(axis, inertia_friction(*rod), "1", f"{LEAST}; of the ring with inertia alone")
+        data[f"inertia_over_{axis}"] = law
+    return titled(data, "How much friction pulling takes", sources)
+
+
+def caption(data: xr.Dataset) -> str:
+    """Caption with the values that are drawn."""
+    length, angle = number(float(data.cut_rod_length)), number(float(data.cut_rod_angle))
+    return (
+        "Smallest coefficient of friction at the contact with which it can stick while the pusher "
+        "moves away, for supports on areas (a, b) and on points and lines (c, d). Over the rod "
+        f"length (a, c; ψ = {angle}°) the axis is linear in arctan μ. Over the rod angle (b, d; "
+        f"l = {length}) the curves show how much smaller or larger arctan μ is than for a ring of "
+        f"the same extent, of radius {number(float(data.ring_extent))} (gray). Where a curve "
+        "reaches infinity, pulling is impossible; at ψ = 90° this happens for every support that is "
+        f"symmetric about the rod.{''.join(_remarks(data))}"
+    )
+
+
+def _remarks(data: xr.Dataset) -> Iterator[str]:
+    """Remarks on the supports whose curves jump."""
+    names = [words(str(name)) for name in data.support.values if _jump(data, name)]
+    if names:
+        yield (
+            f" For the {' and the '.join(names)} it happens there alone (dot): at other angles the "
+            "motion along the fence is a pivot, and the curve ends in the open circle."
+        )
+    if "quadruped" in data.support.values:
+        yield " The quadruped's curve jumps where a foot stands straight above the contact."
+
+
+def draw(figure: Any, data: xr.Dataset) -> None:
+    """Draw the least friction over rod lengths, and its difference from the ring's over rod angles."""
+
+    def drawn(friction: xr.DataArray, axis: str) -> Array:
+        height = _height(friction)
+        if axis == "rod_angle":
+            height = height - _height(data.ring_over_rod_angle)
+        return _broken(height)
+
+    for part in panels(figure, data, drawn):
+        law = drawn(data[f"inertia_over_{part.axis}"], part.axis)
+        part.ax.plot(data[part.axis], law, ":", color=DARK, label="ring, inertia alone")
+        if part.axis == "rod_length":
+            _over_lengths(part.ax)
+        else:
+            part.ax.set_ylabel(r"$\arctan \mu$ minus the ring's (degrees)")
+            _jumps_at_the_upright_rod(part, data)
+
+
+def _over_lengths(ax: Any) -> None:
+    ax.set_ylim(42.0, 91.5)
+    shown = TICKS[np.degrees(np.arctan(TICKS)) >= 42.0]
+    names = [r"$\infty$" if np.isinf(mu) else f"{mu:g}" for mu in shown]
+    ax.set_yticks(np.degrees(np.arctan(shown)), names)
+    ax.axhline(90.0, color=GRAY, linewidth=0.5, zorder=0)
+    ax.annotate("never", (1.0, 90.3), xycoords=("axes fraction", "data"), annotation_clip=False,
+                size=NOTE, color=GRAY, ha="right", va="bottom")  # fmt: skip
+    ax.set_ylabel(r"smallest $\mu$ that pulls")
+    ax.legend(loc="upper right", bbox_to_anchor=(1.0, 0.97), labelspacing=0.2)
+
+
+def _jumps_at_the_upright_rod(part: Part, data: xr.Dataset) -> None:
+    """Dots where the value at 90 degrees is not the limit of those beside it."""
+    for name, color, _ in part.looks:
+        found = _jump(data, name)
+        if found:
+            style: dict[str, Any] = {"color": color, "markersize": 4.0, "zorder": 5}
+            for height, face in zip(found, (color, "white"), strict=True):
+                part.ax.plot(90.0, height, "o", markerfacecolor=face, clip_on=False, **style)
+
+
+def _jump(data: xr.Dataset, name: object) -> tuple[float, float] | None:
+    """Heights of a curve at 90 degrees and beside it, less the ring's; None where they are one."""
+    height = _height(data.over_rod_angle.sel(support=name))
+    middle = int(np.flatnonzero(ANGLES == 90.0)[0])
+    here = float(height[middle] - _height(data.ring_over_rod_angle)[middle])
+    limit = float(height[middle - 1]) - 90.0
+    return (here, limit) if abs(here - limit) > JUMP else None
+
+
+def _height(friction: xr.DataArray) -> Array:
+    """Angle of friction in degrees: finite where the coefficient is infinite."""
+    return np.asarray(np.degrees(np.arctan(friction.values)))
+
+
+def _broken(height: Array) -> Array:
+    """The same with gaps where a curve jumps."""
+    return np.where(np.abs(np.diff(height, append=height[-1])) > JUMP, np.nan, height)

@@ -1,0 +1,94 @@
+"""The hard cases: error of each in units in the last place, beside what its inputs' rounding costs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+
+from planar_pushing.figures.axes import is_column
+from planar_pushing.figures.colors import FORCE, GRAY, MOTION
+from planar_pushing.figures.figure import COLUMN, PAGE, Figure
+from planar_pushing.mechanics.plane import Array
+
+FIGURE = Figure(
+    title="Errors of the hard cases",
+    reads=("hard_cases",),
+    size=(PAGE, 2.8),
+    column=(COLUMN, 3.6),
+)
+#: The hard places, in order of `line`.
+PLACES = (
+    "center on\nthe ring",
+    "translation,\nrotation",
+    "lengths and\nproportions",
+    "friction 0 to $\\infty$,\ncone edges",
+    "slow and\nfast",
+    "at\nrest",
+    "slips that\nmerge",
+)
+#: Errors of at most this, zero included, are drawn here.
+FLOOR = 0.01
+#: Places kept free between two groups, in cases.
+GAP = 4
+
+
+def positions(lines: Array) -> Array:
+    """Abscissa of each case: in order, with gaps between the groups."""
+    return np.asarray(np.arange(lines.size) + GAP * (lines.astype(int) - 1))
+
+
+def caption(data: xr.Dataset) -> str:
+    """Caption of the figure."""
+    cases, ill = data.sizes["case"], int((data.ill_conditioned > 0).sum())
+    return (
+        f"Errors of the {cases} hard cases in units in the last place (ulp), from best to worst "
+        "condition within a group. A stroke is the condition number, the error that half an ulp "
+        f"in the inputs causes; shaded: up to four ulp. Diamonds are the {ill} ill-conditioned "
+        "cases, where rounding the inputs costs six digits or more: the error of an algorithm can "
+        "still be small, as the references take the rounded inputs."
+    )
+
+
+def draw(figure: Any, data: xr.Dataset) -> None:
+    """Draw errors as dots and condition numbers as strokes, each group from best to worst condition."""
+    data = data.isel(case=np.lexsort((data.condition.values, data.line.values)))
+    narrow = is_column(figure)
+    ax = figure.add_axes((0.15, 0.33, 0.84, 0.53) if narrow else (0.075, 0.17, 0.915, 0.7))
+    at = positions(data.line.values)
+    error = np.maximum(data.error_ulp.values, FLOOR)
+    ill = data.ill_conditioned.values > 0
+    ax.set(yscale="log", xlim=(at[0] - GAP / 2, at[-1] + GAP / 2), ylim=(FLOOR / 1.6, 1e15))
+    ax.axhspan(FLOOR / 1.6, 4, color="#E3EEF6", zorder=0, lw=0, label="up to 4 ulp")
+    ax.plot(
+        at, np.maximum(data.condition, 1), "_", color=GRAY, ms=3, mew=1.4,
+        label="condition number",
+    )  # fmt: skip
+    ax.plot(at[~ill], error[~ill], "o", color=MOTION, ms=2.6, mew=0, label="error")
+    ax.plot(
+        at[ill], error[ill], "D", color=FORCE, ms=3.4, mew=0,
+        label="error, ill-conditioned",
+    )  # fmt: skip
+    _decorate(ax, data.line.values, at)
+    ax.legend(
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        ncols=2 if narrow else 4,
+        handletextpad=0.4,
+        columnspacing=1.5,
+    )
+
+
+def _decorate(ax: Axes, lines: Array, at: Array) -> None:
+    middles = [at[lines == line].mean() for line in range(1, len(PLACES) + 1)]
+    narrow = is_column(ax.figure)
+    names = [name.replace("\n", " ") for name in PLACES] if narrow else PLACES
+    ax.set_xticks(middles, names, rotation=90 if narrow else 0)
+    ax.tick_params(axis="x", length=0)
+    for line in range(2, len(PLACES) + 1):
+        ax.axvline(at[lines == line][0] - (GAP + 1) / 2, color="#D0D0D0", lw=0.5, zorder=0)
+    ax.set_yticks([1e-2, 1, 1e4, 1e8, 1e12], ["0", "1", "$10^4$", "$10^8$", "$10^{12}$"])
+    ax.minorticks_off()
+    ax.set_ylabel("error (ulp)")

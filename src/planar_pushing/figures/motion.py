@@ -1,0 +1,172 @@
+"""Marks of a motion over time: slider and pusher at some instants, and the paths behind them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.figures.body import add_body, add_fence, add_finger, body_in
+from planar_pushing.figures.colors import (
+    CENTER,
+    FENCE,
+    FORCE,
+    GUIDE,
+    IMPACT,
+    MODES,
+    SLIDER,
+    tint,
+)
+from planar_pushing.figures.marks import ARROWS, LINES, NOTE, Arrow, Picture, corners
+from planar_pushing.figures.scene import add_center_mark
+from planar_pushing.figures.supports import Ink, Pose
+from planar_pushing.figures.timeline import contact, pivots, rod_end, rows, runs
+from planar_pushing.mechanics.plane import Array
+
+#: How much of its color the first of the snapshots keeps.
+PALEST = 0.3
+#: A longer step of the motion center between two rows is a jump, in units of the slider's span.
+JUMP = 0.5
+#: Length of the drawn force, half the width of the fence and depth of its hatch, in units of the span.
+FORCE_LENGTH, FENCE_HALF, DEPTH = 0.42, 0.45, 0.036
+#: Orders of paths and of a path's arrowheads.
+PATHS = ARROWS - 0.5
+
+
+def pose(data: xr.Dataset, row: int) -> Pose:
+    """Where the slider is at a row."""
+    angle = float(np.deg2rad(data["path_rod_angle"].values[row]))
+    return Pose(data["path_position"].values[row], angle)
+
+
+def span(data: xr.Dataset) -> float:
+    """Extent of the slider, from the contact."""
+    body = body_in(data)
+    x, y = body.middle
+    return float(np.hypot(x + float(data["rod_length"]), y)) + body.half
+
+
+def box(data: xr.Dataset) -> Array:
+    """Corners of slider and pusher over all the motion, and of its last center if near."""
+    body, half = body_in(data), FENCE_HALF * span(data)
+    points = [contact(data), data["path_position"].values, *last_center(data)]
+    points += [body.box(pose(data, row)) for row in range(data.sizes["time"])]
+    ends = np.array([[-half, -0.1 * half], [half, 0.0]])
+    if "path_side" in data:
+        points.append(data["path_side"].values)
+    else:
+        points += [data["path_fence"].values + end for end in ends]
+    return corners(points)
+
+
+def last_center(data: xr.Dataset) -> list[Array]:
+    """Last motion center, or nothing where it is far away or the slider never turns."""
+    centers, places = data["path_center"].values, data["path_position"].values
+    turning = np.flatnonzero(np.isfinite(centers).all(axis=-1))
+    if not turning.size:
+        return []
+    found = centers[turning[-1]]
+    return [found] if np.hypot(*(found - places[turning[-1]])) < span(data) else []
+
+
+def add_instant(picture: Picture, data: xr.Dataset, row: int, strength: float = 1.0) -> None:
+    """Pusher, slider and force at a row."""
+    touch, size = contact(data)[row], span(data)
+    ink, whole = Ink(tint(SLIDER, strength), 1.5), strength == 1
+    if "path_side" in data:
+        add_finger(picture, data["path_side"].values[row], touch, ink.color)
+    else:
+        x, y = data["path_fence"].values[row]
+        half, depth = FENCE_HALF * size, DEPTH * size
+        color = tint(FENCE, strength)
+        add_fence(picture, x - half, x + half, y=y, color=color, width=1.0, depth=whole * depth)
+        picture.line([(x, y - depth), (x, y)], color, width=2.0)
+    add_body(picture, body_in(data), pose(data, row), contact=rod_end(data)[row], ink=ink)
+    force = data["path_force"].values[row]
+    if np.any(force):
+        along = FORCE_LENGTH * size * force / np.hypot(*force)
+        picture.force(touch, along, color=tint(FORCE, strength), head=9.0, width=1.0)
+
+
+def add_paths(picture: Picture, data: xr.Dataset, frame: Array, last: int | None = None) -> None:
+    """Paths up to a row: of the contact in the ink of its modes, of the motion center in a frame."""
+    touch, end = contact(data), len(data["time"]) if last is None else last + 1
+    _path_of_center(picture, data["path_center"].values[:end], span(data), frame)
+    for run in runs(data):
+        part = touch[run.start : min(run.stop + 1, end)]
+        if len(part) > 1:
+            picture.line(part, MODES[run.mode].ink, width=2.4, order=PATHS)
+
+
+def _path_of_center(picture: Picture, center: Array, size: float, frame: Array) -> None:
+    """Path of the motion center inside the frame; an arrowhead where it leaves or enters it.
+
+    A jump, as at a change of mode, is no part of the path.
+    """
+    middle, half = frame.mean(axis=0), np.ptp(frame, axis=0) / 2
+    with np.errstate(invalid="ignore"):
+        inside = np.all(np.abs(center - middle) < 0.99 * half, axis=-1)
+        near = np.hypot(*np.diff(center, axis=0).T) < JUMP * size
+    for part in _pieces(center, inside, near):
+        picture.line(part, CENTER, width=0.9, dash="--", order=LINES + 0.5)
+    for step in (1, -1):
+        for here in np.flatnonzero(inside & ~np.roll(inside, -step)):
+            there = here + step
+            if 0 <= there < len(center) and near[min(here, there)]:
+                _head(picture, center[here], center[there] - center[here])
+
+
+def _pieces(center: Array, inside: Any, near: Any) -> Iterable[Array]:
+    """Parts of a path that are inside and without a jump."""
+    joined = np.concatenate([[False], near & inside[1:] & inside[:-1], [False]])
+    starts, stops = (np.flatnonzero(np.diff(joined.astype(int)) == sign) for sign in (1, -1))
+    return [center[start : stop + 1] for start, stop in zip(starts, stops, strict=True)]
+
+
+def _head(picture: Picture, tip: Array, along: Array) -> None:
+    """Open arrowhead at the end of a path."""
+    stub = 1e-3 * along / np.hypot(*along)
+    picture.add(Arrow(np.array([tip - stub, tip]), CENTER, False, 0.9, 7.0, order=PATHS))
+
+
+def snapshots(
+    data: xr.Dataset, frame: Array, count: int, struck: Sequence[int] = (), *, times: bool = True
+) -> Picture:
+    """Slider and pusher at some instants and rows, paler the earlier, with their times, and the paths."""
+    picture = Picture()
+    chosen = sorted({*rows(data, count), *struck})
+    for strength, row in zip(np.linspace(PALEST, 1.0, len(chosen)), chosen, strict=True):
+        add_instant(picture, data, row, float(strength))
+        if times:
+            _time(picture, data, row)
+    add_paths(picture, data, frame)
+    for each in last_center(data):
+        add_center_mark(picture, each, size=4.5)
+    for run in pivots(data):
+        place = data["path_center"].values[run.start]
+        add_center_mark(picture, place, size=4.5, pivot=True)
+        picture.label(place, "pivot", offset=(0.0, -12.0), color=CENTER, size=NOTE)
+    for row in struck:
+        add_impact(picture, data, row)
+    return picture
+
+
+def _time(picture: Picture, data: xr.Dataset, row: int) -> None:
+    """Time of an instant beside the end of the fence, or beside the slider's center."""
+    text = f"$t = {data['time'].values[row]:.3g}$"
+    if "path_side" in data:
+        place, offset = data["path_position"].values[row], (0.0, 8.0)
+    else:
+        place, offset = data["path_fence"].values[row] + [FENCE_HALF * span(data), 0.0], (17.0, 0.0)
+    picture.label(place, text, color=GUIDE, size=NOTE, offset=offset)
+
+
+def add_impact(picture: Picture, data: xr.Dataset, row: int) -> None:
+    """Burst beside the contact where the pusher strikes it, joined to it by a line."""
+    place = contact(data)[row]
+    away = 0.16 * span(data) * np.array([1.0, -0.6])
+    picture.line([place, place + away], IMPACT, width=0.8, order=PATHS)
+    picture.dot(place + away, 10.0, IMPACT, shape="burst", edge="white", width=0.6)
+    picture.label(place + away, "impact", color=IMPACT, size=NOTE, offset=(22.0, 0.0))

@@ -1,1 +1,0 @@
-"""Pictures of motion over time, drawn from a log."""

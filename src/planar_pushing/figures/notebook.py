@@ -1,0 +1,48 @@
+"""Pictures of scenes, solutions and supports in notebooks, as SVG."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.figures.marks import Picture
+from planar_pushing.figures.scene import add_scale, scene_picture
+from planar_pushing.figures.sketch import Sketch
+from planar_pushing.figures.supports import Ink, Pose, add_support, extents
+from planar_pushing.figures.svg import to_svg
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene, required_single
+
+#: Width of a picture in pixels, its greatest height, pixels of a point, and points around.
+WIDTH, HEIGHT, POINT, PAD = 420.0, 420.0, 1.35, 16.0
+
+
+def scene_svg(scene: Scene) -> str:
+    """A slider with its cones."""
+    sketch = Sketch.of(required_single(scene))
+    return _svg(scene_picture(sketch), sketch.box)
+
+
+def push_svg(scene: Scene, angle: float, magnitude: float, found: Any) -> str:
+    """A scene under a push with the solutions that were found."""
+    sketch = Sketch.of(scene, angle, magnitude, found=found)
+    return _svg(scene_picture(sketch), sketch.box)
+
+
+def support_svg(support: Any) -> str:
+    """A support in its body frame."""
+    picture, pose = Picture(), Pose((0.0, 0.0), 0.0)
+    add_support(picture, support, pose, Ink())
+    low, high = extents(support, pose)
+    below = low - np.array([0.0, 0.14 * float(np.max(high - low))])
+    return _svg(picture, np.array([below, high]))
+
+
+def _svg(picture: Picture, box: Array) -> str:
+    """Picture with its scale, as high as it needs."""
+    wide, high = np.ptp(box, axis=0)
+    add_scale(picture, box, 0.3 * float(max(wide, high)))
+    room = WIDTH - 2 * PAD * POINT
+    needed = room * high / max(wide, 1e-12 * high) + 2.6 * PAD * POINT
+    return to_svg(picture, box, (WIDTH, min(HEIGHT, needed)), PAD, POINT)

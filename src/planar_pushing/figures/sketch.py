@@ -1,0 +1,309 @@
+"""What a picture of a scene shows: slider, cones, push and solutions, and the lengths of arrows.
+
+Arrows keep their directions; their lengths are scaled to the slider, all motions alike. The contact is the
+origin, the fence the x axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Self
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.figures.body import Body, body_in, body_of
+from planar_pushing.figures.marks import corners
+from planar_pushing.figures.supports import Pose
+from planar_pushing.figures.words import best
+from planar_pushing.mechanics.cones import friction_cone, is_magnitude_open, motion_cone
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solutions import Solution, Solutions
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.study.datasets.rubbing import place_friction, ring_friction
+from planar_pushing.terms.errors import InvalidValue
+
+#: A center further away than this, in units of the slider's span, is pointed to.
+FAR = 2.0
+#: Radii of the motion cone and of the friction cone, in units of the reach of arrows.
+MOTION_CONE, FRICTION_CONE = 0.72, 0.5
+#: Length of the longest arrow of support friction, in units of half the support.
+SUPPORT_LENGTH = 0.36
+#: Motions whose angles differ by less, radians, are one motion: a pivot, a flat of the curve.
+ALIKE = 1e-9
+#: Force angles of a limit curve, radians.
+ANGLES = np.linspace(0.0, 2 * np.pi, 721)
+#: Places and friction of a support that does not rub.
+NOWHERE = np.empty((0, 2)), np.empty((0, 2))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sketch:
+    """What a picture of a scene shows.
+
+    Attributes
+    ----------
+    body, pose : Body, Pose
+        The slider, and where it is.
+    friction, motion : tuple of float
+        Right and left edges of both cones, radians.
+    pusher : ndarray, shape (2,), optional
+        Motion of the pusher; None shows the slider and its cones alone.
+    solutions, chosen : tuple of Solution, int
+        The consistent solutions, and which one is drawn in full; -1 where there is none.
+    symbol : str
+        Letter of the motions: "a" where inertia resists, else "v".
+    side : tuple of float, optional
+        Ends of the side that a finger pushes; None is a fence.
+    rubbing : tuple of ndarray
+        Places where the support rubs, and its friction there in the chosen solution, shapes (n, 2).
+    curve, flats : ndarray, sequence of slice
+        Limit curve in forces, shape (n, 2), and its parts that belong to one pivot each.
+    drawn : float, optional
+        Drawn length of the pusher's motion, in units of the reach, which is that of the longest motion by
+        default.
+    """
+
+    body: Body
+    pose: Pose
+    friction: tuple[float, float]
+    motion: tuple[float, float]
+    pusher: Array | None = None
+    solutions: tuple[Solution, ...] = ()
+    chosen: int = -1
+    symbol: str = "v"
+    side: tuple[float, float] | None = None
+    rubbing: tuple[Array, Array] = field(default_factory=lambda: NOWHERE)
+    curve: Array = field(default_factory=lambda: NOWHERE[0])
+    flats: Sequence[slice] = ()
+    drawn: float | None = None
+
+    @classmethod
+    def of(
+        cls,
+        scene: Scene,
+        pusher_angle: float | None = None,
+        magnitude: float = 1.0,
+        *,
+        found: Solutions | None = None,
+        chosen: int | None = None,
+        **rest: Any,
+    ) -> Self:
+        """The sketch of a scene under a push at an angle in radians, or of the scene alone."""
+        slider = scene.slider
+        friction, motion = friction_cone(scene), motion_cone(scene)
+        own: dict[str, Any] = {
+            "body": body_of(scene),
+            "pose": Pose(slider.rod_length * direction(slider.rod_angle), float(slider.rod_angle)),
+            "friction": (friction.right, friction.left),
+            "motion": (motion.right, motion.left),
+            "symbol": "a" if scene.stores_energy else "v",
+        }
+        if pusher_angle is not None:
+            solutions = tuple(solve(scene, pusher_angle, magnitude) if found is None else found)
+            which = best(solutions) if chosen is None else chosen
+            own |= {"pusher": magnitude * direction(pusher_angle), "solutions": solutions}
+            own |= {"chosen": which}
+            if which >= 0:
+                own["rubbing"] = rubbing_of(scene, solutions[which])
+        return cls(**own | rest)
+
+    @classmethod
+    def of_dataset(cls, data: xr.Dataset) -> Self:
+        """The sketch of a scene's dataset as a study stores it."""
+        solutions = tuple(_solution(data.isel(solution=i)) for i in range(data.sizes["solution"]))
+        which = best(solutions)
+        angle = float(np.deg2rad(data["rod_angle"].item()))
+        edges: dict[str, Any] = {
+            kind: tuple(
+                float(np.deg2rad(data[f"{kind}_cone_{side}"])) for side in ("right", "left")
+            )
+            for kind in ("friction", "motion")
+        }
+        return cls(
+            body=body_in(data), pose=Pose(data["ring_center"].values, angle),
+            friction=edges["friction"], motion=edges["motion"],
+            pusher=data["pusher_motion"].values, solutions=solutions, chosen=which,
+            symbol="a" if "inertia" in data["effect"].values else "v",
+            rubbing=_rubbing(data.isel(solution=which)) if which >= 0 else NOWHERE,
+        )  # fmt: skip
+
+    @property
+    def solution(self) -> Solution | None:
+        """The solution that is drawn in full."""
+        return self.solutions[self.chosen] if self.chosen >= 0 else None
+
+    @property
+    def center(self) -> Array:
+        """The slider's center."""
+        return np.asarray(self.pose.origin, dtype=float)
+
+    @property
+    def half(self) -> float:
+        """Half the larger side of the support; a ring's radius."""
+        return self.body.half
+
+    @property
+    def middle(self) -> Array:
+        """Middle of the support; a ring's center."""
+        return self.pose.at(self.body.middle)
+
+    @property
+    def span(self) -> float:
+        """Size of the slider."""
+        return float(np.hypot(*self.middle)) + 2 * self.half
+
+    @property
+    def reach(self) -> float:
+        """Length at which the longest motion is drawn."""
+        return 0.38 * self.span
+
+    @property
+    def motion_scale(self) -> float:
+        """Drawn length of a unit of motion."""
+        pusher = 0.0 if self.pusher is None else float(np.hypot(*self.pusher))
+        if self.drawn is not None:
+            return self.drawn * self.reach / (pusher or 1.0)
+        own = 0.0 if self.solution is None else float(np.hypot(*self.solution.contact_motion))
+        return self.reach / (max(pusher, own) or 1.0)
+
+    def force_scale(self, solution: Solution) -> float:
+        """Drawn length of a unit of force; it keeps heads of forces off the head of a motion along them."""
+        speed, reaches = float(np.hypot(*solution.contact_motion)), []
+        for force in forces(solution):
+            size = float(np.hypot(*force))
+            along = bool(size and force @ solution.contact_motion > 0.96 * size * speed)
+            reaches.append((0.6 if along else 0.95) * self.reach / (size or 1.0))
+        return min(reaches)
+
+    def end_of_line(self, force: Array) -> Array:
+        """Where the line of a force is drawn to: past the slider."""
+        heading = heading_of(force)
+        along = float(heading @ self.middle)
+        return np.asarray((along + (-1 if along < 0 else 1) * 1.2 * self.half) * heading)
+
+    def distance(self, solution: Solution) -> float:
+        """Distance of a motion center from the slider's center; infinite for a translation."""
+        away = float(np.hypot(*(solution.center - self.center)))
+        return away if solution.spin_ratio and np.isfinite(away) else np.inf
+
+    def is_near(self, solution: Solution) -> bool:
+        """Whether the motion center is in the picture."""
+        return moves(solution) and self.distance(solution) < FAR * self.span
+
+    def far_center(self, solution: Solution) -> Array:
+        """Where the line towards a motion center that is far away ends."""
+        if not (solution.spin_ratio and np.isfinite(solution.center).all()):
+            return self.center
+        return np.asarray(self.center + 1.6 * self.half * heading_of(solution.center - self.center))
+
+    @property
+    def curve_scale(self) -> float:
+        """Drawn length of a unit of force of the limit curve."""
+        sizes = np.hypot(*self.curve.T)
+        one = self.solution
+        if one is None or not moves(one):
+            return 0.95 * self.reach / float(sizes.max(initial=1e-300))
+        here = float(sizes[np.argmax(self.curve @ one.force / sizes)])
+        return self.force_scale(one) * float(np.hypot(*one.force)) / here
+
+    @property
+    def box(self) -> Array:
+        """Corners of all that is drawn in full."""
+        rim = SUPPORT_LENGTH * self.half * np.array([[-1.0, -1.0], [1.0, 1.0]])
+        rubs = bool(np.any(self.rubbing[1]))
+        points: list[Any] = [(0.0, 0.0), self.center, self.body.box(self.pose) + rubs * rim]
+        points += [(sign * 0.7 * self.reach, -0.15 * self.reach) for sign in (-1.0, 1.0)]
+        points += [MOTION_CONE * self.reach * direction(np.linspace(*self.motion, 13))]
+        if len(self.curve):
+            points.append(self.curve_scale * self.curve)
+        if self.pusher is not None:
+            points.append(self.motion_scale * self.pusher)
+        one = self.solution
+        if one is not None and moves(one):
+            points.append(self.motion_scale * one.contact_motion)
+            for force in forces(one):
+                points += [self.force_scale(one) * force, self.end_of_line(force)]
+            points.append(one.center if self.is_near(one) else self.far_center(one))
+        return corners(points)
+
+
+def heading_of(vector: Array) -> Array:
+    """Unit vector along a vector; zero along none."""
+    return np.asarray(vector / (float(np.hypot(*vector)) or 1.0))
+
+
+def moves(solution: Solution) -> bool:
+    """Whether the pusher transmits a force."""
+    return bool(np.any(solution.force))
+
+
+def forces(solution: Solution) -> list[Array]:
+    """The force; where a pivot leaves it open the ends of its interval, the right one first."""
+    one, other = solution.force, solution.force_end
+    if np.array_equal(one, other):
+        return [one]
+    return [one, other] if one[0] * other[1] > one[1] * other[0] else [other, one]
+
+
+def _solution(one: xr.Dataset) -> Solution:
+    """A solution of a scene's dataset."""
+    return Solution(
+        mode=ContactMode(int(one["mode"])), force=one["force"].values,
+        force_end=one.get("force_end", one["force"]).values,
+        contact_motion=one["contact_motion"].values, twist=one["twist"].values,
+        spin_ratio=float(one["spin_ratio"]), center=one["center"].values,
+        pivot=int(one["pivot"]) if "pivot" in one else -1, continuum=False,
+    )  # fmt: skip
+
+
+def rubbing_of(scene: Scene, solution: Solution) -> tuple[Array, Array]:
+    """Places where the support of a scene rubs, and its friction there."""
+    twist = solution.twist[None]
+    if not scene.friction:
+        return NOWHERE
+    if not scene.isotropic:
+        found = place_friction(scene, twist)
+        return found["place_position"][1], found["place_force"][1][0]
+    return _around(scene.slider.rod_length * direction(scene.slider.rod_angle),
+                   scene.slider.radius, ring_friction(scene, twist)["support_force"][1][0])  # fmt: skip
+
+
+def _around(center: Array, radius: float, friction: Array) -> tuple[Array, Array]:
+    """Every second of the places on a ring: all of them would touch each other."""
+    turns = np.linspace(0.0, 2 * np.pi, len(friction), endpoint=False)
+    return (center + radius * direction(turns))[::2], friction[::2]
+
+
+def _rubbing(one: xr.Dataset) -> tuple[Array, Array]:
+    if "place_force" in one:
+        return one["place_position"].values, one["place_force"].values
+    return _around(one["ring_center"].values, float(one["radius"]), one["support_force"].values)
+
+
+def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
+    """The sketch with the limit curve of its scene.
+
+    Raises
+    ------
+    InvalidValue
+        Where the force depends on the magnitude of the motion: no curve limits the forces of all motions.
+    """
+    if is_magnitude_open(scene):
+        raise InvalidValue(
+            "limit_curve", "friction and inertia", "a scene with one effect",
+            "leave an effect out, or draw the scene without the curve",
+        )  # fmt: skip
+    curve = limit_curve(scene, ANGLES)
+    return replace(sketch, curve=curve.force, flats=flats(curve.motion_angle))
+
+
+def flats(motion: Array) -> list[slice]:
+    """Where a limit curve is flat: points whose motions have one angle, in radians."""
+    flat = np.concatenate([[False], np.abs(np.diff(motion)) < ALIKE, [False]])
+    turns = np.flatnonzero(flat[1:] != flat[:-1]).reshape(-1, 2)
+    return [slice(int(start), int(stop) + 1) for start, stop in turns]

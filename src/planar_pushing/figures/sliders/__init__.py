@@ -1,1 +1,0 @@
-"""Figures 16 to 20: any slider."""
