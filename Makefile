@@ -31,7 +31,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-all test-slurm lint bench golden images dictionary schemas lock report manual clean help
+.PHONY: all test test-all test-slurm test-drags lint bench golden images dictionary schemas lock report manual clean help
 .DELETE_ON_ERROR:
 
 # One make at a time: the lock goes with the process that holds it, and so does not outlive a kill.
@@ -69,6 +69,9 @@ test-all: $(COMPILED) ## the tests that take longer: kinds, workflow, manual, fa
 
 test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
 	$(BIN)/pytest -m alone tests/workflow/test_slurm.py
+
+test-drags: $(COMPILED) ## drag parts of the explorer's page 20,000 times in Chromium: pictures a second, latency, memory
+	$(BIN)/pytest -s tests/browser/many_drags.py
 
 lint: $(INSTALLED)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual

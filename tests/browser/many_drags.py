@@ -1,5 +1,9 @@
-"""20,000 random drags: neither page nor server grows, moves are drawn soon, and a long drag is smooth."""
+"""20,000 random drags: neither page nor server grows, moves are drawn soon, and a long drag is smooth.
 
+`make test-drags` runs it; the variable DRAGS sets another number.
+"""
+
+import os
 import random
 import time
 
@@ -7,7 +11,7 @@ import numpy as np
 
 from browser.page import drag, handle, on_screen, settled
 
-DRAGS = 20_000
+DRAGS = int(os.environ.get("DRAGS", "20000"))
 #: A drag, as events of the mouse with the buttons that are down.
 DRAG = (("mousePressed", 1), ("mouseMoved", 1), ("mouseReleased", 0))
 #: Seconds from drag to drag at least: 30 a second, as many as pictures are asked for.
@@ -15,34 +19,40 @@ PACE = 1 / 30
 #: Moves of a long drag, and degrees of a move.
 LONG, STEP = 600, 2.0
 #: Drags before memory is measured for the first time, and between two drags of the rod.
-WARM, BLOCK = 2_000, 500
+WARM, BLOCK = DRAGS // 10, DRAGS // 40
 #: Most that page and server may grow from the first measurement to the last, MB. Only these two collect
 #: the page's garbage, which makes it forget its compiled code too.
 GROWTH = 4.0, 40.0
 #: Most milliseconds between a move and its picture, for 99 of 100; least pictures a second of a long drag.
-LATENCY, RATE = 100.0, 30.0
+LATENCY, RATE = 150.0, 20.0
 #: Every move of the pointer is noted as it comes in, and every picture when the screen has its image: one
-#: image of the screen after the one that is made of it.
+#: image of the screen after the one that is made of it. The page numbers the events of pointers, and each
+#: picture has the number of the last one that it answers.
 NOTE = """() => {
-  const find = (name) => Bokeh.documents[0].get_model_by_name(name)
-  const [picture, pointer] = [find("picture"), find("scene pointer")]
-  window.noted = {moves: [], waits: [], count: picture.data.moves[0], last: 0}
-  window.addEventListener("pointermove", (event) => { noted.last = event.timeStamp }, true)
-  pointer.properties.data.change.connect(() => {
-    if (pointer.data.kind[0] === "drag") noted.moves.push([++noted.count, noted.last])
-  })
-  picture.properties.data.change.connect(() => {
-    const moves = picture.data.moves[0]
+  const scene = document.getElementById("scene")
+  window.noted = {moves: [], waits: [], pictures: 0, count: +scene.dataset.number}
+  let held = false
+  const note = (event) => {
+    if (event.type === "pointerdown") held = true
+    if (!held) return
+    noted.count += 1
+    if (event.type === "pointermove") noted.moves.push([noted.count, event.timeStamp])
+    if (event.type === "pointerup") held = false
+  }
+  for (const kind of ["pointerdown", "pointermove", "pointerup"]) scene.addEventListener(kind, note, true)
+  new MutationObserver(() => {
+    noted.pictures += 1
+    const answered = +scene.dataset.number
     requestAnimationFrame(() => requestAnimationFrame(() => {
       const now = performance.now()
-      while (noted.moves.length && noted.moves[0][0] <= moves) {
+      while (noted.moves.length && noted.moves[0][0] <= answered) {
         noted.waits.push(now - noted.moves.shift()[1])
       }
     }))
-  })
+  }).observe(scene, {attributes: true, attributeFilter: ["data-number"]})
 }"""
-#: Number of the last picture that the page has taken.
-PICTURES = "Bokeh.documents[0].get_model_by_name('taken').data.number[0]"
+#: Pictures that the page has shown.
+PICTURES = "noted.pictures"
 
 
 def heap(session):
@@ -77,7 +87,6 @@ def block(page, session, count, random_of):
     angle, length = random_of.uniform(0.3, 2.8), random_of.uniform(1.5, 4.0)
     drag(page, handle(page, "rod"), (length * np.cos(angle), length * np.sin(angle)))
     settled(page)
-    page.evaluate("noted.moves = []")  # those that changed nothing have no picture
     turn, place = around(page)
     start = time.perf_counter()
     for number in range(count):

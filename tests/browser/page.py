@@ -94,30 +94,24 @@ def words(page):
 
 
 def ready(page):
-    """Wait until the first picture and its map are drawn."""
-    page.wait_for_function("window.Bokeh && Bokeh.documents.length && Bokeh.documents[0].is_idle")
+    """Wait until the first picture, its map and its address are there."""
     page.wait_for_function(
-        "Bokeh.documents[0].get_model_by_name('map image').data.image.length > 0 "
-        "&& document.querySelector('#cross svg') && location.search.includes('slider.rod_length')"
-        "&& document.querySelector('#scene [data-handle]')"
+        "document.querySelector('#areas path') && location.search.includes('slider.rod_length')"
+        "&& document.querySelector('#scene .handle, #now path')"
     )
 
 
-def on_screen(page, place, figure="scene"):
-    """Where a place of a picture, or of one of Bokeh's figures, is on the screen."""
+def on_screen(page, place, name="scene"):
+    """Where a place of a picture is on the screen."""
     return page.evaluate(
         """([name, x, y]) => {
           const picture = document.getElementById(name)
-          if (picture) {
-            const box = picture.getBoundingClientRect(), origin = picture.firstElementChild.dataset
-            return [box.x + +origin.x + x * origin.scale, box.y + +origin.y - y * origin.scale]
-          }
-          const view = Bokeh.index.find_one_by_id(Bokeh.documents[0].get_model_by_name(name).id)
-          view.el.scrollIntoView({block: "nearest"})
-          const box = view.el.getBoundingClientRect()
-          return [box.x + view.frame.x_scale.compute(x), box.y + view.frame.y_scale.compute(y)]
+          picture.scrollIntoView({block: "nearest"})
+          const box = picture.getBoundingClientRect()
+          const origin = picture.querySelector("[data-scale]").dataset
+          return [box.x + +origin.x + x * origin.scale, box.y + +origin.y - y * origin.scale]
         }""",
-        [figure, *map(float, place)],
+        [name, *map(float, place)],
     )
 
 

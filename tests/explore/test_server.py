@@ -30,15 +30,15 @@ def test_a_port_is_served_on_once():
 
 
 def test_pages_name_nothing_outside_of_this_machine():
-    for name in ("page.html", "page.css", "texts.css", "page.js"):
-        text = (module.PAGE / name).read_text(encoding="utf-8")
+    for name in ("page.html", "page.css", "screen.js"):
+        text = (module.FOLDER / name).read_text(encoding="utf-8")
         assert "http:" not in text
         assert "https:" not in text
 
 
 def test_a_missing_extra_is_named():
     code = (
-        "import sys; sys.modules['bokeh'] = None\n"
+        "import sys; sys.modules['panel'] = None\n"
         "from planar_pushing.commands import main; sys.exit(main(['explore']))"
     )
     ended = subprocess.run(
@@ -46,6 +46,6 @@ def test_a_missing_extra_is_named():
     )
     assert (ended.returncode, ended.stdout) == (2, "")
     assert ended.stderr == (
-        "planar-pushing explore: bokeh: not installed; install the extra explore: "
+        "planar-pushing explore: panel: not installed; install the extra explore: "
         "pip install 'planar-pushing[explore]'\n"
     )

@@ -1,19 +1,31 @@
 """States: changes of them, and the ways out and back."""
 
 from dataclasses import replace
+from pathlib import Path
 from urllib.parse import parse_qsl
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
 
 import planar_pushing as pp
 from planar_pushing.explore.address import query, state_in
 from planar_pushing.explore.downloads import written
-from planar_pushing.explore.following import chosen, followed, forgotten, row_at, taken, ways_at
-from planar_pushing.explore.handles import Handle, dragged, nudged, places
-from planar_pushing.explore.presets import STORED, gallery, preset, presets, text
+from planar_pushing.explore.following import (
+    chosen,
+    followed,
+    forgotten,
+    push_at,
+    row_at,
+    solution_at,
+    taken,
+    ways_at,
+)
+from planar_pushing.explore.handles import dragged, nudged, places
+from planar_pushing.explore.presets import gallery, preset, preset_file, titles
 from planar_pushing.explore.python_lines import lines
 from planar_pushing.explore.state import (
+    Handle,
     Start,
     effect,
     pushed,
@@ -26,11 +38,15 @@ from planar_pushing.explore.state import (
     with_support,
 )
 from planar_pushing.explore.supports import name_in
+from planar_pushing.study.datasets.scenes import pusher_angle
+from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.study.study_file import load_study
+from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.options import EffectKind
 
-PRESETS = list(presets())
+PRESETS = list(titles())
+WORKFLOW = Path("workflow")
 MODES = {
     "stick": pp.ContactMode.STICK,
     "slip-right": pp.ContactMode.SLIP_RIGHT,
@@ -56,6 +72,7 @@ def test_an_address_holds_the_whole_state(name):
         shown="STICK",
         across="rod angle",
         time=0.25,
+        handle=Handle.ROD,
     )
     assert back(other) == other
 
@@ -94,13 +111,37 @@ def test_the_lines_accelerate_a_pusher_from_rest(capsys):
     np.testing.assert_allclose(own.fence[-1], [way * np.cos(turn), way * np.sin(turn)])
 
 
-def test_the_presets_are_those_of_the_studies():
-    assert STORED.read_text(encoding="utf-8") == text()
+@pytest.fixture(scope="module")
+def study():
+    return load_study(WORKFLOW / "config/paper.yaml")
 
 
-def test_every_figure_has_a_preset():
+@pytest.mark.parametrize(
+    "path", sorted((WORKFLOW / "scenes").glob("*.yaml")), ids=lambda path: path.stem
+)
+def test_an_example_scene_is_a_preset(path):
+    assert preset_file("figure_19" if path.stem == "tripod" else path.stem) == load_scene_file(path)
+
+
+def test_figures_are_pushed_as_in_the_study(study):
+    for name, push in study.scenes.items():
+        file = load_scene_file(push.file)
+        assert preset(name).angle == pytest.approx(pusher_angle(file.build(), push), abs=1e-6)
+
+
+def test_the_gallery_is_that_of_the_study_of_sliders():
+    study = load_study(WORKFLOW / "config/sliders.yaml")
+    content = {"slider": {"rod_length": 1, "rod_angle": 90}, "contact": {"law": "perfectly_rough"}}
+    assert list(gallery()) == list(study.supports)
+    for name, support in gallery().items():
+        effects = [{"type": "support_friction", "support": support}]
+        file = SceneFile.model_validate(content | {"effects": effects})
+        assert file.effects[0].support == study.supports[name]
+
+
+def test_every_figure_of_a_scene_has_a_preset():
     figures = {name.removeprefix("figure_")[:2] for name in PRESETS if name.startswith("figure")}
-    assert figures == {f"{number:02}" for number in range(1, 21)}
+    assert figures == {f"{number:02}" for number in range(1, 20)}
 
 
 @pytest.mark.parametrize("name", list(gallery()))
@@ -121,8 +162,8 @@ def test_an_own_support_has_no_name():
 
 
 def test_one_effect_at_least_stays():
-    state = preset("figure_03")
-    assert with_effect(state, EffectKind.SUPPORT_FRICTION, None) == state
+    with pytest.raises(ValidationError, match="at least one"):
+        with_effect(preset("figure_03"), EffectKind.SUPPORT_FRICTION, None)
 
 
 def test_inertia_starts_the_pusher_from_rest():
@@ -171,9 +212,9 @@ def test_a_line_of_force_stays_in_the_cone():
 
 def test_keys_turn_the_push_by_degrees():
     state = pushed(preset("figure_03"), 30.0, 1.0)
-    assert nudged(state, Handle.PUSHER, None, 1, 0, False).angle == pytest.approx(29.0)
-    assert nudged(state, Handle.PUSHER, None, -1, 0, True).angle == pytest.approx(40.0)
-    longer = nudged(state, Handle.ROD, None, 0, 1, False)
+    assert nudged(state, None, 1, 0, False).angle == pytest.approx(29.0)
+    assert nudged(state, None, -1, 0, True).angle == pytest.approx(40.0)
+    longer = nudged(replace(state, handle=Handle.ROD), None, 0, 1, False)
     assert longer.file.slider.rod_length == pytest.approx(3.06)
 
 
@@ -233,14 +274,54 @@ def test_another_push_forgets_the_choices():
     assert not chosen(with_rod(hand, 2.0, 45.0))
 
 
-@pytest.mark.parametrize("given", [
-    {"angle": "up"},
-    {"slider.rod_length": "2"},
-    {"slider.rod_length": "-1", "slider.rod_angle": "45", "contact.law": "perfectly_rough",
-     "effects": '[{"type":"ring_friction"}]'},
-    {"nothing": "1"},
+SCENE = {
+    "slider.rod_length": "2", "slider.rod_angle": "45", "contact.law": "perfectly_rough",
+    "effects": '[{"type":"ring_friction"}]',
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("given", "said"), [
+    ({"angle": "up"}, "address: angle: 'up' given; allowed: a finite number, degrees"),
+    ({"magnitude": "0"}, "address: magnitude: '0' given; allowed: a finite number > 0"),
+    ({"time": "-1"}, "address: time: '-1' given; allowed: a finite number >= 0"),
+    ({"start": "late"}, "address: start: 'late' given; allowed: velocity or acceleration"),
+    ({"slider.rod_length": "nan"},
+     "address: slider.rod_length: 'nan' given; allowed: a finite number >= 0"),
+    ({"slider.rod_length": "-1"}, "address: slider.rod_length: -1 given; allowed: a finite number >= 0"),
+    ({"effects": "[]"}, "address: effects: [] given; allowed: a list with at least one entry"),
+    ({"nothing": "1"}, "address: nothing: 1 given; allowed: the keys title, slider,"),
+    ({"slider": "3"}, "address: slider: 3 given; allowed: a mapping with the keys rod_length,"),
 ])  # fmt: skip
-def test_a_wrong_address_is_refused_in_one_line(given):
-    with pytest.raises(InvalidValue, match=r"^address: ") as refused:
-        state_in(given)
-    assert "\n" not in str(refused.value)
+def test_a_wrong_address_is_refused_in_one_line_of_our_own(given, said):
+    with pytest.raises(PlanarPushingError) as refused:
+        state_in(SCENE | given)
+    assert str(refused.value).startswith(said)
+    assert str(refused.value).endswith("; the page shows its first preset instead")
+    assert not set(str(refused.value)) & set("\n")
+    assert "pydantic" not in str(refused.value)
+
+
+@pytest.mark.parametrize("time", [0.2, 0.67, 1.2])
+def test_an_instant_of_a_fence_is_a_push_of_its_own(time):
+    state = replace(preset("figure_14a"), time=time)
+    motion = followed(state)
+    row, instant = row_at(motion, time), push_at(state, motion, time)
+    found = solved(instant)
+    own, _ = solution_at(state, motion, time)
+    same = next(each for each in found if each.mode == own.mode)
+    assert len(found) == motion.log["solutions"][row]
+    np.testing.assert_allclose(same.twist, own.twist, atol=1e-7)
+    np.testing.assert_allclose(same.force, own.force, atol=1e-7)
+    np.testing.assert_allclose(same.center, own.center, atol=1e-6)
+
+
+@pytest.mark.parametrize("state", [
+    pytest.param(turned_finger(), id="finger"), pytest.param(in_motion(), id="inertia"),
+    pytest.param(replace(preset("figure_14b"), time=1.0), id="broken"),
+])  # fmt: skip
+def test_other_instants_are_no_push_of_their_own(state):
+    motion = followed(state)
+    assert push_at(state, motion, state.time) is None
+    solution, pusher = solution_at(state, motion, state.time)
+    if solution.mode == pp.ContactMode.STICK:
+        assert solution.contact_motion[0] == pytest.approx(pusher[0], abs=1e-6)

@@ -81,7 +81,7 @@ def test_the_library_runs_without_any_extra(tmp_path, cones):
 
 @pytest.mark.parametrize(("extra", "missing", "body"), [
     ("figures", "matplotlib", "import planar_pushing.figures.render"),
-    ("figures", "PIL", "import planar_pushing.figures.motion.animation"),
+    ("figures", "PIL", "import planar_pushing.figures.animate"),
     ("report", "typst", "import planar_pushing.report.typeset"),
     ("manual", "furo", "from planar_pushing.report.manual import build_manual as b; b('a', 'b')"),
     ("golden", "flint", "import planar_pushing.certified.ring"),

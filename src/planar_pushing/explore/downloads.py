@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from planar_pushing.explore.following import followed
+from planar_pushing.explore.pictures import solved
 from planar_pushing.explore.python_lines import lines
 from planar_pushing.explore.state import Start, State
-from planar_pushing.figures.scene_picture import render_scene
+from planar_pushing.figures.scene import scene_picture
+from planar_pushing.figures.svg import to_svg
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import save_scene_file
-from planar_pushing.study.files.study_model import PushEntry
 from planar_pushing.study.store import write_dataset
+
+#: Size of the picture and of a point, pixels.
+SIZE, POINT = (840.0, 760.0), 2.0
 
 
 def scene_file(state: State) -> SceneFile:
-    """The scene file of a state.
-
-    A file moves its pusher at given speeds, so it says nothing of one that accelerates from rest.
-    """
+    """The scene file of a state; files have no name for a pusher that accelerates from rest."""
     if state.start == Start.ACCELERATION:
         return state.file.model_copy(update={"simulate": None})
     return state.file
@@ -31,8 +33,9 @@ def _yaml(state: State, path: Path) -> None:
 
 
 def _svg(state: State, path: Path) -> None:
-    push = PushEntry(file=str(path), pusher_angle=state.angle, pusher_magnitude=state.magnitude)
-    render_scene(state.file, push, path)
+    sketch = solved(replace(state, time=None)).sketch
+    text = to_svg(scene_picture(sketch), sketch.box, SIZE, point=POINT)
+    path.write_text(text, encoding="utf-8")
 
 
 def _log(state: State, path: Path) -> None:
@@ -43,7 +46,7 @@ def _python(state: State, path: Path) -> None:
     path.write_text(lines(state), encoding="utf-8")
 
 
-#: Names of the files that the page offers, and what writes each.
+#: Files that the page offers, and their writers.
 WRITERS: dict[str, Callable[[State, Path], None]] = {
     "scene.yaml": _yaml,
     "scene.svg": _svg,
@@ -53,7 +56,7 @@ WRITERS: dict[str, Callable[[State, Path], None]] = {
 
 
 def written(state: State, name: str) -> bytes:
-    """What a file holds."""
+    """Content of a file."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / name
         WRITERS[name](state, path)

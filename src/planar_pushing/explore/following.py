@@ -1,22 +1,33 @@
-"""What happens next: the push of a state followed over time, with every choice of the user."""
+"""The motion over time: the push of a state followed, with every choice of the user."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
 from planar_pushing.explore.python_lines import acceleration, settings
-from planar_pushing.explore.state import Start, State, first_policy, simulated
-from planar_pushing.explore.words import NUMBERS
-from planar_pushing.figures.motion.timeline import Run, plotted, runs
-from planar_pushing.figures.motion.trajectory import box
+from planar_pushing.explore.state import (
+    Handle,
+    Start,
+    State,
+    changed,
+    first_policy,
+    simulated,
+    wrapped,
+)
+from planar_pushing.figures.motion import box
+from planar_pushing.figures.timeline import Run, contact, plotted, runs
+from planar_pushing.figures.words import NUMBERS
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
+from planar_pushing.terms.options import Shape
 
 #: Contact modes that the user can choose, by the policies that prefer them.
 WAYS = {
@@ -25,7 +36,7 @@ WAYS = {
     "slip-left": "slips to the left",
     "separate": "breaks",
 }
-#: What the contact does at an instant, by its mode.
+#: Sentences about the contact at an instant, by its mode.
 DOES = {
     -1: "no motion is consistent",
     ContactMode.SEPARATE: "the contact is broken",
@@ -33,28 +44,37 @@ DOES = {
     ContactMode.SLIP_RIGHT: "the slider slips to the right",
     ContactMode.SLIP_LEFT: "the slider slips to the left",
 }
-#: Part of the duration after which a motion has gone on in the way that was taken.
+#: Fraction of the duration after which a motion has gone on in the mode that was chosen.
 SHORTLY = 1e-6
+#: A larger gap, in units of the slider's size, is no contact.
+CLOSED = 1e-6
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Motion:
-    """A log, and what is plotted of it."""
+class Motion(NamedTuple):
+    """A log, the part of it that is drawn, its times, its runs of one mode, and the box around it."""
 
     log: xr.Dataset
     data: xr.Dataset
     times: Array
     runs: tuple[Run, ...]
-    bounds: Array
+    box: Array
 
 
 def followed(state: State) -> Motion:
     """Simulate the push of a state."""
+    return _followed(start(state))
+
+
+def start(state: State) -> State:
+    """The state whose push is followed, without what only the page shows."""
+    return replace(state, time=None, shown="", across="", handle=Handle.PUSHER)
+
+
+@lru_cache(maxsize=4)
+def _followed(state: State) -> Motion:
     log = simulate(state.scene, **_options(state))
     data = plotted(log)
-    left, right, low, high = box(data)
-    corners = np.array([(left, low), (right, high)])
-    return Motion(log, data, data["time"].values, tuple(runs(data)), corners)
+    return Motion(log, data, data["time"].values, tuple(runs(data)), box(data))
 
 
 def _options(state: State) -> dict[str, Any]:
@@ -74,6 +94,57 @@ def row_at(motion: Motion, time: float) -> int:
     )
 
 
+def push_at(state: State, motion: Motion, time: float) -> State | None:
+    """The push of an instant as a state, where the motion is that of a single push.
+
+    Inertia keeps the motion before, a finger has turned with its side, and a contact that is broken, or a
+    fence that stands, pushes nothing.
+    """
+    row, section = row_at(motion, time), state.file.simulate
+    gap = float(motion.data["path_gap"].values[row])
+    if section is None or state.shape != Shape.FENCE or state.scene.stores_energy:
+        return None
+    piece = [each for each in section.pieces if each.time <= motion.times[row]][-1]
+    angle = float(motion.data["path_rod_angle"].values[row])
+    if not piece.speed or gap > CLOSED * state.size or not 0.0 < angle < 180.0:
+        return None
+    slider = state.file.slider.model_dump(exclude_none=True) | {"rod_angle": angle}
+    mode = int(motion.data["path_mode"].values[row])
+    found = changed(state, slider=slider)
+    shown = ContactMode(mode).name if mode >= 0 else ""
+    return replace(found, angle=wrapped(piece.angle), magnitude=piece.speed, shown=shown)
+
+
+def solution_at(state: State, motion: Motion, time: float) -> tuple[Solution, Array] | None:
+    """The motion at a time as a solution, and the pusher's velocity up to what is normal to the slip.
+
+    None where no motion is consistent.
+    """
+    row, log = row_at(motion, time), motion.log
+    if (mode := int(log["mode"].values[row])) < 0:
+        return None
+    twist, force, position = (log[name].values[row] for name in ("twist", "force", "position"))
+    touch = contact(motion.data)[row]
+    x, y = touch - position
+    velocity = twist[:2] + twist[2] * np.array([-y, x])
+    turned = np.deg2rad(log["rod_angle"].values[row] - log["rod_angle"].values[0])
+    along = direction(turned if state.shape == Shape.FINGER else 0.0)
+    slip = float(along @ (velocity - _pusher_velocity(state, motion.times[row])))
+    solution = Solution(
+        mode=ContactMode(mode), force=force, force_end=force, contact_motion=velocity, twist=twist,
+        spin_ratio=float(log["spin_ratio"].values[row]),
+        center=motion.data["path_center"].values[row] - touch, pivot=int(log["pivot"].values[row]),
+        continuum=False,
+    )  # fmt: skip
+    return solution, velocity - [slip, 0.0]
+
+
+def _pusher_velocity(state: State, time: float) -> Array:
+    if state.start == Start.ACCELERATION:
+        return time * np.array(acceleration(state))
+    return np.array([each for start, each in settings(state)["pusher"].pieces if start <= time][-1])
+
+
 def run_at(motion: Motion, time: float) -> Run:
     """The run of one mode that holds at a time."""
     row = row_at(motion, time)
@@ -81,7 +152,7 @@ def run_at(motion: Motion, time: float) -> Run:
 
 
 def said_at(motion: Motion, time: float) -> str:
-    """What the contact does at a time, in a sentence."""
+    """The contact at a time, in a sentence."""
     row, data = row_at(motion, time), motion.data
     mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
     more = "" if count < 2 else f", one of {NUMBERS[count]} consistent ways"

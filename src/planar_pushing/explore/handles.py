@@ -1,69 +1,39 @@
-"""What can be dragged on the picture: where each handle is, and what a drag of it means."""
+"""The handles of the picture: their places, and the state after a drag."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from enum import StrEnum
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
-from planar_pushing.explore.state import MAGNITUDES, State, pushed, with_rod, with_size
-from planar_pushing.figures.parts.bodies import Body, body_of_scene
-from planar_pushing.figures.parts.supports import Pose
+from planar_pushing.explore.state import MAGNITUDES, Handle, State, pushed, with_rod, with_size
+from planar_pushing.figures.sketch import Sketch
 from planar_pushing.mechanics.cones import friction_cone, is_magnitude_open, motion_angle
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 
-#: Drawn length of the pusher's arrow for the least and the largest magnitude, in units of its reach.
+#: Drawn length of the pusher's arrow for the smallest and the largest magnitude, in units of the reach.
 LENGTHS = 0.3, 1.25
-#: Radius of the dot, in units of the reach, at which a force is taken from the limit curve.
+#: Distance of the handle of the line of force, in units of the reach.
 LINE = 1.15
-#: Forces over the weight among whose motions the push of a force angle is sought.
+#: Forces over the weight between which the push of a force angle is interpolated.
 RATIOS = np.geomspace(1e-2, 1e4, 49)
 
 
-class Handle(StrEnum):
-    """The handles of the picture."""
-
-    PUSHER = "pusher"
-    ROD = "rod"
-    SIZE = "size"
-    LINE = "line of force"
-
-
-class Frame(NamedTuple):
-    """Sizes that the drawing takes from the slider: its pose, span, and the length of arrows."""
-
-    body: Body
-    pose: Pose
-    span: float
-    reach: float
-
-
 @lru_cache(maxsize=8)
-def frame_of(scene: Scene) -> Frame:
-    """The sizes of a scene's drawing, as the figures have them."""
-    body = body_of_scene(scene)
-    slider = scene.slider
-    pose = Pose(slider.rod_length * direction(slider.rod_angle), float(slider.rod_angle))
-    span = float(np.hypot(*pose.at(body.middle))) + 2 * body.half
-    return Frame(body, pose, span, 0.38 * span)
-
-
-def magnitude_matters(scene: Scene) -> bool:
-    """Whether the solutions depend on the size of the push."""
-    return is_magnitude_open(scene)
+def frame_of(scene: Scene) -> Sketch:
+    """The drawing of a scene alone, from which handles take their places."""
+    return Sketch.of(scene)
 
 
 def unit_of_magnitude(scene: Scene) -> float:
-    """W / m, the unit in which the size of a push matters, or W / c with viscous friction; else 1."""
-    if not magnitude_matters(scene):
+    """W / m where the magnitude of a push matters, or W / c with viscous friction; else 1."""
+    if not is_magnitude_open(scene):
         return 1.0
     return float(scene.weight / sum(each.forces[0] for each in scene.from_rest if each.degree == 2))
 
@@ -71,18 +41,18 @@ def unit_of_magnitude(scene: Scene) -> float:
 def arrow_length(state: State) -> float:
     """Drawn length of the pusher's arrow, in units of the reach."""
     scene = state.scene
-    if not magnitude_matters(scene):
+    if not is_magnitude_open(scene):
         return 1.0
-    place = np.interp(
+    length = np.interp(
         math.log(state.magnitude / unit_of_magnitude(scene)), np.log(MAGNITUDES), LENGTHS
     )
-    return float(place)
+    return float(length)
 
 
 def _magnitude(state: State, length: float) -> float:
-    """Size of the push whose arrow has this length."""
+    """Magnitude of the push whose arrow has this length."""
     scene = state.scene
-    if not magnitude_matters(scene):
+    if not is_magnitude_open(scene):
         return state.magnitude
     return unit_of_magnitude(scene) * math.exp(
         float(np.interp(length, LENGTHS, np.log(MAGNITUDES)))
@@ -92,11 +62,10 @@ def _magnitude(state: State, length: float) -> float:
 def places(state: State, force: Array | None) -> dict[Handle, Array]:
     """Where the handles are; the line of force has one where the pusher transmits a force."""
     frame, angle = frame_of(state.scene), math.radians(state.angle)
-    middle = frame.pose.at(frame.body.middle)
     found = {
         Handle.PUSHER: frame.reach * arrow_length(state) * direction(angle),
-        Handle.ROD: np.asarray(frame.pose.origin, dtype=float),
-        Handle.SIZE: middle + frame.body.half * direction(frame.pose.angle - math.pi / 4),
+        Handle.ROD: frame.center,
+        Handle.SIZE: frame.middle + frame.half * direction(frame.pose.angle - math.pi / 4),
     }
     if force is not None and np.any(force):
         found[Handle.LINE] = LINE * frame.reach * force / np.hypot(*force)
@@ -124,12 +93,12 @@ def _drag_rod(state: State, place: Array) -> State:
 
 def _drag_size(state: State, place: Array) -> State:
     frame = frame_of(state.scene)
-    away = float(np.hypot(*(place - frame.pose.at(frame.body.middle))))
-    return with_size(state, state.size * away / frame.body.half)
+    away = float(np.hypot(*(place - frame.middle)))
+    return with_size(state, state.size * away / frame.half)
 
 
 def _drag_line(state: State, place: Array) -> State:
-    """Push so that the contact sticks under a force along the line, or along the nearest that it has."""
+    """The push that sticks under a force along the line, or along the nearest in the friction cone."""
     if not np.any(place):
         return state
     scene = state.scene
@@ -144,9 +113,9 @@ def _drag_line(state: State, place: Array) -> State:
 def _push_of_force(scene: Scene, force: float, magnitude: float) -> float:
     """Direction of the push that sticks under a force angle.
 
-    With friction and inertia it is one of the motions under this force angle, as the magnitude settles.
+    With friction and inertia the motion under a force angle depends on the magnitude.
     """
-    if not magnitude_matters(scene):
+    if not is_magnitude_open(scene):
         return float(motion_angle(scene, force))
     tries = np.asarray(motion_angle(scene, force, force_ratio=RATIOS))
     slow = replace(scene, effects=tuple(each for each in scene.effects if each.degree == 1))
@@ -172,20 +141,18 @@ def dragged(state: State, handle: Handle, place: Array) -> State:
     return DRAGS[handle](state, np.asarray(place, dtype=float))
 
 
-#: Steps of a key: degrees, and parts of a length; ten times as much with the shift key.
+#: Steps of a key: degrees, and fractions of a length; ten times as much with the shift key.
 DEGREE, PART = 1.0, 0.02
 
 
-def nudged(
-    state: State, handle: Handle, force: Array | None, right: int, up: int, coarse: bool
-) -> State:
-    """The state after an arrow key moved a handle: around by left and right, out and in by up and down."""
+def nudged(state: State, force: Array | None, right: int, up: int, coarse: bool) -> State:
+    """The state after an arrow key moved its handle: left and right turn it, up and down stretch it."""
+    handle = state.handle
     place = places(state, force).get(handle)
     if place is None:
         return state
     step = 10.0 if coarse else 1.0
-    centre = frame_of(state.scene).pose.at(frame_of(state.scene).body.middle)
-    about = centre if handle == Handle.SIZE else np.zeros(2)
+    about = frame_of(state.scene).middle if handle == Handle.SIZE else np.zeros(2)
     arm = place - about
     angle = math.atan2(arm[1], arm[0]) - math.radians(DEGREE * step * right)
     length = float(np.hypot(*arm)) * (1.0 + PART * step * up)

@@ -1,4 +1,4 @@
-"""What the explorer shows: one immutable value, and the changes that the page makes to it."""
+"""The state of the page: one immutable value, and the changes that the page makes to it."""
 
 from __future__ import annotations
 
@@ -16,13 +16,22 @@ from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.terms.options import EFFECT_TYPES, EffectKind, Policy, Shape
 
-#: Magnitudes of a push, in units of W / m, and rod angles, that handles and widgets can give.
+#: Magnitudes of a push, in units of W / m, and rod angles, degrees, that handles and widgets give.
 MAGNITUDES = 0.01, 100.0
 ROD_ANGLES = 1.0, 179.0
-#: Sizes that a support can be dragged to, in units of the rod or of the support before.
+#: Smallest size of a support, in units of rod and support together.
 SMALLEST = 0.02
-#: How far a push is followed where a scene does not say, in units of the slider's length.
+#: Distance over which a push is followed where a scene sets none, in units of the slider's length.
 FOLLOWED = 0.8
+
+
+class Handle(StrEnum):
+    """The handles of the picture."""
+
+    PUSHER = "pusher"
+    ROD = "rod"
+    SIZE = "size"
+    LINE = "line of force"
 
 
 class Start(StrEnum):
@@ -36,7 +45,9 @@ class Start(StrEnum):
 class State:
     """A scene file under a push, and what the page shows of it; angles in degrees.
 
-    The file's section `simulate` is always there, and its first motion is the push.
+    The file's section `simulate` is always there, and its first motion is the push. `shown` is the mode of
+    the solution that is drawn in full, `across` the second axis of the map, `time` the instant that is
+    followed, if any, and `handle` the one that the keys move.
     """
 
     file: SceneFile
@@ -46,6 +57,7 @@ class State:
     shown: str = ""
     across: str = ""
     time: float | None = None
+    handle: Handle = Handle.PUSHER
 
     @property
     def scene(self) -> Scene:
@@ -53,8 +65,13 @@ class State:
 
     @property
     def shape(self) -> Shape:
-        """What pushes: a fence or a finger."""
+        """Shape of the pusher: a fence or a finger."""
         return Shape(self.file.simulate.pusher_shape) if self.file.simulate else Shape.FENCE
+
+    @property
+    def duration(self) -> float:
+        """Time over which the push is followed."""
+        return self.file.simulate.duration if self.file.simulate else 1.0
 
     @property
     def size(self) -> float:
@@ -67,7 +84,7 @@ class State:
 
 @lru_cache(maxsize=64)
 def build(file: SceneFile) -> Scene:
-    """The scene of a file; it is asked for several times while one picture is made."""
+    """The scene of a file; one picture needs it several times."""
     return file.build()
 
 
@@ -88,7 +105,7 @@ def wrapped(angle: float) -> float:
 
 
 def changed(state: State, **parts: Any) -> State:
-    """The state with other parts of its file; what was followed, and chosen on the way, is over."""
+    """The state with other parts of its file, at the push again and without choices over time."""
     content = state.file.model_dump(exclude_none=True)
     if "simulate" in content:
         content["simulate"] |= {"on_ambiguity": first_policy(state)}
@@ -118,8 +135,9 @@ def first_policy(state: State) -> str:
 def duration(state: State, magnitude: float) -> float:
     """Time in which the pusher moves as far as the slider is long, to two digits."""
     slider = state.scene.slider
-    way = FOLLOWED * (slider.rod_length + 2.0 * state.size)
-    found = way / magnitude if state.start == Start.VELOCITY else math.sqrt(2.0 * way / magnitude)
+    distance = FOLLOWED * (slider.rod_length + 2.0 * state.size)
+    velocity = state.start == Start.VELOCITY
+    found = distance / magnitude if velocity else math.sqrt(2.0 * distance / magnitude)
     return float(f"{found:.2g}")
 
 
@@ -166,19 +184,16 @@ def entries(state: State) -> list[dict[str, Any]]:
 
 
 def effect(state: State, kind: EffectKind) -> dict[str, Any] | None:
-    """The first effect of a kind; None where nothing of this kind resists the motion."""
+    """The first effect of a kind; None where there is none."""
     found = [each for each in entries(state) if EFFECT_TYPES[each["type"]] == kind]
     return found[0] if found else None
 
 
 def with_effect(state: State, kind: EffectKind, entry: dict[str, Any] | None) -> State:
-    """The state with another effect of a kind, or without one; one effect at least stays."""
+    """The state with another effect of a kind, or without one."""
     others = [each for each in entries(state) if EFFECT_TYPES[each["type"]] != kind]
     effects = [entry, *others] if kind == EffectKind.SUPPORT_FRICTION else [*others, entry]
-    effects = [each for each in effects if each is not None]
-    if not effects:
-        return state
-    found = changed(state, effects=effects)
+    found = changed(state, effects=[each for each in effects if each is not None])
     start = Start.ACCELERATION if found.scene.stores_energy else Start.VELOCITY
     same = found.scene.stores_energy == state.scene.stores_energy
     return found if same else replace(found, start=start)

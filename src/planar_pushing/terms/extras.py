@@ -14,7 +14,7 @@ EXTRAS = {
     "figures": ("matplotlib", "PIL"),
     "report": ("typst", "PIL"),
     "golden": ("flint",),
-    "explore": ("bokeh", "matplotlib", "PIL"),
+    "explore": ("panel", "matplotlib", "PIL"),
     "manual": ("sphinx", "furo", "myst_nb", "numpydoc", "ipykernel"),
 }
 

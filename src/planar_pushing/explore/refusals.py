@@ -1,0 +1,26 @@
+"""Values that a page or its address cannot take, in one line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from planar_pushing.study.files.scenes import explain
+from planar_pushing.terms.errors import PlanarPushingError, shown
+
+
+def refusal(error: BaseException, name: str = "", given: Any = None) -> str:
+    """One line: the widget and its value, if a widget was changed, and the values that are allowed."""
+    if isinstance(error, ValidationError):
+        line = explained("scene", error)
+        value = "nothing" if given is None or given == [] else shown(given)
+        return f"{name}: {value} given; {line.partition(' given; ')[2]}" if name else line
+    known = isinstance(error, PlanarPushingError)
+    return " ".join((str(error) if known else f"{type(error).__name__}: {error}").split())
+
+
+def explained(start: str, error: ValidationError) -> str:
+    """The first error of a scene file in the words of the package, after a start."""
+    return explain(Path(start), error.errors()[0])
