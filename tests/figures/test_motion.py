@@ -199,9 +199,8 @@ def test_the_picture_holds_the_whole_support(logs, name):
 def test_snapshots_are_paler_the_earlier_with_their_times(logs):
     motion = plotted(logs["figure_15"])
     picture = snapshots(motion, box(motion), 5)
-    assert [text for text in labels(picture) if "t =" in text] == [
-        f"$t = {time:g}$" for time in (0, 0.75, 1.5, 2.25, 3)
-    ]
+    times = sorted(text for text in labels(picture) if "t =" in text)
+    assert times == [f"$t = {time:g}$" for time in (0, 0.75, 1.5, 2.25, 3)]
     inks = [tint(SLIDER, strength) for strength in np.linspace(PALEST, 1, 5)]
     rings = [
         mark.color
@@ -232,8 +231,8 @@ def test_an_impact_is_joined_to_the_contact(logs):
     lines = [mark.points for mark in picture.marks if isinstance(mark, Line)]
     assert any(np.array_equal(line, [contact(motion)[row], burst.place]) for line in lines)
     times = [text for text in labels(picture) if "t =" in text]
-    assert f"$t = {float(motion.time[row]):.3g}$" in times
-    assert len(times) == 4
+    assert times[0] == f"$t = {float(motion.time[row]):.3g}$"
+    assert len(times) == 3  # the first fence is close to that of the impact
 
 
 def test_centers_of_another_support_are_marked_at_every_instant(logs):

@@ -17,8 +17,8 @@ FIGURE = Figure(
 )
 NAMES = {
     "support_friction": ("support friction", "#0072B2", "o"),
-    "inertia": ("inertia", "#E69F00", "s"),
-    "support_friction+inertia": ("both", "#A0417B", "D"),
+    "inertia": ("inertia", "#8F6400", "s"),
+    "support_friction+inertia": ("both", "#8A3C70", "D"),
 }
 #: Operations: what each panel shows, as its scene and its rows from the top.
 PANELS = {

@@ -31,6 +31,8 @@ PALEST = 0.3
 JUMP = 0.5
 #: Length of the drawn force, half the width of the fence and depth of its hatch, in units of the span.
 FORCE_LENGTH, FENCE_HALF, DEPTH = 0.42, 0.45, 0.036
+#: Instants whose fences are closer, in units of the picture's height, have one time.
+CLOSE = 0.06
 #: Orders of paths and of a path's arrowheads.
 PATHS = ARROWS - 0.5
 
@@ -139,8 +141,8 @@ def snapshots(
     chosen = sorted({*rows(data, count), *struck})
     for strength, row in zip(np.linspace(PALEST, 1.0, len(chosen)), chosen, strict=True):
         add_instant(picture, data, row, float(strength))
-        if times:
-            _time(picture, data, row)
+    if times:
+        _times(picture, data, frame, [*struck, chosen[-1], *chosen[:-1]])
     add_paths(picture, data, frame)
     for each in last_center(data):
         add_center_mark(picture, each, size=4.5)
@@ -153,14 +155,19 @@ def snapshots(
     return picture
 
 
-def _time(picture: Picture, data: xr.Dataset, row: int) -> None:
-    """Time of an instant beside the end of the fence, or beside the slider's center."""
-    text = f"$t = {data['time'].values[row]:.3g}$"
-    if "path_side" in data:
-        place, offset = data["path_position"].values[row], (0.0, 8.0)
-    else:
-        place, offset = data["path_fence"].values[row] + [FENCE_HALF * span(data), 0.0], (17.0, 0.0)
-    picture.label(place, text, color=GUIDE, size=NOTE, offset=offset)
+def _times(picture: Picture, data: xr.Dataset, frame: Array, chosen: Sequence[int]) -> None:
+    """Times of instants beside the ends of their fences or the slider's center; of close ones one."""
+    finger, named = "path_side" in data, np.empty((0, 2))
+    end = np.array([0.0 if finger else FENCE_HALF * span(data), 0.0])
+    for row in chosen:
+        place = data["path_position" if finger else "path_fence"].values[row] + end
+        if np.all(np.hypot(*(named - place).T) > CLOSE * np.ptp(frame[:, 1])):
+            named = np.vstack([named, place])
+            text, offset = (
+                f"$t = {data['time'].values[row]:.3g}$",
+                (0.0, 8.0) if finger else (17.0, 0.0),
+            )
+            picture.label(place, text, color=GUIDE, size=NOTE, offset=offset, held=True)
 
 
 def add_impact(picture: Picture, data: xr.Dataset, row: int) -> None:
