@@ -22,8 +22,8 @@ FIGURE = Figure(
     column=(COLUMN, 4.4),
     section="Ours, motion over time",
 )
-#: Instants that are drawn.
-COUNT = 5
+#: Instants that are drawn on a page and in a column.
+COUNTS = 5, 3
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
@@ -53,7 +53,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
     wide = figure.get_figwidth() > COLUMN + 1
     ax = schematic(figure, (0.0, 0.0, 0.66, 1.0) if wide else (0.0, 0.42, 1.0, 0.58))
     frame = box(data)
-    to_axes(snapshots(data, frame, COUNT), ax, frame, 10.0)
+    to_axes(snapshots(data, frame, COUNTS[0 if wide else 1]), ax, frame, 10.0)
     edges = (
         {"left": 0.75, "bottom": 0.19, "top": 0.95}
         if wide
