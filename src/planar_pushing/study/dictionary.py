@@ -19,7 +19,8 @@ from planar_pushing.study.catalog import (
 )
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
-from planar_pushing.study.studies import SLIDERS_FILE, study_folder, study_name
+from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_name
+from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.quantities import FINGER, LOG, NOTES, unit_of
 
 #: The study of sliders.
@@ -101,7 +102,7 @@ def _times() -> str:
 
 def _figures(results: str) -> str:
     """Section of what the figures plot."""
-    found = [open_dataset(f"{FIGURES}/{name}", results) for name in _plotted(Path(results))]
+    found = [open_dataset(f"{FIGURES}/{name}", results) for name in load_study(PAPER_FILE).figures]
     about = "the numbers that each figure plots, a file for each: parts of the datasets, and finer lines"
     return _lines("figures/data/NAME.nc", about, *_table(found))
 
@@ -112,15 +113,10 @@ def _sliders(results: str, names: Iterable[str]) -> Iterator[str]:
         dataset = open_dataset(name, results, study=STUDY)
         place = f"studies/{STUDY}/data/{name}.nc"
         yield _lines(place, DATASETS[name].about, *_source(dataset), *_table([dataset]))
-    folder = study_folder(STUDY, results)
-    plotted = [open_dataset(f"{FIGURES}/{name}", results, study=STUDY) for name in _plotted(folder)]
+    names = load_study(SLIDERS_FILE).figures
+    plotted = [open_dataset(f"{FIGURES}/{name}", results, study=STUDY) for name in names]
     about = "the numbers that each figure of the study of sliders plots"
     yield _lines(f"studies/{STUDY}/figures/data/NAME.nc", about, *_table(plotted))
-
-
-def _plotted(folder: Path) -> list[str]:
-    """Figures whose numbers a folder holds."""
-    return sorted(path.stem for path in (folder / FIGURES / "data").glob("*.nc"))
 
 
 def _tables() -> str:
