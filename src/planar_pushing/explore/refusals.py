@@ -22,5 +22,5 @@ def refusal(error: BaseException, name: str = "", given: Any = None) -> str:
 
 
 def explained(start: str, error: ValidationError) -> str:
-    """The first error of a scene file in the words of the package, after a start."""
+    """The first error of a scene file as the package states it, after a start."""
     return explain(Path(start), error.errors()[0])

@@ -1,4 +1,4 @@
-"""What accuracy costs over time: both integrators, a panel for each scene."""
+"""Cost of accuracy over time: both integrators, a panel for each scene."""
 
 from __future__ import annotations
 

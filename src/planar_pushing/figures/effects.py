@@ -1,4 +1,4 @@
-"""What each effect costs: times of one slider and of the grid with friction, inertia, or both."""
+"""Cost of each effect: times of one slider and of the grid with friction, inertia, or both."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ FRICTION, INERTIA, BOTH = "support_friction", "inertia", "support_friction+inert
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """What is known of a figure before it is drawn.
+    """Entry of a figure: all that is known before it is drawn.
 
     Attributes
     ----------

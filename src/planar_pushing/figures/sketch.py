@@ -1,4 +1,4 @@
-"""What a picture of a scene shows: slider, cones, push and solutions, and the lengths of arrows.
+"""Content of a picture of a scene: slider, cones, push and solutions, and the lengths of arrows.
 
 Arrows keep their directions; their lengths are scaled to the slider, all motions alike. The contact is the
 origin, the fence the x axis.
@@ -43,7 +43,7 @@ NOWHERE = np.empty((0, 2)), np.empty((0, 2))
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sketch:
-    """What a picture of a scene shows.
+    """Content of a picture of a scene.
 
     Attributes
     ----------

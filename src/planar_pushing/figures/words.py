@@ -42,7 +42,7 @@ def best_row(modes: Any) -> Any:
 
 
 def does(solution: Solution, pusher: Any) -> str:
-    """What the contact does, as "slips to the left while being pulled"."""
+    """Behavior of the contact, as "slips to the left while being pulled"."""
     found = NAMES[solution.mode]
     if solution.mode == ContactMode.SEPARATE:
         return found

@@ -70,5 +70,5 @@ def draw_balance(figure: Any, data: xr.Dataset, scale: float | None = SCALE) -> 
 
 
 def of_scene(data: xr.Dataset) -> str:
-    """What a caption tells of a quasi-static scene."""
+    """Values of a quasi-static scene for a caption."""
     return values(data, *QUASI_STATIC)
