@@ -1,4 +1,4 @@
-"""What a number of the report is: where it is read, its unit and its digits."""
+"""Numbers of the report: where each is read, its unit and its digits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the report reads: the datasets, the golden verdict and the claims of a results folder."""
+"""Sources of the report: the datasets, the golden verdict and the claims of a results folder."""
 
 from __future__ import annotations
 

@@ -69,7 +69,6 @@ DATASET: Quantities = {
     "law": ("1", "type of the contact law"),
     "line": ("1", "hard place, 1 to 7: ring, ends, lengths, contact, speed, rest, Painleve"),
     "limit_force": ("force", "force on the limit curve"),
-    "limit_motion_angle": ("degree", "angle of the motion that a force on the limit curve causes"),
     "limit_force_left": ("force", "force on the limit curve at the left edge of the friction cone"),
     "limit_force_right": (
         "force",

@@ -16,7 +16,6 @@ from planar_pushing.mechanics.cones import (
     motion_angle,
     motion_cone,
 )
-from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solutions
@@ -26,12 +25,8 @@ from planar_pushing.study.describe import describe
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import PushEntry
-from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EFFECT_CLASSES, EffectKind
-from planar_pushing.terms.quantities import DATASET, attributes
 
-#: Force angles of a limit curve, degrees.
-CURVE_ANGLES = np.linspace(0.0, 360.0, 721)
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
 
@@ -139,31 +134,6 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         source="Secs. 3 and 4",
         parameters={"scene": file, "push": push.model_dump(exclude={"file"})},
     )
-
-
-def with_limit_curve(dataset: xr.Dataset, scene: Scene) -> xr.Dataset:
-    """The same with the limit curve of a scene, which the picture may show.
-
-    Raises
-    ------
-    InvalidValue
-        Where the force depends on the size of the motion: no curve limits the forces of all motions.
-    """
-    if is_magnitude_open(scene):
-        raise InvalidValue(
-            "limit_curve", "friction and inertia", "a scene with one effect",
-            "leave an effect out, or draw the scene without the curve",
-        )  # fmt: skip
-    curve = limit_curve(scene, np.deg2rad(CURVE_ANGLES))
-    added = xr.Dataset(
-        {
-            "limit_force": (("curve_sample", "xy"), curve.force),
-            "limit_motion_angle": ("curve_sample", np.rad2deg(curve.motion_angle)),
-        }
-    )
-    for name, variable in added.variables.items():
-        variable.attrs = attributes(DATASET, str(name))
-    return dataset.assign(added.variables)
 
 
 def build(pushes: Mapping[str, PushEntry]) -> dict[str, xr.Dataset]:

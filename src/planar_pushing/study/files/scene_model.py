@@ -1,4 +1,4 @@
-"""What a scene file holds."""
+"""Content of a scene file."""
 
 from __future__ import annotations
 
