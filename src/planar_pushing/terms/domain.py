@@ -62,6 +62,8 @@ RANGES = {
     "coefficient": _positive("leave the effect out of the scene if nothing is viscous"),
     "weight": _positive("leave the effect out of the scene if the support is frictionless"),
     "mass": _positive("leave the effect out of the scene if the slider has no inertia"),
+    "support_friction": _positive("leave the effect out of the scene if the support is frictionless"),
+    "gravity": _positive("give the acceleration of gravity, 9.80665 on Earth"),
     "gyration_radius": _positive("leave the effect out of the scene if the slider has no inertia"),
     "force_angle": Range(np.isfinite, "a finite number of radians", "give the angle of a force"),
     "angle": Range(np.isfinite, "a finite number of radians", "give the angle of a direction"),
