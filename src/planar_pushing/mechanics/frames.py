@@ -20,6 +20,8 @@ from planar_pushing.terms.errors import InvalidValue, as_floats
 
 #: What a vector of numbers stands for, which decides how it changes with the frame.
 Kind = Literal["vector", "point", "twist", "wrench"]
+#: Rounding of the length of a unit vector.
+UNIT = 4e-16
 #: How many numbers each kind has.
 SIZES: dict[str, int] = {"vector": 2, "point": 2, "twist": 3, "wrench": 3}
 
@@ -104,6 +106,8 @@ class Placement:
                 "normal", self.normal, "a vector that is not zero",
                 "give the direction from the contact into the object",
             )  # fmt: skip
+        if abs(length - 1.0) <= UNIT:  # a unit vector stays what it is
+            length = 1.0
         object.__setattr__(self, "point", point)
         object.__setattr__(self, "normal", (normal[0] / length + 0.0, normal[1] / length + 0.0))
 

@@ -74,7 +74,7 @@ def placed(
     corner = [k for k in range(len(every)) if np.hypot(*(every[k] - place)) <= ON * scale]
     if corner:
         return _at_corner(point, given, every, corner[0]), None
-    inward = -sides[side, 1] / lengths[side], sides[side, 0] / lengths[side]
+    inward = 0.0 - sides[side, 1] / lengths[side], sides[side, 0] / lengths[side] + 0.0
     if given is not None and np.hypot(*np.subtract(given.normal, inward)) > ALIGNED:
         raise InvalidValue(
             "normal", normal, f"the inward normal of the side, ({inward[0]:.6g}, {inward[1]:.6g})",

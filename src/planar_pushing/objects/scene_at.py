@@ -19,6 +19,8 @@ from planar_pushing.terms.units import Units
 
 #: A center less than this part of the extent above the fence counts as on it: its rod would be flat.
 LEAST_HEIGHT = 1e-9
+#: Largest distance of a contact from the center, in extents of the support: no object's handle is longer.
+FARTHEST = 500.0
 
 
 def scene_at(
@@ -74,6 +76,7 @@ def scene_at(
     listed = _required_effects(effects)
     center, extent = _middle(listed)
     body, length, angle = _body(place, np.array(center), extent)
+    _require_one_unit(length, extent)
     slider = Slider(
         rod_length=length, rod_angle=angle,
         radius=None if any(hasattr(each, "support") for each in listed) else extent,
@@ -82,6 +85,15 @@ def scene_at(
     )  # fmt: skip
     moved = tuple(each.moved(body, place.fence) for each in listed)
     return Scene(slider=slider, contact=contact, effects=moved, placement=place, units=units)
+
+
+def _require_one_unit(length: float, extent: float) -> None:
+    """Refuse a contact that is as far from the support as only another unit of length takes it."""
+    if not length <= FARTHEST * extent:
+        raise InvalidValue(
+            "point", f"a contact {length:.6g} from the center of a support of size {extent:.6g}",
+            f"at most {FARTHEST:g} times its size", "give all lengths in one unit",
+        )  # fmt: skip
 
 
 def _free(point: Any, normal: Any) -> Placement:
@@ -107,7 +119,7 @@ def _required_effects(given: Any) -> tuple[Any, ...]:
 
 
 def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
-    """Center and extent of an object in its frame: of friction, else of viscous friction, else of its mass."""
+    """Center and extent of an object in its frame: of friction, else of viscous friction, else of mass."""
     friction = [each for each in effects if isinstance(each, SupportFriction)]
     films = [each for each in effects if isinstance(each, Viscous)]
     masses = [each for each in effects if isinstance(each, Inertia)]
