@@ -35,7 +35,7 @@ APART = 0.8
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Body:
-    """A slider in its body frame, with its outline, and the centers that are marked: those off its origin."""
+    """A slider in its body frame, with its outline, and the centers that are marked: off its origin."""
 
     support: Any
     centers: tuple[tuple[str, Any], ...] = ()

@@ -113,7 +113,7 @@ def _required_effects(given: Any) -> tuple[Any, ...]:
     if not found or not all(hasattr(each, "moved") for each in found):
         raise InvalidValue(
             "effects", given, "a sequence of SupportFriction, Viscous, Inertia and Load",
-            "list what resists the motion, in the object's frame",
+            "list what resists the motion; of a ring give the radius: SupportFriction(support=Ring(1.0))",
         )  # fmt: skip
     return found
 

@@ -127,11 +127,11 @@ def message(tmp_path, text):
         ("rod_length: 5", "rod_length: -5",
          "slider.rod_length: -5 given; allowed: a finite number >= 0; change the value"),
         ("rod_length", "rod_lenght",
-         "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius, side; "
+         "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius, side, outline; "
          "did you mean rod_length?"),
         ("title", "colour",
-         "colour: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate; "
-         "remove the key"),
+         "colour: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate, "
+         "placement, units; remove the key"),
         ("rod_length: 5, ", "",
          "slider.rod_length: missing; allowed: a value for this key; add it"),
         ("law: coulomb", "law: glue",
@@ -143,7 +143,7 @@ def message(tmp_path, text):
         ("law: coulomb, friction_coefficient: 2", "law: infinite_friction, at_zero_normal: some",
          "contact.at_zero_normal: 'some' given; allowed: 'free' or 'none'; change the value"),
         ("slider: {rod_length: 5, rod_angle: 45, radius: 1}", "slider: 5",
-         "slider: 5 given; allowed: a mapping with the keys rod_length, rod_angle, radius, side; "
+         "slider: 5 given; allowed: a mapping with the keys rod_length, rod_angle, radius, side, outline; "
          "change the value"),
         ("contact: {law: coulomb, friction_coefficient: 2}", "contact: rough",
          "contact: 'rough' given; allowed: a mapping; change the value"),
@@ -172,7 +172,7 @@ def test_empty_effects(tmp_path):
 
 @pytest.mark.parametrize("text", ["", "[]", "3"])
 def test_no_keys(tmp_path, text):
-    said = "holds no keys; allowed: title, slider, contact, effects, simulate"
+    said = "holds no keys; allowed: title, slider, contact, effects, simulate, placement, units"
     assert message(tmp_path, text) == said
 
 

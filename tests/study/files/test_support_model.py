@@ -80,7 +80,17 @@ REFUSED = {
         ".weights[1]",
         "nan given; allowed: finite numbers",
     ),
-    "{shape: points, positions: [[0, 1]]}": (".weights", "missing; allowed: a value"),
+    "{shape: points, positions: [[0, 1]]}": (
+        "",
+        "allowed: a support that is larger than a point, which resists no rotation",
+    ),
+    "{shape: points, positions: [[0, 1], [1, 1]], names: [a]}": (
+        ".names",
+        "('a',) given; allowed: 2 names",
+    ),
+    "{shape: rectangle, width: 1, height: 0}": (".height", "0 given; allowed: a finite number > 0"),
+    "{shape: rectangle, width: 1}": (".height", "missing"),
+    "{shape: regular_polygon, count: 2, radius: 1}": (".count", "2 given; allowed: a whole number"),
     "{shape: points, positions: [[0, 1], [1, 1]], weights: [2]}": (
         ".weights",
         "(2.0,) given; allowed: 2 positive numbers; give one weight for each point",

@@ -74,13 +74,6 @@ class RingFriction:
     def __post_init__(self) -> None:
         require_fields(self, "weight")
 
-    def moved(self, body: Frame, fence: Frame) -> RingFriction:
-        """Refuse: in an object's frame the ring has no radius."""
-        raise InvalidValue(
-            "effects", self, "SupportFriction for an object with a frame of its own",
-            "give the ring's radius, as in SupportFriction(support=Ring(1.0))",
-        )  # fmt: skip
-
     @property
     def support(self) -> Ring:
         """The ring, of the slider's radius."""

@@ -24,6 +24,8 @@ from planar_pushing.terms.errors import InvalidValue
 
 #: Types of effects that have a support.
 RESTING = ("support_friction", "viscous")
+#: Keys of a file that hold what `scene_at` refuses.
+PLACES = {"point": "object.contact.", "normal": "object.contact.", "outline": "object."}
 
 
 class FootEntry(FileModel):
@@ -59,11 +61,11 @@ class ObjectFile(FileModel):
     """A scene of an object in a frame of its own; it becomes a scene file where it is read."""
 
     title: Text = ""
-    units: UnitsEntry | None = None
     object: ObjectEntry
     contact: ContactEntry
     effects: Annotated[tuple[EffectEntry, ...], NotEmpty]
     simulate: SimulateEntry | None = None
+    units: UnitsEntry | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -90,9 +92,8 @@ class ObjectFile(FileModel):
         try:
             self.build()
         except InvalidValue as error:
-            place = "object.contact" if error.name in ("point", "normal") else "object"
-            about = vars(error) | {"name": error.name if error.name != "effects" else "contact"}
-            raise PydanticCustomError("refused_in", "{allowed}", about | {"place": place}) from None
+            about = vars(error) | {"place": PLACES.get(error.name, "")}
+            raise PydanticCustomError("refused_in", "{allowed}", about) from None
         return self
 
     def build(self) -> Scene:

@@ -198,12 +198,12 @@ class SceneFile(FileModel):
     """
 
     title: Text = ""
-    units: UnitsEntry | None = None
     slider: SliderEntry
-    placement: PlacementEntry | None = None
     contact: ContactEntry
     effects: Annotated[tuple[EffectEntry, ...], NotEmpty]
     simulate: SimulateEntry | None = None
+    placement: PlacementEntry | None = None
+    units: UnitsEntry | None = None
 
     _twist_has_inertia = field_validator("simulate")(
         lambda given, info: require_inertia(given, info)

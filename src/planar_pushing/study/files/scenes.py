@@ -121,7 +121,7 @@ def explain(path: Path, error: ErrorDetails) -> str:
             key, given = (f"{key}.{word}" if key else str(word)), given[unknown]
             allowed = f"the keys {', '.join(known)}"
         case "refused" | "refused_in":
-            key = f"{context.get('place', key)}.{context['name']}"
+            key = f"{context.get('place', f'{key}.')}{context['name']}"
             given, remedy = context["given"], context["remedy"]
         case "union_tag_invalid":
             allowed = f"{context['discriminator']} one of {context['expected_tags']}"

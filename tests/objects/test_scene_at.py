@@ -1,0 +1,252 @@
+"""Objects in a frame of their own: scenes, frames, outlines and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+import planar_pushing as pp
+
+SQUARE = pp.Polygon.rectangle(2.0, 2.0)
+LEGS = pp.Points.rectangle(2.0, 2.0)
+HOOK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (0, 1)]
+
+
+def scene_of(point, normal=None, support=SQUARE, outline=None, contact=None, more=()):
+    effects = [pp.SupportFriction(support=support), *more]
+    return pp.scene_at(
+        point, normal, effects=effects, contact=contact or pp.Coulomb(1.0), outline=outline
+    )
+
+
+def test_the_check_value_of_the_square():
+    """A push at (0.5, -1) of a square of side 2 with the velocity (0.3, 1)."""
+    scene = scene_of((0.5, -1), (0, 1))
+    (found,) = pp.solve(scene, np.arctan2(1, 0.3), np.hypot(0.3, 1))
+    assert found.mode is pp.ContactMode.STICK
+    assert scene.to_object(found.twist, "twist")[2] == pytest.approx(0.490713050, abs=1e-9)
+
+
+OBJECTS = [
+    ("square", SQUARE, (0.5, -1.0), (0.0, 1.0)),
+    ("middle of a side", SQUARE, (1.0, 0.0), (-1.0, 0.0)),
+    ("four feet", LEGS, (-1.0, 0.4), (1.0, 0.0)),
+    ("slanted", pp.Polygon([(0, 0), (3, 0), (0, 4)]), (1.5, 2.0), (-4.0, -3.0)),
+    ("far from its origin", pp.Disc(2.0, (100.0, -50.0)), (100.0, -52.0), (0.0, 1.0)),
+    ("hook, below the fence", pp.Disc(0.5, (3.5, 2.5)), (1.0, 1.0), (0.0, -1.0)),
+    ("contact at the center", SQUARE, (0.0, 0.0), (0.6, 0.8)),
+    ("center along the fence", SQUARE, (3.0, 0.0), (0.0, 1.0)),
+]
+
+
+@pytest.mark.parametrize(("name", "support", "point", "normal"), OBJECTS)
+def test_a_stick_minimizes_the_power_of_the_objects_friction(name, support, point, normal):
+    """Route of its own: friction's power in the object's frame, minimized over the rotation."""
+    effect = pp.SupportFriction(support=support, weight=3.5)
+    scene = pp.scene_at(point, normal, effects=[effect], contact=pp.PerfectlyRough())
+    n = np.array(normal) / np.hypot(*normal)
+    velocity = 0.8 * n + 0.3 * np.array([n[1], -n[0]])
+    found = next(
+        each for each in pp.solve(scene, np.arctan2(0.8, 0.3), np.hypot(0.8, 0.3))
+        if each.mode is pp.ContactMode.STICK
+    )  # fmt: skip
+
+    def twist(omega):
+        """About the object's origin, the contact moving as the pusher."""
+        return np.array([velocity[0] + omega * point[1], velocity[1] - omega * point[0], omega])
+
+    best = minimize_scalar(
+        lambda omega: float(pp.potential(effect, twist(omega))), bracket=(-1, 1), tol=1e-12
+    )
+    own = scene.to_object(found.twist, "twist")
+    assert own == pytest.approx(twist(own[2]), abs=1e-9 * (1 + np.hypot(*point)))
+    assert own[2] == pytest.approx(best.x, abs=2e-6)
+    if found.pivot < 0:
+        lever = scene.slider.rod_length * np.array(
+            [np.cos(scene.slider.rod_angle), np.sin(scene.slider.rod_angle)]
+        )
+        torque = lever[1] * found.force[0] - lever[0] * found.force[1]
+        load = scene.to_object([*found.force, torque], "wrench")
+        assert load == pytest.approx(pp.wrench(effect, own), abs=1e-9 * (1 + np.hypot(*point)))
+
+
+def test_the_choice_of_the_objects_frame_is_free():
+    """An object that is turned and moved with its contact moves alike."""
+    random = np.random.default_rng(5)
+    for _ in range(20):
+        angle, shift = random.uniform(-np.pi, np.pi), random.normal(size=2)
+        turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+        corners = np.array([(0, 0), (3, 0), (2, 2), (0, 1)])
+        plain = scene_of((1.0, 0.0), support=pp.Polygon(corners), outline=corners)
+        there = corners @ turn.T + shift
+        moved = scene_of(turn @ [1.0, 0.0] + shift, support=pp.Polygon(there), outline=there)
+        one, other = pp.solve(plain, 1.2)[0], pp.solve(moved, 1.2)[0]
+        assert other.force == pytest.approx(one.force, abs=1e-12)
+        assert other.twist == pytest.approx(one.twist, abs=1e-12)
+        velocity = turn @ plain.to_object(one.contact_motion, "vector")
+        assert moved.to_object(other.contact_motion, "vector") == pytest.approx(velocity, abs=1e-12)
+
+
+@pytest.mark.parametrize("kind", ["vector", "point", "twist", "wrench"])
+@pytest.mark.parametrize(("name", "support", "point", "normal"), OBJECTS)
+def test_frames_there_and_back(kind, name, support, point, normal):
+    scene = scene_of(point, normal, support)
+    values = np.random.default_rng(1).normal(size=(4, 5, 2 if kind in ("vector", "point") else 3))
+    there = scene.to_object(values, kind)
+    assert there.shape == values.shape
+    assert scene.to_fence(there, kind) == pytest.approx(values, abs=1e-13 * (1 + np.hypot(*point)))
+
+
+def test_points_and_power_in_both_frames():
+    scene = scene_of((0.5, -1), (0, 1))
+    assert scene.to_object((0, 0), "point") == pytest.approx([0.5, -1])
+    assert scene.to_object((1, 2), "point") == pytest.approx([1.5, 1])
+    twist, wrench = np.random.default_rng(3).normal(size=(2, 3))
+    power = scene.to_object(twist, "twist") @ scene.to_object(wrench, "wrench")
+    assert power == pytest.approx(twist @ wrench)
+
+
+def test_without_a_placement_the_objects_frame_is_the_body_frame():
+    """`wrench` takes twists of the body frame: one frame for both."""
+    slider = pp.Slider(rod_length=2.0, rod_angle=1.0, radius=1.0)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(pp.RingFriction(),))
+    found = pp.solve(scene, 1.2)[0]
+    load = pp.wrench(scene.effects[0], scene.to_object(found.twist, "twist"))
+    assert scene.to_fence(load, "wrench")[:2] == pytest.approx(found.force)
+
+
+def test_arrays_of_scenes_turn_arrays():
+    slider = pp.Slider(rod_length=2.0, rod_angle=np.linspace(0.5, 2.5, 4), radius=1.0)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(pp.RingFriction(),))
+    twists = np.random.default_rng(2).normal(size=(4, 3))
+    there = scene.to_object(twists, "twist")
+    assert scene.to_fence(there, "twist") == pytest.approx(twists)
+    one = pp.Scene(
+        slider=pp.Slider(rod_length=2.0, rod_angle=2.5, radius=1.0),
+        contact=pp.Coulomb(1.0), effects=(pp.RingFriction(),),
+    )  # fmt: skip
+    assert there[3] == pytest.approx(one.to_object(twists[3], "twist"))
+
+
+def test_loads_and_masses_are_turned():
+    effects = [
+        pp.SupportFriction(support=SQUARE, weight=2.0),
+        pp.Inertia(center=(0.5, 0.25)),
+        pp.Load(force=(0.1, 0.2), center=(0.5, 0.25)),
+        pp.Viscous(support=LEGS),
+    ]
+    scene = pp.scene_at((1, 0), (-1, 0), effects=effects, contact=pp.Coulomb(1.0))
+    friction, inertia, load, viscous = scene.effects
+    assert load.force == pytest.approx((0.2, -0.1))  # +x is the object's +y, +y its -x
+    # The rod points along -x of the object.
+    assert inertia.center == pytest.approx((-0.5, -0.25))
+    assert load.center == inertia.center
+    assert viscous.support.center_of_pressure == pytest.approx((0, 0))
+    assert friction.weight == 2.0
+
+
+def test_an_object_with_inertia_alone_has_its_center_of_mass():
+    effects = [pp.Inertia(mass=2.0, gyration_radius=0.3, center=(0.1, 0.2))]
+    scene = pp.scene_at((0.1, 0.0), (0, 1), effects=effects, contact=pp.Coulomb(1.0))
+    assert scene.slider.rod_length == pytest.approx(0.2)
+    assert scene.effects[0].center == pytest.approx((0, 0))
+
+
+class TestOutline:
+    def test_the_side_is_that_of_the_contact(self):
+        scene = scene_of((0.5, -1), outline=SQUARE)
+        assert scene.slider.side == pytest.approx((-1.5, 0.5))
+        assert scene.placement.normal == (0.0, 1.0)
+
+    def test_clockwise_outlines_and_corners_within_a_side(self):
+        corners = [(-1, -1), (0, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]
+        scene = scene_of((0, -1), outline=corners[::-1])
+        assert scene.slider.side == pytest.approx((-1.0, 1.0))
+        assert len(scene.slider.outline) == 4
+
+    def test_a_normal_that_is_measured_becomes_that_of_the_side(self):
+        scene = scene_of((0.5, -1 - 1e-7), (1e-4, 2.0), outline=SQUARE)
+        assert scene.placement.normal == (0.0, 1.0)
+
+    def test_a_corner_takes_normals_between_those_of_its_sides(self):
+        scene = scene_of((-1, -1), (1, 2), outline=SQUARE)
+        assert scene.slider.side == (-np.inf, np.inf)
+        for normal in [(1, -1), (-1, -1), (-0.1, 1)]:
+            with pytest.raises(pp.InvalidValue, match="between those of the corner"):
+                scene_of((-1, -1), normal, outline=SQUARE)
+
+    def test_the_outline_is_in_the_body_frame(self):
+        scene = scene_of((1, 1), (0, -1), pp.Disc(0.5, (3.5, 2.5)), outline=HOOK)
+        corners = scene.to_fence(HOOK, "point")
+        turn = scene.slider.rod_angle
+        center = scene.slider.rod_length * np.array([np.cos(turn), np.sin(turn)])
+        own = (corners - center) @ np.array(
+            [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
+        )
+        assert np.array(scene.slider.outline) == pytest.approx(own)
+
+
+REFUSED = [
+    (dict(point=(0.5, -1.2)), "point: (0.5, -1.2) given; allowed: a point on the outline; the nearest one is (0.5, -1)"),
+    (dict(point=(0, 0)), "allowed: a point on the outline"),
+    (dict(point=(0.5, np.nan)), "point: (0.5, nan) given; allowed: two finite numbers"),
+    (dict(point="here"), "point: 'here' given; allowed: two finite numbers"),
+    (dict(point=(0.5, -1), normal=(0, 0)), "normal: (0, 0) given; allowed: a vector that is not zero"),
+    (dict(point=(0.5, -1), normal=(0, -1)), "allowed: the inward normal of the side, (0, 1)"),
+    (dict(point=(0.5, -1), normal=(1, 1)), "leave the normal out"),
+    (dict(point=(1, 1)), "normal: None given; allowed: the normal of the fence at a corner"),
+    (dict(point=(0.5, -1), outline=None), "normal: None given; allowed: (n_x, n_y) without an outline"),
+    (dict(point=(0.5, -1), outline=[(0, 0), (1, 1), (1, 0), (0, 1)]), "outline: "),
+    (dict(point=(0.5, -1), outline=[(0, 0), (1, 1)]), "outline: [(0, 0), (1, 1)] given; allowed: at least three"),
+    (dict(point=(0, -2000), normal=(0, 1), outline=None), "in one unit"),
+    (dict(point=(0.5, -1), effects=[]), "effects: [] given"),
+    (dict(point=(0.5, -1), effects=[pp.RingFriction()]), "of a ring give the radius"),
+    (dict(point=(0.5, -1), effects=[pp.Load(force=(1, 0))]), "friction or inertia among them"),
+    (dict(point=(0.5, -1), contact=2), "contact: 2 given"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("given", "said"), REFUSED)
+def test_bad_input_is_one_line(given, said):
+    defaults = dict(
+        normal=None,
+        effects=[pp.SupportFriction(support=SQUARE)],
+        contact=pp.Coulomb(1.0),
+        outline=SQUARE,
+    )
+    with pytest.raises(pp.InvalidValue) as caught:
+        pp.scene_at(**(defaults | given))
+    assert said in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("value", "kind", "said"),
+    [
+        ((1, 2), "twist", "shape S + (3,)"),
+        ((1, 2, 3), "point", "shape S + (2,)"),
+        ((1, 2), "axis", "kind: "),
+    ],
+)
+def test_values_that_do_not_fit_their_kind(value, kind, said):
+    with pytest.raises(pp.InvalidValue) as caught:
+        scene_of((0.5, -1), (0, 1)).to_object(value, kind)
+    assert said in str(caught.value)
+
+
+class TestWeight:
+    def test_the_box_of_the_manual(self):
+        """Sec. 8 of the contract: 1.2 kg on a table with a coefficient of 0.3."""
+        assert pp.weight(1.2, 0.3) == pytest.approx(3.530394)
+
+    def test_arrays(self):
+        assert pp.weight(np.array([1.0, 2.0]), 0.5, gravity=10.0) == pytest.approx([5.0, 10.0])
+
+    @pytest.mark.parametrize(
+        ("given", "name"),
+        [((0.0, 0.3), "mass"), ((1.2, -0.3), "support_friction"), ((1.2, 0.3, 0.0), "gravity")],
+    )
+    def test_bad_input(self, given, name):
+        with pytest.raises(pp.InvalidValue, match=f"^{name}: "):
+            pp.weight(*given)

@@ -1,0 +1,92 @@
+"""Object files: what they mean in the body frame, and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+
+BOX = """\
+title: A box
+units: {length: mm, force: N, time: s}
+object:
+  outline: [[0, 0], [300, 0], [300, 200], [0, 200]]
+  contact: {point: [200, 0]}
+contact: {law: coulomb, friction_coefficient: 0.5}
+effects:
+  - {type: support_friction, weight: 3.53}
+simulate:
+  pusher_shape: finger
+  pusher_angle: 80
+  pusher_speed: 20
+  duration: 1
+"""
+
+
+def load(tmp_path, text):
+    path = tmp_path / "scene.yaml"
+    path.write_text(text, encoding="utf-8")
+    return pp.load_scene(path)
+
+
+def test_a_support_that_is_left_out_is_the_outline(tmp_path):
+    box = pp.Polygon([(0, 0), (300, 0), (300, 200), (0, 200)])
+    same = pp.scene_at(
+        (200, 0), effects=[pp.SupportFriction(support=box, weight=3.53)], contact=pp.Coulomb(0.5),
+        outline=box, units=pp.Units(length="mm"),
+    )  # fmt: skip
+    found = load(tmp_path, BOX)
+    assert found == same
+    assert found.push == pytest.approx((np.deg2rad(80), 20))
+
+
+def test_or_its_feet_with_their_names(tmp_path):
+    feet = "  feet: [{position: [0, 0], name: a}, {position: [300, 0], weight: 2, name: b}, {position: [0, 200], name: c}]\n"
+    found = load(tmp_path, BOX.replace("  contact: {p", feet + "  contact: {p"))
+    support = found.effects[0].support
+    assert (support.weights, support.names) == ((1.0, 2.0, 1.0), ("a", "b", "c"))
+    assert found.slider.outline is not None
+
+
+def test_a_scene_of_an_object_comes_back(tmp_path):
+    scene = load(tmp_path, BOX)
+    pp.save_scene(scene, tmp_path / "saved.yaml", "A box")
+    assert pp.load_scene(tmp_path / "saved.yaml") == scene
+
+
+@pytest.mark.parametrize("angle", np.linspace(0, 2 * np.pi, 23))
+def test_at_any_angle(tmp_path, angle):
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    corners = np.array([(0, 0), (3, 0), (3, 2), (0, 2)]) @ turn.T
+    scene = pp.scene_at(
+        turn @ [1, 0], effects=[pp.SupportFriction(support=pp.Polygon(corners))],
+        contact=pp.Coulomb(0.5), outline=corners,
+    )  # fmt: skip
+    pp.save_scene(scene, tmp_path / "saved.yaml")
+    assert pp.load_scene(tmp_path / "saved.yaml") == scene
+
+
+REFUSED = {
+    ("[200, 0]}", "[200, 10]}"): "object.contact.point: (200.0, 10.0) given; allowed: a point on the outline",
+    ("[200, 0]}", "[200, 0], normal: [0, -1]}"): "object.contact.normal: (0.0, -1.0) given; allowed: the inward",
+    ("[200, 0]}", "[200, 0], normal: [0, 0]}"): "object.contact.normal: (0.0, 0.0) given; allowed: a vector",
+    ("[200, 0]}", "[0, 0]}"): "object.contact.normal: None given; allowed: the normal of the fence",
+    ("{point: [200, 0]}", "{pint: [200, 0]}"): "did you mean point?",
+    ("[300, 200], [0, 200]", "[0, 200], [300, 200]"): "a simple polygon",
+    ("  outline: [[0, 0], [300, 0], [300, 200], [0, 200]]\n", ""): "effects[0].support: missing",
+    ("  contact: {point: [200, 0]}\n", ""): "object.contact: missing",
+    ("support_friction", "ring_friction"): "yaml: effects: [RingFriction(weight=3.53)] given; allowed: a sequence of SupportFriction",
+    ("length: mm", "length: 3"): "units.length: 3 given; allowed: text",
+    ("title: A box", "slider: {rod_length: 1}"): "slider: {'rod_length': 1} given; allowed: the keys title, object",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("change", "said"), REFUSED.items())
+def test_bad_input_is_one_line(tmp_path, change, said):
+    assert change[0] in BOX
+    with pytest.raises(pp.InvalidFile) as caught:
+        load(tmp_path, BOX.replace(*change))
+    assert said in str(caught.value)
+    assert "scene.yaml: " in str(caught.value)
+    assert len(str(caught.value).splitlines()) == 1
