@@ -188,33 +188,33 @@ class TestOutline:
 
 
 REFUSED = [
-    (dict(point=(0.5, -1.2)), "point: (0.5, -1.2) given; allowed: a point on the outline; the nearest one is (0.5, -1)"),
-    (dict(point=(0, 0)), "allowed: a point on the outline"),
-    (dict(point=(0.5, np.nan)), "point: (0.5, nan) given; allowed: two finite numbers"),
-    (dict(point="here"), "point: 'here' given; allowed: two finite numbers"),
-    (dict(point=(0.5, -1), normal=(0, 0)), "normal: (0, 0) given; allowed: a vector that is not zero"),
-    (dict(point=(0.5, -1), normal=(0, -1)), "allowed: the inward normal of the side, (0, 1)"),
-    (dict(point=(0.5, -1), normal=(1, 1)), "leave the normal out"),
-    (dict(point=(1, 1)), "normal: None given; allowed: the normal of the fence at a corner"),
-    (dict(point=(0.5, -1), outline=None), "normal: None given; allowed: (n_x, n_y) without an outline"),
-    (dict(point=(0.5, -1), outline=[(0, 0), (1, 1), (1, 0), (0, 1)]), "outline: "),
-    (dict(point=(0.5, -1), outline=[(0, 0), (1, 1)]), "outline: [(0, 0), (1, 1)] given; allowed: at least three"),
-    (dict(point=(0, -2000), normal=(0, 1), outline=None), "in one unit"),
-    (dict(point=(0.5, -1), effects=[]), "effects: [] given"),
-    (dict(point=(0.5, -1), effects=[pp.RingFriction()]), "of a ring give the radius"),
-    (dict(point=(0.5, -1), effects=[pp.Load(force=(1, 0))]), "friction or inertia among them"),
-    (dict(point=(0.5, -1), contact=2), "contact: 2 given"),
+    ({"point": (0.5, -1.2)}, "a point on the outline; the nearest one is (0.5, -1)"),
+    ({"point": (0, 0)}, "allowed: a point on the outline"),
+    ({"point": (0.5, np.nan)}, "point: (0.5, nan) given; allowed: two finite numbers"),
+    ({"point": "here"}, "point: 'here' given; allowed: two finite numbers"),
+    ({"point": (0.5, -1), "normal": (0, 0)}, "normal: (0, 0) given; allowed: a vector that is not zero"),
+    ({"point": (0.5, -1), "normal": (0, -1)}, "allowed: the inward normal of the side, (0, 1)"),
+    ({"point": (0.5, -1), "normal": (1, 1)}, "leave the normal out"),
+    ({"point": (1, 1)}, "normal: None given; allowed: the normal of the fence at a corner"),
+    ({"point": (0.5, -1), "outline": None}, "normal: None given; allowed: (n_x, n_y) without an outline"),
+    ({"point": (0.5, -1), "outline": [(0, 0), (1, 1), (1, 0), (0, 1)]}, "outline: "),
+    ({"point": (0.5, -1), "outline": [(0, 0), (1, 1)]}, "allowed: at least three"),
+    ({"point": (0, -2000), "normal": (0, 1), "outline": None}, "in one unit"),
+    ({"point": (0.5, -1), "effects": []}, "effects: [] given"),
+    ({"point": (0.5, -1), "effects": [pp.RingFriction()]}, "of a ring give the radius"),
+    ({"point": (0.5, -1), "effects": [pp.Load(force=(1, 0))]}, "friction or inertia among them"),
+    ({"point": (0.5, -1), "contact": 2}, "contact: 2 given"),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("given", "said"), REFUSED)
 def test_bad_input_is_one_line(given, said):
-    defaults = dict(
-        normal=None,
-        effects=[pp.SupportFriction(support=SQUARE)],
-        contact=pp.Coulomb(1.0),
-        outline=SQUARE,
-    )
+    defaults = {
+        "normal": None,
+        "effects": [pp.SupportFriction(support=SQUARE)],
+        "contact": pp.Coulomb(1.0),
+        "outline": SQUARE,
+    }
     with pytest.raises(pp.InvalidValue) as caught:
         pp.scene_at(**(defaults | given))
     assert said in str(caught.value)
@@ -250,3 +250,46 @@ class TestWeight:
     def test_bad_input(self, given, name):
         with pytest.raises(pp.InvalidValue, match=f"^{name}: "):
             pp.weight(*given)
+
+
+class TestManyContacts:
+    PLACES = np.array([(-0.8, -1), (0.0, -1), (0.5, -1), (1, 0.3)])
+
+    def effects(self):
+        return [
+            pp.SupportFriction(support=LEGS, weight=2.0),
+            pp.Inertia(center=(0.2, 0.1), gyration_radius=0.8),
+            pp.Load(force=(0.1, 0.2)),
+        ]
+
+    def test_an_array_of_contacts_is_an_array_of_scenes(self):
+        given = {"effects": self.effects(), "contact": pp.Coulomb(0.5), "outline": SQUARE}
+        found = pp.solve(pp.scene_at(self.PLACES, **given), 1.3)
+        for i, place in enumerate(self.PLACES):
+            (one, *_) = pp.solve(pp.scene_at(place, **given), 1.3)
+            assert found.force[i, 0] == pytest.approx(one.force, rel=1e-12)
+            assert found.twist[i, 0] == pytest.approx(one.twist, rel=1e-12)
+
+    def test_twists_go_back_each_by_its_own_contact(self):
+        given = {"effects": self.effects()[:1], "contact": pp.PerfectlyRough(), "outline": SQUARE}
+        many = pp.scene_at(self.PLACES, **given)
+        twists = pp.solve(many, 1.3).twist[:, 0]
+        for i, place in enumerate(self.PLACES):
+            own = pp.scene_at(place, **given).to_object(twists[i], "twist")
+            assert many.to_object(twists, "twist")[i] == pytest.approx(own)
+
+    def test_labelled_contacts(self):
+        xr = pytest.importorskip("xarray")
+        places = xr.DataArray(self.PLACES, dims=("place", "xy"), coords={"place": list("abcd")})
+        scenes = pp.scene_at(
+            places, effects=self.effects()[:1], contact=pp.Coulomb(0.5), outline=SQUARE
+        )
+        found = pp.motion_cone(scenes)
+        assert found.right.dims == ("place",)
+        assert list(found.place.values) == list("abcd")
+
+    def test_a_contact_that_is_refused(self):
+        with pytest.raises(pp.InvalidValue, match="a point on the outline"):
+            pp.scene_at(
+                [(0, -1), (0, 0)], effects=self.effects(), contact=pp.Coulomb(0.5), outline=SQUARE
+            )

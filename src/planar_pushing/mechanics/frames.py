@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.domain import Number
-from planar_pushing.terms.errors import InvalidValue, as_floats
+from planar_pushing.terms.errors import InvalidValue, as_float
 
 #: What a vector of numbers stands for, which decides how it changes with the frame.
 Kind = Literal["vector", "point", "twist", "wrench"]
@@ -76,9 +76,9 @@ class Placement:
 
     Parameters
     ----------
-    point : (x, y)
+    point : (x, y), of floats or arrays
         The contact in the object's frame.
-    normal : (n_x, n_y)
+    normal : (n_x, n_y), of floats or arrays
         Inward normal there, in the object's frame; of any length, and of length 1 afterwards.
 
     Raises
@@ -87,35 +87,44 @@ class Placement:
         Where one of them is not two finite numbers, or the normal has no length.
     """
 
-    point: tuple[float, float]
-    normal: tuple[float, float]
+    point: tuple[Number, Number]
+    normal: tuple[Number, Number]
 
     def __post_init__(self) -> None:
-        point, normal = as_floats(self.point), as_floats(self.normal)
-        for name, given in (("point", point), ("normal", normal)):
-            if len(given) != 2 or not all(map(math.isfinite, given)):
-                raise InvalidValue(
-                    name,
-                    getattr(self, name),
-                    "two finite numbers",
-                    "give x and y in the object's frame",
-                )
-        length = math.hypot(*normal)
-        if not 0.0 < length < math.inf:
+        (x, y), (n_x, n_y) = (_pair(name, getattr(self, name)) for name in ("point", "normal"))
+        length = np.hypot(n_x, n_y)
+        if not ((length > 0.0) & (length < math.inf)).all():
             raise InvalidValue(
                 "normal", self.normal, "a vector that is not zero",
                 "give the direction from the contact into the object",
             )  # fmt: skip
-        if abs(length - 1.0) <= UNIT:  # a unit vector stays what it is
-            length = 1.0
-        object.__setattr__(self, "point", point)
-        object.__setattr__(self, "normal", (normal[0] / length + 0.0, normal[1] / length + 0.0))
+        # A unit vector stays what it is.
+        length = np.where(abs(length - 1.0) <= UNIT, 1.0, length)[()]
+        object.__setattr__(self, "point", (x, y))
+        object.__setattr__(self, "normal", (_plain(n_x / length), _plain(n_y / length)))
 
     @property
     def fence(self) -> Frame:
         """The fence frame in the object's: +y is the normal, +x the normal turned by -90 degrees."""
         x, y = self.normal
         return Frame(self.point, (y, -x))
+
+
+def _pair(name: str, given: Any) -> tuple[Number, Number]:
+    """Two finite numbers, or two arrays of them."""
+    parts = (
+        [_plain(each) for each in given] if hasattr(given, "__len__") and len(given) == 2 else []
+    )
+    if len(parts) != 2 or not all(np.isfinite(each).all() for each in parts):
+        raise InvalidValue(name, given, "two finite numbers", "give x and y in the object's frame")
+    return parts[0], parts[1]
+
+
+def _plain(given: Any) -> Number:
+    """A number as a float without a negative zero, an array as it is; NaN for what is none."""
+    if np.ndim(given):
+        return given + 0.0 if getattr(given, "dtype", np.dtype("O")).kind in "iuf" else math.nan
+    return as_float(given) + 0.0
 
 
 def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: bool) -> Array:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.core import extents
@@ -14,6 +16,7 @@ from planar_pushing.mechanics.frames import Frame, Placement, moved_place
 from planar_pushing.mechanics.outline import placed, required_outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.objects.many import scenes_at
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import Units
 
@@ -24,8 +27,8 @@ FARTHEST = 500.0
 
 
 def scene_at(
-    point: Sequence[float],
-    normal: Sequence[float] | None = None,
+    point: npt.ArrayLike,
+    normal: npt.ArrayLike | None = None,
     *,
     effects: Sequence[Effect],
     contact: ContactLaw,
@@ -36,9 +39,10 @@ def scene_at(
 
     Parameters
     ----------
-    point : (x, y)
-        The contact.
-    normal : (n_x, n_y), optional
+    point : (x, y), or array of shape S + (2,)
+        The contact; an array of them makes an array of scenes. Of a DataArray the last dimension is that of
+        x and y, and the scenes are over the others.
+    normal : (n_x, n_y), or array of shape S + (2,), optional
         Normal of the fence or of the finger's side, into the object, of any length. With an outline it may
         be left out where the contact is not at a corner.
     effects : sequence of effects
@@ -54,7 +58,8 @@ def scene_at(
     -------
     Scene
         In the fence frame: origin at the contact, +y along the normal, +x the normal turned by -90 degrees.
-        Its `placement` turns answers back (`Scene.to_object`).
+        Its `placement` turns answers back (`Scene.to_object`). An array of scenes keeps no outline, which
+        differs from one body frame to the next.
 
     Raises
     ------
@@ -68,6 +73,10 @@ def scene_at(
     it is not above the fence, as for a hook, c is the point above the contact at the height of the
     support's extent. The rod goes from the contact to c.
     """
+    if np.ndim(point) > 1:
+        return scenes_at(point, normal, partial(
+            scene_at, effects=effects, contact=contact, outline=outline, units=units
+        ))  # fmt: skip
     if outline is None:
         place, side, corners = _free(point, normal), None, None
     else:

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.certified.supports.pressure.pieces import pieces as enclosed_pieces
 from mechanics.supports.cases import SUPPORTS
+from planar_pushing.certified.supports.pressure.pieces import pieces as enclosed_pieces
 from planar_pushing.mechanics.entries import support_entry
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.study.files.scene_model import SceneFile

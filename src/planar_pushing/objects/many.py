@@ -1,0 +1,96 @@
+"""One object at many contacts: an array of scenes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.effects import Viscous
+from planar_pushing.mechanics.frames import Placement
+from planar_pushing.mechanics.numerics.arrays import is_labelled
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.terms.errors import InvalidValue
+
+
+def scenes_at(points: Any, normals: Any, make: Callable[[Any, Any], Scene]) -> Scene:
+    """The scenes of one object at points of shape S + (2,), as a scene of arrays of shape S.
+
+    Raises
+    ------
+    InvalidValue
+        As `make` does at the first contact that is refused; and where the shape is another, or the object
+        has viscous friction, whose support cannot be an array.
+    """
+    places = np.asarray(points, dtype=float)
+    if places.shape[-1:] != (2,) or not places.size:
+        raise InvalidValue(
+            "point", places.shape, "shape S + (2,)", "give x and y along the last axis"
+        )
+    shape = places.shape[:-1]
+    every = (
+        np.broadcast_to(np.asarray(normals, dtype=float), places.shape)
+        if normals is not None
+        else None
+    )
+    scenes = [
+        make(places[index], None if every is None else every[index]) for index in np.ndindex(shape)
+    ]
+
+    def array(values: Any) -> Any:
+        """Values of the scenes over their dimensions."""
+        found = np.empty(len(scenes), dtype=object)
+        found[:] = values
+        plain = found if not isinstance(values[0], (int, float)) else found.astype(float)
+        return _labelled(plain.reshape(shape), points)
+
+    def pair(values: Any) -> tuple[Any, Any]:
+        return array([each[0] for each in values]), array([each[1] for each in values])
+
+    first, sliders = scenes[0], [each.slider for each in scenes]
+    slider = Slider(
+        rod_length=array([each.rod_length for each in sliders]),
+        rod_angle=array([each.rod_angle for each in sliders]),
+        radius=first.slider.radius,
+        side=pair([each.side for each in sliders]),
+    )
+    effects = tuple(
+        _stacked([each.effects[k] for each in scenes], array, pair)
+        for k in range(len(first.effects))
+    )
+    placement = Placement(
+        pair([each.placement.point for each in scenes if each.placement]),
+        pair([each.placement.normal for each in scenes if each.placement]),
+    )
+    return replace(first, slider=slider, effects=effects, placement=placement)
+
+
+def _stacked(effects: list[Any], array: Callable[..., Any], pair: Callable[..., Any]) -> Any:
+    """One effect of all scenes: its support, center and force as arrays."""
+    if isinstance(effects[0], Viscous):
+        raise InvalidValue(
+            "effects", effects[0], "effects without viscous friction for an array of contacts",
+            "make the scenes one by one",
+        )  # fmt: skip
+    names = {each.name for each in fields(effects[0])}
+    found: dict[str, Any] = {}
+    if "support" in names:
+        found["support"] = array([each.support for each in effects])
+    for name in ("center", "force"):
+        if name in names and getattr(effects[0], name) is not None:
+            found[name] = pair([getattr(each, name) for each in effects])
+    return replace(effects[0], **found)
+
+
+def _labelled(values: Any, points: Any) -> Any:
+    """Values over the dimensions of labelled points."""
+    if not is_labelled(points):
+        return values
+    import xarray as xr
+
+    coords = {
+        name: each for name, each in points.coords.items() if points.dims[-1] not in each.dims
+    }
+    return xr.DataArray(values, dims=points.dims[:-1], coords=coords)
