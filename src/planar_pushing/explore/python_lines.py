@@ -21,6 +21,7 @@ def _scene(state: State) -> Iterator[str]:
     parts = [f"rod_length={slider.rod_length!r}", f"rod_angle=np.deg2rad({slider.rod_angle!r})"]
     parts += [f"radius={slider.radius!r}"] if slider.radius is not None else []
     parts += [f"side={code(slider.side)}"] if slider.side is not None else []
+    parts += [f"outline={code(slider.outline)}"] if slider.outline is not None else []
     yield "import numpy as np"
     yield "import planar_pushing as pp"
     yield ""
@@ -28,6 +29,9 @@ def _scene(state: State) -> Iterator[str]:
     yield f"    slider=pp.Slider({', '.join(parts)}),"
     yield f"    contact={code(state.scene.contact)},"
     yield f"    effects={code(state.scene.effects)},"
+    for name in ("placement", "units"):
+        if getattr(state.scene, name) is not None:
+            yield f"    {name}={code(getattr(state.scene, name))},"
     yield ")"
 
 

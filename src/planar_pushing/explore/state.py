@@ -151,20 +151,23 @@ def simulated(state: State, **options: Any) -> State:
 def with_rod(state: State, length: float, angle: float) -> State:
     """The state with another rod."""
     angle = float(np.clip(angle, *ROD_ANGLES))
-    slider = state.file.slider.model_dump(exclude_none=True)
-    return changed(
-        state, slider=slider | {"rod_length": max(float(length), 0.0), "rod_angle": angle}
-    )
+    rod = {"rod_length": max(float(length), 0.0), "rod_angle": angle}
+    return changed(state, slider=_own_slider(state) | rod, placement=None)
+
+
+def _own_slider(state: State) -> dict[str, Any]:
+    """The slider without the outline, on which its contact is no more."""
+    return state.file.slider.model_dump(exclude_none=True, exclude={"outline"})
 
 
 def with_size(state: State, size: float) -> State:
     """The state with a support of another size."""
     factor = max(size, SMALLEST * (state.size + state.file.slider.rod_length)) / state.size
-    slider = state.file.slider.model_dump(exclude_none=True)
+    slider = _own_slider(state)
     if state.scene.isotropic or not state.scene.friction or "radius" in slider:
         slider["radius"] = factor * float(state.scene.slider.radius)
     effects = [_with_scaled_support(each, factor) for each in entries(state)]
-    return changed(state, slider=slider, effects=effects)
+    return changed(state, slider=slider, effects=effects, placement=None)
 
 
 def _with_scaled_support(effect: dict[str, Any], factor: float) -> dict[str, Any]:
@@ -202,7 +205,7 @@ def with_effect(state: State, kind: EffectKind, entry: dict[str, Any] | None) ->
 def with_support(state: State, support: dict[str, Any] | None) -> State:
     """The state on another support of the same size; None is the ring of the slider's radius."""
     given = effect(state, EffectKind.SUPPORT_FRICTION) or {"weight": 1.0}
-    slider = state.file.slider.model_dump(exclude_none=True)
+    slider = _own_slider(state)
     if support is None:
         friction = {"type": "ring_friction", "weight": given["weight"]}
         slider["radius"] = state.size
@@ -210,4 +213,4 @@ def with_support(state: State, support: dict[str, Any] | None) -> State:
         own = scaled(support, state.size)
         friction = {"type": "support_friction", "weight": given["weight"], "support": own}
         slider.pop("radius", None)
-    return with_effect(changed(state, slider=slider), EffectKind.SUPPORT_FRICTION, friction)
+    return with_effect(changed(state, slider=slider, placement=None), EffectKind.SUPPORT_FRICTION, friction)
