@@ -9,6 +9,7 @@ pass through (M / h, 0), and those that touch the disc are at the ends of the in
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import copysign, hypot, inf, sqrt
 from typing import NamedTuple
 
@@ -87,7 +88,9 @@ def friction(along: float, normal: float) -> float:
     return abs(along) / normal if normal > 0.0 and normal * ROUGHEST >= abs(along) else inf
 
 
-def _meeting(along: float, normal: float, torque: float, slack: float, length: float) -> list[Stretch]:
+def _meeting(
+    along: float, normal: float, torque: float, slack: float, length: float
+) -> list[Stretch]:
     """Where the line of action of one load meets a side; a corner belongs to both of its sides."""
     least = friction(along, normal)
     if least == inf:
@@ -105,7 +108,7 @@ def _stretches(disc: Disc, slack: float) -> list[Stretch]:
     low, high = disc.low - slack, disc.high + slack
     cuts = [low, *(x for x in _touching(disc) if low < x < high), high]
     found = []
-    for start, end in zip(cuts, cuts[1:], strict=False):
+    for start, end in pairwise(cuts):
         middle = (start + end) / 2.0
         if _meets(disc, middle) and _least(disc, middle).friction < inf:
             ends = [min(max(each, disc.low), disc.high) for each in (start, end)]

@@ -1,4 +1,4 @@
-"""The inverse question: which pushes give an object a twist (PHYSICS of a line of action)."""
+"""The inverse question: which pushes give an object a twist."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.effects import Effect
@@ -14,7 +13,7 @@ from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.contacts import Contact, Stretch, stretches
 from planar_pushing.objects.outline import Side, sides
-from planar_pushing.objects.resistance import motion_at
+from planar_pushing.objects.resistance import motion_at, require_friction, required_effects
 from planar_pushing.objects.wrench_set import required_twist, wrench_set
 
 
@@ -53,7 +52,10 @@ class Push:
         return same(self, other)
 
     def __repr__(self) -> str:
-        vectors = (f"{name}={_pair(getattr(self, name))}" for name in ("point", "normal", "force", "velocity"))
+        vectors = (
+            f"{name}={_pair(getattr(self, name))}"
+            for name in ("point", "normal", "force", "velocity")
+        )
         between = " to ".join(_pair(each.point) for each in self.ends)
         ends = f", ends at {between}" if self.ends else ""
         return f"Push({', '.join(vectors)}, friction_coefficient={self.friction_coefficient:.6g}{ends})"
@@ -90,7 +92,8 @@ def pushes_for(
     ------
     InvalidValue
         Where the outline is not a simple polygon, the twist is not three finite numbers or is zero, or an
-        effect is none of these, has arrays of parameters, or is a ring without a radius.
+        effect is none of these, has arrays of parameters, or is a ring without a radius; where friction
+        cannot hold a load without inertia.
 
     Notes
     -----
@@ -101,10 +104,9 @@ def pushes_for(
     infinite friction, and counts as no contact.
     """
     motion, found = required_twist(twist), sides(outline)
+    require_friction(required_effects(effects))
     loads = wrench_set(effects, motion)
-    pushes = [
-        _push(side, motion, stretch) for side in found for stretch in stretches(side, loads)
-    ]
+    pushes = [_push(side, motion, stretch) for side in found for stretch in stretches(side, loads)]
     return tuple(sorted(pushes, key=lambda each: each.friction_coefficient))
 
 

@@ -60,7 +60,7 @@ def _corners(vertices: Array) -> Array:
     before = np.roll(after, 1, axis=0)
     turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     sizes = np.hypot(*before.T) * np.hypot(*after.T)
-    return vertices[np.abs(turn) > STRAIGHT * sizes]
+    return np.asarray(vertices[np.abs(turn) > STRAIGHT * sizes])
 
 
 def _side(start: Array, end: Array) -> Side:

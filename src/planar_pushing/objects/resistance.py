@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import pi
 from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.core import extents
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
+from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.scene import Slider
+from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent, shared
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, Pieces
@@ -22,6 +24,8 @@ from planar_pushing.terms.errors import InvalidValue
 
 #: How many supports are kept without their feet.
 KEPT = 16
+#: A slider whose body frame stands on the fence, its origin at the contact.
+UPRIGHT = Slider(rod_length=0.0, rod_angle=pi / 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,6 +104,22 @@ def _require_plain(effect: Any) -> None:
             raise InvalidValue(name, value, "numbers", "ask for each of the arrays in its turn")
 
 
+def require_friction(effects: Sequence[Effect]) -> None:
+    """Refuse loads that friction cannot hold, where there is no inertia; errors as of `require_held`."""
+    if not any(isinstance(each, Load) for each in effects):
+        return
+    turned = tuple(
+        _seen_from_fence(each, effects) if isinstance(each, Load) else each for each in effects
+    )
+    require_held(Scene(slider=UPRIGHT, contact=PerfectlyRough(), effects=turned))
+
+
+def _seen_from_fence(load: Load, effects: Sequence[Effect]) -> Load:
+    """The load in a scene whose body frame is the object's: x along the normal of the fence."""
+    (x, y), (at_x, at_y) = load.force, _load_center(load, effects)
+    return Load(force=(-y, x), center=(float(at_x), float(at_y)))
+
+
 def supports_of(effects: Sequence[Effect]) -> list[Any]:
     """The supports of effects."""
     return [each.support for each in effects if isinstance(each, SupportFriction | Viscous)]
@@ -143,7 +163,8 @@ def _without_feet(effect: Any, effects: Sequence[Effect], twist: Array) -> Array
         (x, y), (at_x, at_y) = effect.force, _load_center(effect, effects)
         return -np.array([x, y, at_x * y - at_y * x], dtype=float)
     if isinstance(effect, Inertia):
-        return wrench(effect, twist, Slider(rod_length=0.0, rod_angle=pi / 2, radius=effect.gyration_radius))
+        # Its own unit of length: the ratio of a radius of gyration to another has a range.
+        return wrench(effect, twist, replace(UPRIGHT, radius=effect.gyration_radius))
     if isinstance(effect, Viscous):
         return wrench(effect, twist)
     _, share, rest = parted(effect.support)

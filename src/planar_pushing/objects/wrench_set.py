@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.effects import Effect, Inertia
 from planar_pushing.mechanics.core import extents
+from planar_pushing.mechanics.effects import Effect, Inertia
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.resistance import (
@@ -145,14 +145,18 @@ def _multiplier(parts: Array, stiff: Array, radius: float) -> Array:
         size = np.hypot(scaled[..., 0], scaled[..., 1])
         steep = (scaled**2 / (stiff + shift[..., None])).sum(axis=-1)
         outside = size > radius
-        step = np.where(outside, size**2 * (size / radius - 1.0) / np.where(outside, steep, 1.0), 0.0)
-        if np.all(step <= 1e-16 * shift):
+        step = np.where(
+            outside, size**2 * (size / radius - 1.0) / np.where(outside, steep, 1.0), 0.0
+        )
+        if np.all(step <= 4e-16 * shift):
             break
         shift = shift + step
     return np.asarray(shift)
 
 
-def wrench_set(effects: tuple[Effect, ...], twist: npt.ArrayLike, *, within: float = 0.0) -> WrenchSet:
+def wrench_set(
+    effects: tuple[Effect, ...], twist: npt.ArrayLike, *, within: float = 0.0
+) -> WrenchSet:
     """Every wrench that sustains a twist: the subdifferential of the effects' potential.
 
     Parameters
@@ -184,7 +188,9 @@ def wrench_set(effects: tuple[Effect, ...], twist: npt.ArrayLike, *, within: flo
     where the foot is at rest: there the foot takes any force up to its share of the weight.
     """
     acting, motion = required_effects(effects), required_twist(twist)
-    reach = require_number("within", within, lambda x: 0 <= x < inf, "a finite number >= 0", "give a distance")
+    reach = require_number(
+        "within", within, lambda x: 0 <= x < inf, "a finite number >= 0", "give a distance"
+    )
     feet = feet_of(acting)
     at = _resting(feet, motion, reach)
     held = feet[at]
