@@ -67,4 +67,6 @@ def _side(start: Array, end: Array) -> Side:
     along = end - start
     length = float(np.hypot(*along))
     tangent = along / length
-    return Side(start, end, tangent, np.array([-tangent[1], tangent[0]]), length)
+    # Without negative zeros, which would be printed.
+    normal = np.array([-tangent[1], tangent[0]]) + 0.0
+    return Side(start, end, tangent, normal, length)
