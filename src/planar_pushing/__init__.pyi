@@ -50,8 +50,8 @@ from .mechanics.supports import (
 )
 from .mechanics.wrench import potential, wrench
 from .objects.inverse import Push, pushes_for
-from .objects.wrench_set import WrenchSet, wrench_set
 from .objects.scene_at import scene_at
+from .objects.wrench_set import WrenchSet, wrench_set
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate

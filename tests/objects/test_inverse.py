@@ -54,6 +54,21 @@ def test_solve_gives_the_twist_back(kind, more):
     assert solved > 5
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_a_scene_at_each_contact_gives_the_twist_back(seed):
+    rng = np.random.default_rng(30 + seed)
+    pressed, outline = support(rng, "points"), star(rng, 7, 1.5)
+    effects = (pp.SupportFriction(support=pressed),)
+    for twist in (rng.normal(size=3), about(pressed.positions[0])):
+        for push in pp.pushes_for(effects, twist, outline):
+            law = pp.Coulomb(1.01 * push.friction_coefficient + 1e-9)
+            scene = pp.scene_at(push.point, push.normal, effects=effects, contact=law)
+            x, y = scene.to_fence(push.velocity, "vector")
+            found = pp.solve(scene, np.arctan2(y, x), np.hypot(x, y))
+            twists = [scene.to_object(each.twist, "twist") for each in found]
+            assert min(np.abs(each - twist).max() for each in twists) < 1e-11
+
+
 def other(name, at):
     """Effects beside friction."""
     return {
@@ -297,7 +312,7 @@ def test_rings_of_a_slider_have_no_place():
 @pytest.mark.parametrize("center", [None, (0.0, 0.0)])
 def test_a_load_that_friction_cannot_hold_is_refused(center):
     load = pp.Load(force=(0.6, -0.8), center=center)
-    weak = pp.SupportFriction(support=pp.Polygon(SQUARE), weight=0.5)
+    weak = pp.SupportFriction(support=pp.Ring(1.0), weight=0.5)
     with pytest.raises(pp.InvalidValue, match="2 times what friction can hold"):
         pp.pushes_for((weak, load), (0, 1, 0), SQUARE)
     assert pp.pushes_for((weak, load, pp.Inertia()), (0, 1, 0), SQUARE)

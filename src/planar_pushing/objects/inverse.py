@@ -12,8 +12,8 @@ from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.contacts import Contact, Stretch, stretches
-from planar_pushing.objects.outline import Side, sides
 from planar_pushing.objects.resistance import motion_at, require_friction, required_effects
+from planar_pushing.objects.sides import Side, sides
 from planar_pushing.objects.wrench_set import required_twist, wrench_set
 
 
@@ -67,9 +67,7 @@ def _pair(vector: Array) -> str:
     return f"({x:.6g}, {y:.6g})"
 
 
-def pushes_for(
-    effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: npt.ArrayLike
-) -> tuple[Push, ...]:
+def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) -> tuple[Push, ...]:
     """Every contact on an object's outline through which a sticking push gives a twist.
 
     Parameters
@@ -79,7 +77,7 @@ def pushes_for(
         acceleration from rest, and viscous friction is absent.
     twist : array_like, shape (3,)
         (v_x, v_y, omega) of the object's frame about its origin, omega in radians per unit of time.
-    outline : array_like, shape (n, 2), or Polygon
+    outline : array_like, shape (n, 2), or an object with `coords` or `exterior`
         Corners of a simple polygon, in order, in the object's frame.
 
     Returns
