@@ -49,7 +49,9 @@ from .mechanics.supports import (
     fit_ellipsoid,
 )
 from .mechanics.wrench import potential, wrench
+from .objects.inverse import Push, pushes_for
 from .objects.scene_at import scene_at
+from .objects.wrench_set import WrenchSet, wrench_set
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
@@ -85,6 +87,7 @@ __all__ = [
     "Points",
     "Polygon",
     "PressureMap",
+    "Push",
     "Pusher",
     "Ring",
     "RingFriction",
@@ -98,6 +101,7 @@ __all__ = [
     "SupportFriction",
     "Units",
     "Viscous",
+    "WrenchSet",
     "animate",
     "can_pull",
     "conservative_motion_cone",
@@ -112,6 +116,7 @@ __all__ = [
     "open_dataset",
     "plot_log",
     "potential",
+    "pushes_for",
     "save_scene",
     "scene_at",
     "simulate",
@@ -121,4 +126,5 @@ __all__ = [
     "spin_ratio",
     "weight",
     "wrench",
+    "wrench_set",
 ]

@@ -1,0 +1,200 @@
+"""Where on a side a force gives a load of a set, and the least friction that it needs.
+
+A force has two coordinates here, along the tangent of the side and along its inward normal. Lengths along
+the side are x, from the projection of a foot r on the side's line, and h is the height of the foot over it.
+Forces at x whose load is in the set are in the disc of the foot, ``|f - f_0| <= p``, and have the torque of
+the rest about the foot: ``h f_t + x f_n = M``. At each x this line cuts a chord from the disc; all lines
+pass through (M / h, 0), and those that touch the disc are at the ends of the intervals of contacts.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import copysign, hypot, inf, sqrt
+from typing import NamedTuple
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.sides import Side
+from planar_pushing.objects.wrench_set import WrenchSet
+from planar_pushing.terms.domain import ROUGHEST
+
+#: Rounding error of the torque of a load, relative to its terms.
+ROUNDING = 1e-13
+
+
+class Contact(NamedTuple):
+    """A contact on a side.
+
+    Attributes
+    ----------
+    place : float
+        From the start of the side.
+    along, normal : float
+        Components of the force that needs the least friction.
+    friction : float
+        Its |along| / normal; infinite at an end that is the limit of contacts, and is none itself.
+    """
+
+    place: float
+    along: float
+    normal: float
+    friction: float
+
+
+class Stretch(NamedTuple):
+    """An interval of contacts: that of least friction, and the ends; all the same for one contact."""
+
+    best: Contact
+    start: Contact
+    end: Contact
+
+
+class Disc(NamedTuple):
+    """The forces of a set as a side has them: center, radius p, height h, torque M, and the side's ends."""
+
+    along: float
+    normal: float
+    radius: float
+    height: float
+    torque: float
+    low: float
+    high: float
+
+
+def stretches(side: Side, loads: WrenchSet) -> list[Stretch]:
+    """The contacts on a side whose push has a load of the set, in the order of the side."""
+    force, torque = loads.rest[:2], float(loads.rest[2])
+    along, normal = float(force @ side.tangent), float(force @ side.normal)
+    slack = ROUNDING * (abs(torque) + hypot(along, normal) * hypot(*side.start, *side.end))
+    if loads.foot is None:
+        return _meeting(along, normal, torque - _cross(side.start, force), slack, side.length)
+    low = float((side.start - loads.foot) @ side.tangent)
+    disc = Disc(
+        along, normal, loads.radius, float((loads.foot - side.start) @ side.normal),
+        torque - _cross(loads.foot, force), low, low + side.length,
+    )  # fmt: skip
+    found = _stretches(disc, ROUNDING * hypot(*side.start, *side.end))
+    return [
+        Stretch(*(each._replace(place=each.place - low) for each in stretch)) for stretch in found
+    ]
+
+
+def _cross(one: Array, other: Array) -> float:
+    return float(one[0] * other[1] - one[1] * other[0])
+
+
+def friction(along: float, normal: float) -> float:
+    """Least coefficient of a force; infinite where the normal force is not positive to rounding."""
+    return abs(along) / normal if normal > 0.0 and normal * ROUGHEST >= abs(along) else inf
+
+
+def _meeting(
+    along: float, normal: float, torque: float, slack: float, length: float
+) -> list[Stretch]:
+    """Where the line of action of one load meets a side; a corner belongs to both of its sides."""
+    least = friction(along, normal)
+    if least == inf:
+        return []
+    place, error = torque / normal, slack / normal
+    if not -error <= place <= length + error:
+        return []
+    near = next((end for end in (0.0, length) if abs(place - end) <= error), place)
+    contact = Contact(near, along, normal, least)
+    return [Stretch(contact, contact, contact)]
+
+
+def _stretches(disc: Disc, slack: float) -> list[Stretch]:
+    """Intervals of contacts on a side, between its ends and the lines that touch the disc."""
+    low, high = disc.low - slack, disc.high + slack
+    cuts = [low, *(x for x in _touching(disc) if low < x < high), high]
+    found = []
+    for start, end in pairwise(cuts):
+        middle = (start + end) / 2.0
+        if _meets(disc, middle) and _least(disc, middle).friction < inf:
+            ends = [min(max(each, disc.low), disc.high) for each in (start, end)]
+            found.append(_stretch(disc, *ends))
+    return found
+
+
+def _touching(disc: Disc) -> list[float]:
+    """Where the line of forces touches the disc, ``(h f_t + x f_n - M)^2 = p^2 (h^2 + x^2)``, in order."""
+    offset = disc.height * disc.along - disc.torque
+    lead = (disc.normal - disc.radius) * (disc.normal + disc.radius)
+    reach = disc.radius * disc.height
+    last, middle = (offset - reach) * (offset + reach), disc.normal * offset
+    root = offset * offset + disc.height * disc.height * lead
+    if root < -ROUNDING * (offset * offset + reach * reach):
+        return []
+    # The larger of two roots of opposite size first: neither then is a difference of large numbers.
+    large = -(middle + copysign(disc.radius * sqrt(max(root, 0.0)), middle))
+    fractions = ((large, lead), (last, large))
+    return sorted(top / bottom for top, bottom in fractions if bottom != 0.0)
+
+
+def _meets(disc: Disc, x: float) -> bool:
+    """Whether the line of forces at x meets the disc."""
+    away = disc.height * disc.along + x * disc.normal - disc.torque
+    return abs(away) <= disc.radius * hypot(disc.height, x)
+
+
+def _least(disc: Disc, x: float) -> Contact:
+    """Contact at x, where the line of forces meets the disc, with the force of least friction."""
+    size = hypot(disc.height, x)
+    if size == 0.0:
+        return Contact(x, disc.along, disc.normal, inf)
+    n_t, n_n = disc.height / size, x / size
+    away = disc.torque / size - n_t * disc.along - n_n * disc.normal
+    half = sqrt(max((disc.radius - away) * (disc.radius + away), 0.0))
+    middle = disc.along + away * n_t, disc.normal + away * n_n
+    ends = [(middle[0] - sign * half * n_n, middle[1] + sign * half * n_t) for sign in (1.0, -1.0)]
+    (one, other), straight = ends, []
+    if one[0] * other[0] < 0.0:
+        part = one[0] / (one[0] - other[0])
+        straight = [(0.0, one[1] + part * (other[1] - one[1]))]
+    along, normal = min([*straight, *ends], key=lambda force: friction(*force))
+    return Contact(x, along, normal, friction(along, normal))
+
+
+def _stretch(disc: Disc, start: float, end: float) -> Stretch:
+    """An interval of contacts, with the contact of least friction in it.
+
+    The coefficient is monotone along a chord, so its minimum is zero, or on the rim: where a line through
+    the origin of forces touches the disc, or on the chord of an end.
+    """
+    ends = _least(disc, start), _least(disc, end)
+    inside = [each for each in _extreme(disc) if start <= each.place <= end]
+    best = min([*_frictionless(disc, start, end), *inside, *ends], key=lambda each: each.friction)
+    return Stretch(best, *ends)
+
+
+def _extreme(disc: Disc) -> list[Contact]:
+    """Contacts under the forces whose direction touches the disc."""
+    square = disc.along * disc.along + disc.normal * disc.normal
+    inner = square - disc.radius * disc.radius
+    if inner <= 0.0:
+        return []
+    aside, found = disc.radius * sqrt(inner), []
+    for sign in (aside, -aside):
+        along = (inner * disc.along - sign * disc.normal) / square
+        normal = (inner * disc.normal + sign * disc.along) / square
+        if friction(along, normal) < inf:
+            place = (disc.torque - disc.height * along) / normal
+            found.append(Contact(place, along, normal, friction(along, normal)))
+    return found
+
+
+def _frictionless(disc: Disc, start: float, end: float) -> list[Contact]:
+    """The middle of the contacts whose force can be along the normal, where ``x f_n = M``."""
+    if abs(disc.along) >= disc.radius:
+        return []
+    half = sqrt((disc.radius - disc.along) * (disc.radius + disc.along))
+    least, most = max(disc.normal - half, 0.0), disc.normal + half
+    if most <= 0.0:
+        return []
+    if disc.torque == 0.0:
+        return [Contact(0.0, 0.0, (least + most) / 2.0, 0.0)] if start <= 0.0 <= end else []
+    far = disc.torque / least if least > 0.0 else copysign(inf, disc.torque)
+    low, high = sorted((disc.torque / most, far))
+    low, high = max(low, start), min(high, end)
+    place = (low + high) / 2.0
+    return [Contact(place, 0.0, disc.torque / place, 0.0)] if low <= high else []

@@ -1,0 +1,187 @@
+"""The wrench that sustains a twist of an object, with or without the friction of one foot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from math import pi
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.contact import PerfectlyRough
+from planar_pushing.mechanics.core import extents
+from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
+from planar_pushing.mechanics.held import require_held
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.supports import Ring
+from planar_pushing.mechanics.supports.pressure.assembly import center, extent, shared
+from planar_pushing.mechanics.supports.pressure.record import ATOMS, Pieces
+from planar_pushing.mechanics.wrench import wrench
+from planar_pushing.terms.errors import InvalidValue
+
+#: How many supports are kept without their feet.
+KEPT = 16
+#: A slider whose body frame stands on the fence, its origin at the contact.
+UPRIGHT = Slider(rod_length=0.0, rod_angle=pi / 2)
+
+
+@dataclass(frozen=True, eq=False)
+class Footless:
+    """The rest of a support whose feet were taken off; its shares add to 1."""
+
+    rest: Pieces
+
+    @property
+    def center_of_pressure(self) -> tuple[float, float]:
+        return center(self.rest)
+
+    @property
+    def extent(self) -> float:
+        return extent(self.rest)
+
+    def pieces(self) -> Pieces:
+        return self.rest
+
+
+@lru_cache(KEPT)
+def parted(support: Any) -> tuple[Array, float, Any]:
+    """Feet of a support (x, y, share), the share of the rest, and the rest, None where all is feet."""
+    pieces = support.pieces()
+    feet = pieces.atoms
+    if not any(map(len, pieces[ATOMS + 1 :])):
+        return feet, 0.0, None
+    if not len(feet):
+        return feet, 1.0, support
+    share = 1.0 - float(feet[:, 2].sum())
+    bare = pieces._replace(atoms=np.empty((0, 3)))
+    return feet, share, Footless(shared(bare, 1.0 / share))
+
+
+def required_effects(given: Any) -> tuple[Any, ...]:
+    """Effects in an object's frame that act in a push from rest.
+
+    An object with inertia has no velocity then, and so no viscous friction.
+
+    Raises
+    ------
+    InvalidValue
+        Where something else than an effect is given, a ring has no radius of its own, nothing resists, or
+        parameters are arrays.
+    """
+    effects = tuple(given) if isinstance(given, (tuple, list)) else ()
+    resisting = SupportFriction | Viscous | Inertia
+    known = all(isinstance(each, resisting | Load) for each in effects)
+    if not known or not any(isinstance(each, resisting) for each in effects):
+        raise InvalidValue(
+            "effects", given,
+            "a tuple of SupportFriction, Viscous, Inertia and Load, not of loads alone",
+            "list what resists the motion of the object; in place of RingFriction give "
+            "SupportFriction(support=Ring(radius))",
+        )  # fmt: skip
+    for each in effects:
+        _require_plain(each)
+    moving = any(isinstance(each, Inertia) for each in effects)
+    return tuple(each for each in effects if not (moving and isinstance(each, Viscous)))
+
+
+def _require_plain(effect: Any) -> None:
+    """Refuse arrays of parameters, rings without a radius, and supports on one point."""
+    support = getattr(effect, "support", None)
+    if np.ndim(np.array(support, dtype=object)):
+        raise InvalidValue("support", support, "one support", "ask for each support in its turn")
+    if isinstance(support, Ring) and support.radius is None:
+        raise InvalidValue(
+            "support", support, "a ring with a radius", "give the radius, as in Ring(1.0)"
+        )
+    if support is not None:
+        extents(support)
+    for name in ("weight", "coefficient", "mass", "gyration_radius", "center", "force"):
+        value = getattr(effect, name, None)
+        if any(map(np.ndim, value if isinstance(value, tuple) else (value,))):
+            raise InvalidValue(name, value, "numbers", "ask for each of the arrays in its turn")
+
+
+def require_friction(effects: Sequence[Effect]) -> None:
+    """Refuse loads that friction cannot hold, where there is no inertia; errors as of `require_held`."""
+    if not any(isinstance(each, Load) for each in effects):
+        return
+    turned = tuple(
+        _seen_from_fence(each, effects) if isinstance(each, Load) else each for each in effects
+    )
+    require_held(Scene(slider=UPRIGHT, contact=PerfectlyRough(), effects=turned))
+
+
+def _seen_from_fence(load: Load, effects: Sequence[Effect]) -> Load:
+    """The load in a scene whose body frame is the object's: x along the normal of the fence."""
+    (x, y), (at_x, at_y) = load.force, _load_center(load, effects)
+    return Load(force=(-y, x), center=(float(at_x), float(at_y)))
+
+
+def supports_of(effects: Sequence[Effect]) -> list[Any]:
+    """The supports of effects."""
+    return [each.support for each in effects if isinstance(each, SupportFriction | Viscous)]
+
+
+def feet_of(effects: Sequence[Effect]) -> Array:
+    """The feet of an object with Coulomb friction, shape (n, 3): x, y, and the friction of each."""
+    found = [np.empty((0, 3))]
+    for each in effects:
+        if isinstance(each, SupportFriction):
+            feet, _, _ = parted(each.support)
+            found.append(np.column_stack([feet[:, :2], feet[:, 2] * float(each.weight)]))
+    return np.concatenate(found)
+
+
+def motion_at(twist: Array, points: Array) -> Array:
+    """Motion of points of the object, of the shape of the points, (..., 2)."""
+    v_x, v_y, omega = twist
+    return np.stack([v_x - omega * points[..., 1], v_y + omega * points[..., 0]], axis=-1)
+
+
+def resistance(effects: Sequence[Effect], twist: Array, sliding: Array) -> Array:
+    """Wrench about the object's origin that sustains a twist, with the friction of these feet only."""
+    total = _of_feet(twist, sliding)
+    for each in effects:
+        total = total + _without_feet(each, effects, twist)
+    return total
+
+
+def _of_feet(twist: Array, feet: Array) -> Array:
+    """Friction of feet along their motion, none of which is at rest."""
+    motion = motion_at(twist, feet[:, :2])
+    force = motion * (feet[:, 2] / np.hypot(motion[:, 0], motion[:, 1]))[:, None]
+    torque = feet[:, 0] * force[:, 1] - feet[:, 1] * force[:, 0]
+    return np.array([*force.sum(axis=0), torque.sum()])
+
+
+def _without_feet(effect: Any, effects: Sequence[Effect], twist: Array) -> Array:
+    """Wrench of one effect, but for the Coulomb friction of feet."""
+    if isinstance(effect, Load):
+        (x, y), (at_x, at_y) = effect.force, _load_center(effect, effects)
+        return -np.array([x, y, at_x * y - at_y * x], dtype=float)
+    if isinstance(effect, Inertia):
+        # Its own unit of length: the ratio of a radius of gyration to another has a range.
+        return wrench(effect, twist, replace(UPRIGHT, radius=effect.gyration_radius))
+    if isinstance(effect, Viscous):
+        return wrench(effect, twist)
+    _, share, rest = parted(effect.support)
+    if rest is None:
+        return np.zeros(3)
+    return wrench(SupportFriction(support=rest, weight=share * effect.weight), twist)
+
+
+def _load_center(load: Load, effects: Sequence[Effect]) -> Any:
+    """Where a load acts: by default at the center of mass, without inertia at the center of pressure."""
+    if load.center is not None:
+        return load.center
+    masses = [(each.mass, each.center) for each in effects if isinstance(each, Inertia)]
+    pressed = [
+        (each.weight if isinstance(each, SupportFriction) else each.coefficient,
+         each.support.center_of_pressure)
+        for each in effects if isinstance(each, SupportFriction | Viscous)
+    ]  # fmt: skip
+    sizes, places = zip(*(masses or pressed), strict=True)
+    return np.average(np.array(places, dtype=float), axis=0, weights=np.array(sizes, dtype=float))

@@ -1,0 +1,234 @@
+"""The set of loads at a twist: one wrench, and the disc of forces of a foot about which it turns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot, inf
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.mechanics.core import extents
+from planar_pushing.mechanics.effects import Effect, Inertia
+from planar_pushing.mechanics.numerics.arrays import same
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.resistance import (
+    feet_of,
+    motion_at,
+    required_effects,
+    resistance,
+    supports_of,
+)
+from planar_pushing.terms.domain import Number
+from planar_pushing.terms.errors import InvalidValue, as_floats, require_number, require_positive
+
+#: Distance of a foot at which the center of rotation is on it, relative to the numbers that it is computed
+#: from: the rounding of a twist that was turned from one frame to another.
+ROUNDING = 1e-12
+#: Newton steps of the secular equation; it converges quadratically from below, in 3 to 9.
+STEPS = 50
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WrenchSet:
+    """The wrenches that sustain a twist: ``rest + {(g, r x g): |g| <= radius}``.
+
+    Attributes
+    ----------
+    rest : ndarray, shape (3,)
+        (f_x, f_y, tau) about the origin of the object's frame: all of the load but the friction of the foot
+        on the center of rotation.
+    foot : ndarray, shape (2,), or None
+        Position r of this foot; None where no foot is on the center of rotation, and the set is the one
+        wrench `rest`.
+    radius : float
+        Largest force of the foot, its share of the weight W; 0 without one.
+    length : float
+        By which torques are divided to compare them with forces, where no other length is given.
+    """
+
+    rest: Array
+    foot: Array | None
+    radius: float
+    length: float
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
+    def nearest(self, wrench: npt.ArrayLike, length: float | None = None) -> Array:
+        """Wrench of the set that is nearest to a wrench.
+
+        Parameters
+        ----------
+        wrench : array_like, shape S + (3,)
+            (f_x, f_y, tau) about the origin of the object's frame.
+        length : float, optional
+            By which torques are divided; by default that of the set.
+
+        Returns
+        -------
+        ndarray, shape S + (3,)
+
+        Raises
+        ------
+        InvalidValue
+            Where a wrench has no three finite numbers, or the length is not positive.
+
+        Notes
+        -----
+        The force g of the foot minimizes a convex quadratic function on a disc: it is the unconstrained
+        minimum, or the point of the rim that a root of the secular equation gives.
+        """
+        wrenches, unit = _wrenches(wrench), self._unit(length)
+        if self.foot is None:
+            return np.broadcast_to(self.rest, wrenches.shape).copy()
+        x, y = self.foot
+        away = (wrenches - self.rest) / [1.0, 1.0, unit]
+        force = _held(away, np.array([-y, x]) / unit, self.radius)
+        torque = x * force[..., 1] - y * force[..., 0]
+        return np.asarray(self.rest + np.concatenate([force, torque[..., None]], axis=-1))
+
+    def distance(self, wrench: npt.ArrayLike, length: float | None = None) -> Array:
+        """Distance of wrenches of shape S + (3,) from the set, shape S, in the unit of the forces.
+
+        Parameters and errors are those of `nearest`; the distance is the norm of
+        ``(df_x, df_y, dtau / length)``.
+        """
+        apart = (_wrenches(wrench) - self.nearest(wrench, length)) / [1.0, 1.0, self._unit(length)]
+        return np.asarray(np.linalg.norm(apart, axis=-1))
+
+    def _unit(self, length: float | None) -> float:
+        if length is None:
+            return self.length
+        return require_positive("length", length, "give a length of the size of the object")
+
+
+def _wrenches(given: npt.ArrayLike) -> Array:
+    try:
+        wrenches = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        wrenches = np.array(np.nan)
+    if wrenches.shape[-1:] != (3,) or not np.isfinite(wrenches).all():
+        raise InvalidValue(
+            "wrench", given, "finite numbers of shape S + (3,)", "give (f_x, f_y, tau)"
+        )
+    return wrenches
+
+
+def _held(away: Array, arm: Array, radius: float) -> Array:
+    """The g that minimizes ``|a - g|^2 + (b - k . g)^2`` over ``|g| <= radius``, for rows (a, b)."""
+    square = float(arm @ arm)
+    along = arm / hypot(*arm) if square > 0.0 else np.array([1.0, 0.0])
+    pull = away[..., :2] + arm * away[..., 2:]
+    # Along k and across it the Hessian is diagonal: 1 + k^2 and 1.
+    parts = np.stack([pull @ along, along[0] * pull[..., 1] - along[1] * pull[..., 0]], axis=-1)
+    stiff = np.array([1.0 + square, 1.0])
+    shift = _multiplier(parts, stiff, radius)
+    found = parts / (stiff + shift[..., None])
+    size = np.hypot(found[..., 0], found[..., 1])
+    rim = np.where(shift > 0.0, radius / np.where(size > 0.0, size, 1.0), 1.0)
+    found = found * rim[..., None]
+    across = np.array([-along[1], along[0]])
+    return np.asarray(found[..., :1] * along + found[..., 1:] * across)
+
+
+def _multiplier(parts: Array, stiff: Array, radius: float) -> Array:
+    """The root ``m >= 0`` of ``|parts / (stiff + m)| = radius``, 0 where the minimum is inside the disc.
+
+    Newton's method on ``1 / |.|``, which is concave: from below it never overshoots.
+    """
+    size = np.hypot(parts[..., 0], parts[..., 1])
+    shift = np.maximum(size / radius - stiff.max(), 0.0)
+    for _ in range(STEPS):
+        scaled = parts / (stiff + shift[..., None])
+        size = np.hypot(scaled[..., 0], scaled[..., 1])
+        steep = (scaled**2 / (stiff + shift[..., None])).sum(axis=-1)
+        outside = size > radius
+        step = np.where(
+            outside, size**2 * (size / radius - 1.0) / np.where(outside, steep, 1.0), 0.0
+        )
+        if np.all(step <= 4e-16 * shift):
+            break
+        shift = shift + step
+    return np.asarray(shift)
+
+
+def wrench_set(
+    effects: tuple[Effect, ...], twist: npt.ArrayLike, *, within: float = 0.0
+) -> WrenchSet:
+    """Every wrench that sustains a twist: the subdifferential of the effects' potential.
+
+    Parameters
+    ----------
+    effects : tuple of SupportFriction, Viscous, Inertia and Load
+        In the object's own frame; at least one that is no load. With inertia the twist is an initial
+        acceleration from rest, and viscous friction is absent.
+    twist : array_like, shape (3,)
+        (v_x, v_y, omega) of the object's frame about its origin, omega in radians per unit of time.
+    within : float, optional
+        Distance of the center of rotation from a foot, in the unit of length, within which it counts as on
+        the foot: the error of a measured motion. By default the rounding error.
+
+    Returns
+    -------
+    WrenchSet
+        In the object's frame, torques about its origin. Where several feet are within the distance, the
+        set is that of the nearest.
+
+    Raises
+    ------
+    InvalidValue
+        Where the twist is not three finite numbers or is zero, the distance is negative, or an effect is
+        none of these, has arrays of parameters, or is a ring without a radius.
+
+    Notes
+    -----
+    Each effect is a convex potential, and its gradient is the wrench. The potential of a foot has a kink
+    where the foot is at rest: there the foot takes any force up to its share of the weight.
+    """
+    acting, motion = required_effects(effects), required_twist(twist)
+    reach = require_number(
+        "within", within, lambda x: 0 <= x < inf, "a finite number >= 0", "give a distance"
+    )
+    feet = feet_of(acting)
+    at = _resting(feet, motion, reach)
+    held = feet[at]
+    return WrenchSet(
+        rest=resistance(acting, motion, feet[~at]),
+        foot=held[0, :2] if len(held) else None,
+        radius=float(held[:, 2].sum()),
+        length=float(_size(acting)),
+    )
+
+
+def required_twist(given: npt.ArrayLike) -> Array:
+    """A twist as an array, or `InvalidValue`."""
+    numbers = np.array(as_floats(given))
+    if numbers.shape != (3,) or not np.isfinite(numbers).all() or not numbers.any():
+        raise InvalidValue(
+            "twist", given, "three finite numbers, not all zero",
+            "give (v_x, v_y, omega) of the object's frame about its origin",
+        )  # fmt: skip
+    return numbers
+
+
+def _resting(feet: Array, twist: Array, within: float) -> Any:
+    """Which feet are on the center of rotation: those at the place of the nearest."""
+    near = np.zeros(len(feet), dtype=bool)
+    if twist[2] == 0.0 or not len(feet):
+        return near
+    motion = motion_at(twist / np.abs(twist).max(), feet[:, :2])
+    speed, spin = np.hypot(motion[:, 0], motion[:, 1]), abs(twist[2]) / np.abs(twist).max()
+    size = np.abs(feet[:, :2]).max()
+    nearest = speed.argmin()
+    if speed[nearest] > spin * max(within, ROUNDING * size):
+        return near
+    apart = feet[:, :2] - feet[nearest, :2]
+    return np.hypot(apart[:, 0], apart[:, 1]) <= ROUNDING * size
+
+
+def _size(effects: tuple[Any, ...]) -> Number:
+    """The largest extent of the supports, or the largest radius of gyration."""
+    found = [extents(each) for each in supports_of(effects)]
+    return max(found or [each.gyration_radius for each in effects if isinstance(each, Inertia)])
