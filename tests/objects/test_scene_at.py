@@ -293,3 +293,23 @@ class TestManyContacts:
             pp.scene_at(
                 [(0, -1), (0, 0)], effects=self.effects(), contact=pp.Coulomb(0.5), outline=SQUARE
             )
+
+
+class TestHooks:
+    def test_a_finger_in_a_reflex_corner_pushes_one_of_its_sides(self):
+        weight = pp.Disc(0.5, (3.5, 2.5))
+        scene = scene_of((3, 1), (0, -1), weight, outline=HOOK)
+        assert scene.placement.normal == (0.0, -1.0)
+        assert scene_of((3, 1), (1, 0), weight, outline=HOOK).placement.normal == (1.0, 0.0)
+        with pytest.raises(pp.InvalidValue, match="between those of the corner"):
+            scene_of((3, 1), (1, -1), weight, outline=HOOK)
+
+    def test_a_load_without_a_point_acts_at_the_center_of_pressure(self):
+        weight = pp.SupportFriction(support=pp.Disc(0.5, (3.5, 2.5)), weight=2.0)
+        load = pp.Load(force=(0.3, 0.4))
+        given = {"contact": pp.Coulomb(1.0), "outline": HOOK}
+        one = pp.scene_at((1, 1), effects=[weight, load], **given)
+        other = pp.scene_at(
+            (1, 1), effects=[weight, pp.Load(force=(0.3, 0.4), center=(3.5, 2.5))], **given
+        )
+        assert one == other

@@ -213,4 +213,6 @@ def with_support(state: State, support: dict[str, Any] | None) -> State:
         own = scaled(support, state.size)
         friction = {"type": "support_friction", "weight": given["weight"], "support": own}
         slider.pop("radius", None)
-    return with_effect(changed(state, slider=slider, placement=None), EffectKind.SUPPORT_FRICTION, friction)
+    return with_effect(
+        changed(state, slider=slider, placement=None), EffectKind.SUPPORT_FRICTION, friction
+    )

@@ -91,8 +91,12 @@ def _at_corner(point: Any, given: Placement | None, every: Array, corner: int) -
             "give it: a corner touches a fence at any angle between those of its sides",
         )  # fmt: skip
     beside = every[[corner - 1, (corner + 1) % len(every)]] - every[corner]
-    heights = beside @ np.array(given.normal) / np.hypot(*beside.T)
-    if heights.min() < -ALIGNED:
+    beside /= np.hypot(*beside.T)[:, None]
+    (a, b), (c, d) = beside
+    # A finger reaches into a corner that is reflex, where it pushes one of the sides.
+    own = np.array([(b, -a), (-d, c)]) @ np.array(given.normal)
+    reflex = a * d - b * c > 0.0 and own.max() > 1.0 - ALIGNED**2
+    if (beside @ np.array(given.normal)).min() < -ALIGNED and not reflex:
         raise InvalidValue(
             "normal", given.normal, "a normal between those of the corner's sides",
             "with this one the fence would pass through the object",

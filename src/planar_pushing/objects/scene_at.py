@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.core import extents
-from planar_pushing.mechanics.effects import Effect, Inertia, SupportFriction, Viscous
+from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.frames import Frame, Placement, moved_place
 from planar_pushing.mechanics.outline import placed, required_outline
 from planar_pushing.mechanics.plane import Array
@@ -92,7 +93,8 @@ def scene_at(
         outline=None if corners is None else [moved_place(each, body) for each in corners],
         **({} if side is None else {"side": side}),
     )  # fmt: skip
-    moved = tuple(each.moved(body, place.fence) for each in listed)
+    loaded = [_with_center(each, center, listed) for each in listed]
+    moved = tuple(each.moved(body, place.fence) for each in loaded)
     return Scene(slider=slider, contact=contact, effects=moved, placement=place, units=units)
 
 
@@ -125,6 +127,15 @@ def _required_effects(given: Any) -> tuple[Any, ...]:
             "list what resists the motion; of a ring give the radius: SupportFriction(support=Ring(1.0))",
         )  # fmt: skip
     return found
+
+
+def _with_center(effect: Any, center: Array, effects: tuple[Any, ...]) -> Any:
+    """A load at the object's center, which for a hook is not the slider's, where it acts at no point."""
+    if not isinstance(effect, Load) or effect.center is not None:
+        return effect
+    if any(isinstance(each, Inertia) for each in effects):
+        return effect
+    return replace(effect, center=(float(center[0]), float(center[1])))
 
 
 def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
