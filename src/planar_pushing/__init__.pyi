@@ -52,7 +52,9 @@ from .mechanics.wrench import potential, wrench
 from .objects.scene_at import scene_at
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
+from .simulation.rows import Event
 from .simulation.simulate import simulate
+from .simulation.until import Until
 from .study.files.scenes import load_scene, save_scene
 from .study.store import open_dataset
 from .terms.errors import (
@@ -72,6 +74,7 @@ __all__ = [
     "Coulomb",
     "Disc",
     "EllipsoidFit",
+    "Event",
     "Inertia",
     "InfiniteFriction",
     "InvalidFile",
@@ -97,6 +100,7 @@ __all__ = [
     "Status",
     "SupportFriction",
     "Units",
+    "Until",
     "Viscous",
     "animate",
     "can_pull",

@@ -40,7 +40,7 @@ def row_type(effects: int) -> np.dtype[Any]:
 
 
 class Event(IntEnum):
-    """Why a mode ends, or why the modes are enumerated anew."""
+    """Why a contact mode ends, or why the modes are enumerated anew: flags of `event` in a log."""
 
     NONE = -1
     #: The force leaves the friction cone; a slip or a force ends; the contact is made.
