@@ -109,7 +109,7 @@ def _reached(until: Until, now: Values, problem: Problem) -> Array:
     }
     goals = {name: getattr(until, name) for name in moved}
     every = [moved[name] >= goal for name, goal in goals.items() if goal is not None]
-    return np.any(every, axis=0)
+    return np.asarray(np.any(every, axis=0))
 
 
 def _told(function: Callable[[Values], Any], now: Values) -> Array:
