@@ -54,6 +54,7 @@ from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.rows import Event
 from .simulation.simulate import simulate
+from .simulation.tables import to_pandas
 from .simulation.until import Until
 from .study.files.scenes import load_scene, save_scene
 from .study.store import open_dataset
@@ -123,6 +124,7 @@ __all__ = [
     "slips_while_pushing",
     "solve",
     "spin_ratio",
+    "to_pandas",
     "weight",
     "wrench",
 ]

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation import chebyshev
 from planar_pushing.simulation.chebyshev import Piece, pieces_of
@@ -18,7 +19,7 @@ from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.timed import timed
 from planar_pushing.terms.domain import SPEEDS, required
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_option, suggestion
-from planar_pushing.terms.options import Shape
+from planar_pushing.terms.options import PusherFrame, Shape
 
 Vector = tuple[float, float]
 Motion = Callable[[float], Vector]
@@ -69,12 +70,15 @@ class Pusher:
     shape : {"fence", "finger"}
         A fence meets the rod's free end. A finger meets a flat side of the slider (`Slider.side`), which is
         along x at time 0, turns with the slider, and along which the contact travels as it slips.
+    frame : {"fence", "world"}
+        Axes of velocity and waypoints: along the fence and normal to it (the finger's side, at time 0), or
+        those of the world, for which `simulate` takes the object's pose.
 
     Raises
     ------
     InvalidValue
-        Where the velocity has another shape, times do not increase, the pusher's shape is unknown, or not
-        exactly one of velocity and waypoints is given.
+        Where the velocity has another shape, times do not increase, the pusher's shape or its frame is
+        unknown, or not exactly one of velocity and waypoints is given.
     """
 
     velocity: Vector | Sequence[tuple[float, Vector]] | Motion | None = None
@@ -82,6 +86,7 @@ class Pusher:
     acceleration: Motion | None = None
     breakpoints: Sequence[float] = ()
     shape: str = Shape.FENCE
+    frame: str = PusherFrame.FENCE
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
     arrays: tuple[Any, Any] | None = field(init=False, default=None, repr=False)
 
@@ -101,11 +106,29 @@ class Pusher:
             )
         object.__setattr__(self, "breakpoints", times)
         object.__setattr__(self, "shape", required_shape(self.shape))
+        remedy = suggestion(self.frame, PusherFrame, "name one of these frames")
+        object.__setattr__(self, "frame", require_option("frame", self.frame, PusherFrame, remedy))
 
     @property
     def steps(self) -> tuple[Array, Array]:
         """Start times, and velocities of shape (pieces, 2), where the velocity is piecewise constant."""
         return np.array([time for time, _ in self.pieces]), np.array([v for _, v in self.pieces])
+
+    def in_fence_frame(self, fence: Frame) -> Pusher:
+        """The same motion along the axes of the fence frame, of a pusher that moves along the world's."""
+        given: Any = self.velocity
+
+        def turned(velocity: object) -> Vector:
+            x, y = fence.vector_in(vector(velocity)).tolist()
+            return x, y
+
+        if self.pieces:
+            return Pusher(velocity=[(t, turned(v)) for t, v in self.pieces], shape=self.shape)
+        return Pusher(
+            velocity=lambda time: turned(given(time)),
+            breakpoints=self.breakpoints,
+            shape=self.shape,
+        )
 
     def fence(self, duration: float, radius: float, cuts: Sequence[float] = ()) -> Any:
         """The fence's motion as an array of pieces, from 0 to the duration; a span ends at each cut.

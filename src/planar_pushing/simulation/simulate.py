@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 from tqdm import tqdm
 
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.simulation.events.integrate import EventDriven
@@ -19,8 +20,9 @@ from planar_pushing.simulation.log.stream import streaming
 from planar_pushing.simulation.log.variables import dataset
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.rows import Event
 from planar_pushing.simulation.steps.integrate import TimeStepping
-from planar_pushing.simulation.until import UntilRun, required_condition
+from planar_pushing.simulation.until import Until, UntilRun, required_condition
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import (
     InvalidValue,
@@ -44,7 +46,8 @@ def simulate(
     gap: float = 0.0,
     samples: int = 101,
     step: float | None = None,
-    until: Any = None,
+    until: Event | ContactMode | str | Until | Callable[[dict[str, Any]], bool] | None = None,
+    object_pose: Sequence[float] | None = None,
     path: PathLike | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
@@ -84,6 +87,11 @@ def simulate(
         by name, in the log's units, and `time`; its answer is looked at in every entry of the log, and then
         between the two entries where it changes, to rounding of the time. By time-stepping the run stops at
         the end of a step, and events are not located.
+    object_pose : (x, y, angle), optional
+        Pose of the object's frame in the world at time 0, the angle in radians. With it the log holds
+        `object_pose`, whose angles are degrees, and `pusher_position`, the place of the finger or of the
+        point of the fence that is under the contact at time 0. The object's frame is that of
+        `Scene.placement`, by default the body frame.
     path : path, optional
         A file to which the log is streamed; memory then stays bounded, and the dataset that is returned
         reads from the file.
@@ -117,7 +125,7 @@ def simulate(
         require_number(name, required(name, given), math.isfinite, "one number", "give one")
     problem = Problem(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
-        on_ambiguity=on_ambiguity, rtol=rtol,
+        on_ambiguity=on_ambiguity, rtol=rtol, object_pose=object_pose,
     )  # fmt: skip
     if path is not None:
         require_path("path", path)
@@ -146,11 +154,9 @@ def _run(problem: Problem, method: str, times: Array, step: float | None, until:
     else:
         start = partial(EventDriven, problem)
     run = start(times)
-    return (
-        run
-        if until is None
-        else UntilRun(start, times, required_condition(until, problem, method), problem)
-    )
+    if until is None:
+        return run
+    return UntilRun(start, times, required_condition(until, problem, method), problem)
 
 
 def _shown(batches: Iterable[Any], duration: float, progress: bool) -> Iterator[Any]:
