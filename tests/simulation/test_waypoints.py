@@ -28,7 +28,7 @@ def test_the_pusher_is_on_the_straight_way_between_the_waypoints(shape, method, 
     times, places = [t for t, _ in WAYPOINTS], np.array([p for _, p in WAYPOINTS]) - (2, 1 + gap)
     for axis in (0, 1):
         way = np.interp(log.time, times, places[:, axis])
-        np.testing.assert_allclose(log.fence[:, axis], way, atol=4e-15)
+        np.testing.assert_allclose(log.pusher[:, axis], way, atol=4e-15)
     assert set(times) <= set(log.time.values)
 
 

@@ -102,8 +102,8 @@ def test_pushes_along_the_fence_stay_exactly_along_it():
     for quarter, velocity in enumerate([(0, 1), (-1, 0), (0, -1), (1, 0)]):
         pusher = pp.Pusher(velocity=velocity, frame="world")
         log = run(scene, pusher, 0.1, object_pose=(0, 0, quarter * np.pi / 2))
-        assert log.fence[-1].values.tolist() == pytest.approx([0.1, 0], abs=1e-16)
-        assert log.fence[-1, 1] == 0
+        assert log.pusher[-1].values.tolist() == pytest.approx([0.1, 0], abs=1e-16)
+        assert log.pusher[-1, 1] == 0
 
 
 @METHODS

@@ -12,7 +12,7 @@ import numpy as np
 NO_MODE = -1
 #: Variables that the core has in radii; energies too are forces times radii.
 LENGTHS = (
-    "position", "fence", "slip", "gap", "contact_position",
+    "position", "pusher", "slip", "gap", "contact_position",
     "dissipated", "contact_dissipated", "work", "load_work", "kinetic_energy",
 )  # fmt: skip
 
@@ -28,7 +28,7 @@ def row_type(effects: int) -> np.dtype[Any]:
     return np.dtype(
         [
             ("time", "f8"), ("position", "f8", (2,)), ("rod_angle", "f8"), ("twist", "f8", (3,)),
-            ("fence", "f8", (2,)), ("slip", "f8"), ("gap", "f8"), ("force", "f8", (2,)),
+            ("pusher", "f8", (2,)), ("slip", "f8"), ("gap", "f8"), ("force", "f8", (2,)),
             ("mode", "i8"), ("solutions", "i8"), ("pivot", "i8"), ("event", "i8"),
             ("spin_ratio", "f8"), ("dissipated", "f8", (max(effects, 1),)),
             ("contact_dissipated", "f8"), ("work", "f8"), ("load_work", "f8"),

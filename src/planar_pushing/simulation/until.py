@@ -105,7 +105,7 @@ def _reached(until: Until, now: Values, problem: Problem) -> Array:
     moved = {
         "rotation": np.abs(np.deg2rad(now["rod_angle"]) - angle),
         "distance": np.hypot(*(now["position"] - center).T),
-        "pusher_distance": np.hypot(*(now["fence"] - (0.0, -float(problem.gap))).T),
+        "pusher_distance": np.hypot(*(now["pusher"] - (0.0, -float(problem.gap))).T),
     }
     goals = {name: getattr(until, name) for name in moved}
     every = [moved[name] >= goal for name, goal in goals.items() if goal is not None]

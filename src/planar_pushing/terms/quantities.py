@@ -131,7 +131,7 @@ LOG: Quantities = {
     "effect": ("1", "effect that resists the motion"),
     "evaluations": ("1", "how often the motion under each effect was evaluated, accumulated"),
     "event": ("1", "why the contact mode was chosen anew"),
-    "fence": ("length", "displacement of the fence"),
+    "pusher": ("length", "displacement of the fence"),
     "force": ("force", "force of the fence on the slider"),
     "gap": ("length", "height of the contact point above the fence"),
     "kinetic_energy": ("force length", "kinetic energy of the slider"),
@@ -161,7 +161,7 @@ FINGER: Quantities = {
         "length",
         "place of the finger along the side, from the contact at time 0",
     ),
-    "fence": ("length", "displacement of the finger"),
+    "pusher": ("length", "displacement of the finger"),
     "force": ("force", "force of the finger on the slider"),
     "gap": ("length", "height of the side above the finger, normal to the side"),
     "parted": (

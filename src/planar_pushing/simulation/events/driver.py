@@ -106,8 +106,8 @@ def _row(system, run, time, state, solutions, row):
     """Write down an instant."""
     mode = at.candidate(system, run, run.chosen)
     row.time, row.solutions, row.stopped = time, solutions, run.stopped
-    row.fence[0], row.fence[1] = displacement(system.fence, mode.during, time)
-    row.fence[1] -= system.body.gap
+    row.pusher[0], row.pusher[1] = displacement(system.fence, mode.during, time)
+    row.pusher[1] -= system.body.gap
     row.mode = run.kind if run.chosen >= 0 else NO_MODE
     write(system, mode, time, state, row)
 

@@ -23,7 +23,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
     "position": (("xy",), "f8"),
     "rod_angle": ((), "f8"),
     "twist": (("twist_component",), "f8"),
-    "fence": (("xy",), "f8"),
+    "pusher": (("xy",), "f8"),
     "slip": ((), "f8"),
     "gap": ((), "f8"),
     "force": (("xy",), "f8"),
@@ -91,7 +91,7 @@ def _placed(rows: Any, problem: Problem) -> dict[str, Any]:
         return {}
     return {
         "object_pose": problem.world.object_pose(rows["position"], rows["rod_angle"]),
-        "pusher_position": problem.world.fence.point_out(rows["fence"]),
+        "pusher_position": problem.world.fence.point_out(rows["pusher"]),
     }
 
 

@@ -202,7 +202,7 @@ def _log(system, run, rows, count):
     if count > 0 and rows[count - 1].time == run.time:
         count -= 1
     row = rows[count]
-    copy(row.fence, run.fence)
+    copy(row.pusher, run.fence)
     copy(row.force, run.force)
     row.time, row.mode, row.solutions, row.stopped = run.time, run.kind, run.solutions, run.stopped
     row.pivot, row.event = run.pivot, NO_EVENT
