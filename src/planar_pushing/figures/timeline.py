@@ -18,7 +18,17 @@ from planar_pushing.terms.options import Shape
 from planar_pushing.terms.quantities import described
 
 #: Variables of a log that a picture shows; in the picture's data they are named path_*.
-PATH = ("position", "pusher", "rod_angle", "slip", "gap", "force", "spin_ratio", "mode", "solutions")
+PATH = (
+    "position",
+    "pusher",
+    "rod_angle",
+    "slip",
+    "gap",
+    "force",
+    "spin_ratio",
+    "mode",
+    "solutions",
+)
 #: How far a side without an end is drawn beyond the finger, in units of the slider's span.
 BEYOND = 0.45
 #: Speeds that differ by less are equal.

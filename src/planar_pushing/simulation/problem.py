@@ -17,6 +17,7 @@ import numpy as np
 
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.simulation.outlines import require_above
 from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.world import World, required_pose, world_of
@@ -60,6 +61,8 @@ class Problem:
         object.__setattr__(self, "twist", _twist(self.twist, self.scene))
         object.__setattr__(self, "on_ambiguity", required_policies(self.on_ambiguity))
         require_held(self.scene)
+        if self.shape == Shape.FENCE:
+            require_above(self.scene.slider, self.gap)
         if self.object_pose is not None:
             object.__setattr__(self, "object_pose", required_pose(self.object_pose))
         object.__setattr__(self, "pusher", self._pusher_along_the_fence())

@@ -65,6 +65,8 @@ class Event(IntEnum):
     TURNS_ALONG = 12
     #: A finger comes to the end of its side.
     END_OF_SIDE = 13
+    #: Another point of the outline meets the fence.
+    PENETRATES = 14
 
 
 class Stop(IntEnum):
@@ -77,6 +79,8 @@ class Stop(IntEnum):
     SINGULAR = 4
     EVENTS = 5
     PROGRESS = 6
+    PENETRATES = 7
+    END_OF_SIDE = 8
 
 
 REASONS = {
@@ -87,6 +91,8 @@ REASONS = {
     Stop.SINGULAR: "the motion is singular in the mode",
     Stop.EVENTS: "without any time between them",
     Stop.PROGRESS: "thousands of steps make no progress",
+    Stop.PENETRATES: "another point of the outline meets the fence",
+    Stop.END_OF_SIDE: "the finger comes to the end of the side",
 }
 
 

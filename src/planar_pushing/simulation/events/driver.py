@@ -31,6 +31,7 @@ PATIENCE, LEAST_PROGRESS = 5000, 1e-6
 #: Part of the tolerance that one step may use, since the errors of steps add up; and the least one.
 STEP_PART, LEAST = 0.02, 2.3e-14
 GOES_ON, INCONSISTENT, LAY_DOWN = int(Stop.NO), int(Stop.INCONSISTENT), int(Stop.LIES)
+MET, SIDE_ENDED = int(Stop.PENETRATES), int(Stop.END_OF_SIDE)
 SINGULAR, TOO_MANY, NO_PROGRESS = int(Stop.SINGULAR), int(Stop.EVENTS), int(Stop.PROGRESS)
 
 
@@ -222,12 +223,17 @@ def _happen(system, run):
     copy(state, run.vectors[at.PASSING])
     run.time, reason = run.event, GOES_ON
     if _parts(system, run.cause, state[base.ALONG]):
-        system.body.parted = True
+        if len(system.room.corners) > 0:
+            reason = SIDE_ENDED
+        else:
+            system.body.parted = True
     else:
         policy = _policy(system, run)
         run.time, reason = base.after(system, run.cause, mode, run.event, state, policy)
     if run.cause == base.LIES:
         reason = LAY_DOWN
+    elif run.cause == base.PENETRATES:
+        reason = MET
     run.phase = CHANGES
     if reason != GOES_ON:
         _stop(run, reason)
