@@ -54,7 +54,10 @@ from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
+from .simulation.rows import Event
 from .simulation.simulate import simulate
+from .simulation.tables import to_pandas
+from .simulation.until import Until
 from .study.files.scenes import load_scene, save_scene
 from .study.store import open_dataset
 from .terms.errors import (
@@ -74,6 +77,7 @@ __all__ = [
     "Coulomb",
     "Disc",
     "EllipsoidFit",
+    "Event",
     "Inertia",
     "InfiniteFriction",
     "InvalidFile",
@@ -100,6 +104,7 @@ __all__ = [
     "Status",
     "SupportFriction",
     "Units",
+    "Until",
     "Viscous",
     "WrenchSet",
     "animate",
@@ -124,6 +129,7 @@ __all__ = [
     "slips_while_pushing",
     "solve",
     "spin_ratio",
+    "to_pandas",
     "weight",
     "wrench",
     "wrench_set",

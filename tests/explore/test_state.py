@@ -108,7 +108,7 @@ def test_the_lines_accelerate_a_pusher_from_rest(capsys):
     own = followed(state).log
     np.testing.assert_array_equal(found["log"].rod_angle, own.rod_angle)
     turn, way = np.deg2rad(170.0), own.time[-1].item() ** 2  # half of the acceleration, 2
-    np.testing.assert_allclose(own.fence[-1], [way * np.cos(turn), way * np.sin(turn)])
+    np.testing.assert_allclose(own.pusher[-1], [way * np.cos(turn), way * np.sin(turn)])
 
 
 @pytest.fixture(scope="module")

@@ -41,7 +41,7 @@ def test_the_motion_center_stands_still_and_the_contact_is_above_the_fence(logs,
     velocity = np.stack([v_x - omega * arm[:, 1], v_y + omega * arm[:, 0]])[:, turning]
     assert turning.any()
     assert_allclose(velocity, 0, atol=1e-12)
-    height = contact(data)[:, 1] - data.path_fence.sel(xy="y").values
+    height = contact(data)[:, 1] - data.path_pusher.sel(xy="y").values
     assert_allclose(height, data.path_gap, rtol=0, atol=1e-9)
 
 

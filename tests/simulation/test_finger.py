@@ -85,7 +85,7 @@ def test_a_contact_that_sticks_moves_with_the_finger(effects):
     assert (log.mode == pp.ContactMode.STICK).all()
     angle = np.deg2rad(log.rod_angle.values)
     contact = log.position.values - 2.0 * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-    assert contact == pytest.approx(log.fence.values, abs=1e-14)
+    assert contact == pytest.approx(log.pusher.values, abs=1e-14)
     assert np.ptp(log.rod_angle.values) > 1.0
 
 

@@ -54,10 +54,10 @@ def test_dissipation_grows_and_geometry_agrees(effects):
     assert np.all(np.diff(log.contact_dissipated.values) >= -1e-12)
     psi = np.deg2rad(log.rod_angle.values)
     contact = log.position.values - 2 * np.stack([np.cos(psi), np.sin(psi)], axis=-1)
-    assert contact[:, 1] - log.fence.values[:, 1] == pytest.approx(log.gap.values, abs=1e-12)
+    assert contact[:, 1] - log.pusher.values[:, 1] == pytest.approx(log.gap.values, abs=1e-12)
     touching = np.all(log.gap.values == 0)
     if touching:
-        along = contact[:, 0] - log.fence.values[:, 0]
+        along = contact[:, 0] - log.pusher.values[:, 0]
         assert along == pytest.approx(log.slip.values, abs=1e-10)
 
 
@@ -199,4 +199,4 @@ def test_file_that_cannot_be_written(tmp_path):
 
 def test_arrays_are_velocities():
     log = run(make_scene(2, 0.5), np.array([0.0, 1.0]), 0.5)
-    assert final(log, "fence") == pytest.approx([0, 0.5], abs=1e-12)
+    assert final(log, "pusher") == pytest.approx([0, 0.5], abs=1e-12)

@@ -47,7 +47,7 @@ def test_other_speeds_are_simulated(speed):
     pusher = pp.Pusher(velocity=(0.0, speed))
     log = pp.simulate(scene, pusher=pusher, duration=duration, samples=2, rtol=1e-6)
     assert np.isfinite(log.rod_angle).all()
-    assert log.fence[-1, 1] == pytest.approx(speed * duration, rel=1e-12, abs=0)
+    assert log.pusher[-1, 1] == pytest.approx(speed * duration, rel=1e-12, abs=0)
 
 
 def test_a_function_of_time_that_returns_such_a_speed_is_refused():

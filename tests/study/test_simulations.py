@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from planar_pushing import InvalidValue
+from planar_pushing import InvalidValue, Until
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
 from planar_pushing.study.simulations import arguments, simulate_file, velocity
@@ -35,6 +35,28 @@ def test_a_finger_is_one():
     entry = SimulateEntry(pusher_angle=90, pusher_shape="finger", duration=1)
     assert arguments(entry)["pusher"].shape == "finger"
     assert arguments(SimulateEntry(pusher_angle=90, duration=1))["pusher"].shape == "fence"
+
+
+def test_waypoints_are_those_of_the_pusher():
+    places = [{"time": 0, "x": 1, "y": 2}, {"time": 0.5, "x": 1, "y": 3}]
+    given = {"pusher_frame": "world", "object_pose": {"x": 1, "y": 2, "angle": 90}}
+    found = arguments(SimulateEntry(waypoints=places, duration=1, **given))
+    assert found["pusher"].waypoints == [(0, (1, 2)), (0.5, (1, 3))]
+    assert found["pusher"].frame == "world"
+    assert found["object_pose"] == (1, 2, np.pi / 2)
+
+
+@pytest.mark.parametrize(
+    ("until", "found"),
+    [
+        (None, None),
+        ({"event": "KINK"}, "KINK"),
+        ({"mode": "SLIP_LEFT"}, "SLIP_LEFT"),
+        ({"rotation": 90, "pusher_distance": 2}, Until(rotation=np.pi / 2, pusher_distance=2)),
+    ],
+)
+def test_until_is_a_name_or_goals_in_radians(until, found):
+    assert arguments(SimulateEntry(pusher_angle=0, duration=1, until=until))["until"] == found
 
 
 def test_a_scene_without_the_section_is_not_simulated():

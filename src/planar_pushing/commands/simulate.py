@@ -111,10 +111,11 @@ def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
     given = {name: getattr(args, name) for name in names}
     section: dict[str, Any] = file.simulate.model_dump(exclude_none=True) if file.simulate else {}
     if given["pusher_angle"] is not None:
-        section.pop("pusher", None)
+        for other in ("pusher", "waypoints"):
+            section.pop(other, None)
     section |= {name: value for name, value in given.items() if value is not None}
-    for name, other in (("pusher_angle", "pusher"), ("duration", "duration")):
-        if name not in section and other not in section:
+    for name, others in (("pusher_angle", ("pusher", "waypoints")), ("duration", ())):
+        if not {name, *others} & set(section):
             option = f"--{name.replace('_', '-')}"
             allowed = f"the option {option}, or a section simulate in {args.scene}"
             raise InvalidValue(name, None, allowed, "give one of them")

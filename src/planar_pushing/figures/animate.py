@@ -112,7 +112,7 @@ def resampled(data: xr.Dataset, count: int) -> xr.Dataset:
     wanted = np.linspace(time[0], time[-1], count)
     before = np.clip(np.searchsorted(time, wanted, side="right") - 1, 0, len(time) - 1)
     found = data.isel(time=before).assign_coords(time=wanted)
-    names = ("path_position", "path_fence", "path_rod_angle", "path_gap", "path_slip", "path_side")
+    names = ("path_position", "path_pusher", "path_rod_angle", "path_gap", "path_slip", "path_side")
     for name in (each for each in names if each in data):
         values = data[name].values.reshape(len(time), -1)
         columns = [np.interp(wanted, time, column) for column in values.T]

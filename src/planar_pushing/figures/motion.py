@@ -59,7 +59,7 @@ def box(data: xr.Dataset) -> Array:
     if "path_side" in data:
         points.append(data["path_side"].values)
     else:
-        points += [data["path_fence"].values + end for end in ends]
+        points += [data["path_pusher"].values + end for end in ends]
     return corners(points)
 
 
@@ -80,7 +80,7 @@ def add_instant(picture: Picture, data: xr.Dataset, row: int, strength: float = 
     if "path_side" in data:
         add_finger(picture, data["path_side"].values[row], touch, ink.color)
     else:
-        x, y = data["path_fence"].values[row]
+        x, y = data["path_pusher"].values[row]
         half, depth = FENCE_HALF * size, DEPTH * size
         color = tint(FENCE, strength)
         add_fence(picture, x - half, x + half, y=y, color=color, width=1.0, depth=whole * depth)
@@ -160,7 +160,7 @@ def _times(picture: Picture, data: xr.Dataset, frame: Array, chosen: Sequence[in
     finger, named = "path_side" in data, np.empty((0, 2))
     end = np.array([0.0 if finger else FENCE_HALF * span(data), 0.0])
     for row in chosen:
-        place = data["path_position" if finger else "path_fence"].values[row] + end
+        place = data["path_position" if finger else "path_pusher"].values[row] + end
         if np.all(np.hypot(*(named - place).T) > CLOSE * np.ptp(frame[:, 1])):
             named = np.vstack([named, place])
             text, offset = (

@@ -18,7 +18,17 @@ from planar_pushing.terms.options import Shape
 from planar_pushing.terms.quantities import described
 
 #: Variables of a log that a picture shows; in the picture's data they are named path_*.
-PATH = ("position", "fence", "rod_angle", "slip", "gap", "force", "spin_ratio", "mode", "solutions")
+PATH = (
+    "position",
+    "pusher",
+    "rod_angle",
+    "slip",
+    "gap",
+    "force",
+    "spin_ratio",
+    "mode",
+    "solutions",
+)
 #: How far a side without an end is drawn beyond the finger, in units of the slider's span.
 BEYOND = 0.45
 #: Speeds that differ by less are equal.
@@ -120,7 +130,7 @@ def _unit(angle: Array) -> Array:
 
 def contact(data: xr.Dataset) -> Array:
     """Place of the contact at every row: of the finger, or of the rod's end."""
-    return data["path_fence"].values if "path_side" in data else rod_end(data)
+    return data["path_pusher"].values if "path_side" in data else rod_end(data)
 
 
 def rod_end(data: xr.Dataset) -> Array:

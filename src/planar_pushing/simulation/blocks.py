@@ -148,7 +148,7 @@ def run_scenes(
     def run(start: int) -> None:
         part = slice(start, min(start + block, size))
         body, state, at = (records(each, 1)[0] for each in (BODY, run_type(entries), PLACE))
-        rows, room, fences = records(rows_as, ROWS), new_room(entries), scenes.fences(part)
+        rows, room, fences = records(rows_as, ROWS), new_room(scene), scenes.fences(part)
         while at.scene < part.stop - start and not stop.is_set():
             before = int(at.scene)
             go_on(

@@ -17,11 +17,13 @@ import numpy as np
 
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.simulation.outlines import require_above
 from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.world import World, required_pose, world_of
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields
 from planar_pushing.terms.errors import InvalidValue, require_number
-from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, Shape
+from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape
 
 #: What an initial twist may be.
 TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
@@ -31,7 +33,8 @@ TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
 class Problem:
     """The problem that `simulate` solves.
 
-    In a batch numbers are arrays over the scenes. `on_ambiguity` becomes policies with their start times.
+    In a batch numbers are arrays over the scenes. `on_ambiguity` becomes policies with their start times,
+    and the motion of the pusher is that along the axes of the fence frame.
 
     Raises
     ------
@@ -46,6 +49,7 @@ class Problem:
     gap: Number = 0.0
     on_ambiguity: Any = Policy.KEEP_CONTACT
     rtol: float = 1e-10
+    object_pose: Any = None
 
     def __post_init__(self) -> None:
         require_fields(self, "duration", "gap")
@@ -57,6 +61,27 @@ class Problem:
         object.__setattr__(self, "twist", _twist(self.twist, self.scene))
         object.__setattr__(self, "on_ambiguity", required_policies(self.on_ambiguity))
         require_held(self.scene)
+        if self.shape == Shape.FENCE:
+            require_above(self.scene.slider, self.gap)
+        if self.object_pose is not None:
+            object.__setattr__(self, "object_pose", required_pose(self.object_pose))
+        object.__setattr__(self, "pusher", self._pusher_along_the_fence())
+
+    def _pusher_along_the_fence(self) -> Pusher:
+        """The pusher, its motion along the axes of the fence frame."""
+        if self.pusher.frame == PusherFrame.FENCE:
+            return self.pusher
+        if self.world is None:
+            raise InvalidValue(
+                "frame", str(self.pusher.frame), f"{PusherFrame.FENCE}, where no object_pose is given",
+                "give simulate the object_pose, or a motion along the fence and normal to it",
+            )  # fmt: skip
+        return self.pusher.in_fence_frame(self.world.fence)
+
+    @property
+    def world(self) -> World | None:
+        """The world, where the object's pose in it is given."""
+        return None if self.object_pose is None else world_of(self.scene, self.object_pose)
 
     @property
     def shape(self) -> Shape:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation import chebyshev
 from planar_pushing.simulation.chebyshev import Piece, pieces_of
@@ -18,15 +19,18 @@ from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.timed import timed
 from planar_pushing.terms.domain import SPEEDS, required
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_option, suggestion
-from planar_pushing.terms.options import Shape
+from planar_pushing.terms.options import PusherFrame, Shape
 
 Vector = tuple[float, float]
 Motion = Callable[[float], Vector]
 
+#: What `velocity` and `waypoints` may be, and what to do otherwise.
 ALLOWED = (
     "(v_x, v_y), a sequence of (start_time, (v_x, v_y)), or a function of time that returns one"
 )
 REMEDY = "give the fence's velocity as finite numbers in the scene's units"
+PLACES = "at least two (time, (x, y)) of finite numbers"
+TIMES = "give places of the pusher in the scene's length, with times from 0 on"
 
 
 def vector(given: object) -> Vector:
@@ -54,6 +58,10 @@ class Pusher:
     velocity : (v_x, v_y), sequence of (start_time, (v_x, v_y)), or callable
         Length per time. The pieces start at 0 and follow one another; each holds until the next starts.
         For `simulate_batch` v_x and v_y may be arrays.
+    waypoints : sequence of (time, (x, y)), instead of a velocity
+        Places of the pusher with their times, the first at time 0: straight from one to the next at
+        constant velocity, and at rest after the last. Only the way between them counts, as the pusher
+        starts at the contact, or a gap below it.
     acceleration : callable, optional
         Derivative of a callable velocity. It is not needed: a callable velocity becomes polynomials,
         whose derivatives are known.
@@ -62,22 +70,31 @@ class Pusher:
     shape : {"fence", "finger"}
         A fence meets the rod's free end. A finger meets a flat side of the slider (`Slider.side`), which is
         along x at time 0, turns with the slider, and along which the contact travels as it slips.
+    frame : {"fence", "world"}
+        Axes of velocity and waypoints: along the fence and normal to it (the finger's side, at time 0), or
+        those of the world, for which `simulate` takes the object's pose.
 
     Raises
     ------
     InvalidValue
-        Where the velocity has another shape, times do not increase, or the pusher's shape is unknown.
+        Where the velocity has another shape, times do not increase, the pusher's shape or its frame is
+        unknown, or not exactly one of velocity and waypoints is given.
     """
 
-    velocity: Vector | Sequence[tuple[float, Vector]] | Motion
+    velocity: Vector | Sequence[tuple[float, Vector]] | Motion | None = None
+    waypoints: Sequence[tuple[float, Vector]] | None = None
     acceleration: Motion | None = None
     breakpoints: Sequence[float] = ()
     shape: str = Shape.FENCE
+    frame: str = PusherFrame.FENCE
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
     arrays: tuple[Any, Any] | None = field(init=False, default=None, repr=False)
 
     def __post_init__(self) -> None:
-        if _are_arrays(self.velocity):
+        if self.waypoints is not None:
+            _require_alone(self.velocity)
+            object.__setattr__(self, "pieces", _legs(self.waypoints))
+        elif _are_arrays(self.velocity):
             object.__setattr__(self, "arrays", _required_arrays(self.velocity))
         elif not callable(self.velocity):
             object.__setattr__(self, "pieces", _pieces(self.velocity))
@@ -89,11 +106,29 @@ class Pusher:
             )
         object.__setattr__(self, "breakpoints", times)
         object.__setattr__(self, "shape", required_shape(self.shape))
+        remedy = suggestion(self.frame, PusherFrame, "name one of these frames")
+        object.__setattr__(self, "frame", require_option("frame", self.frame, PusherFrame, remedy))
 
     @property
     def steps(self) -> tuple[Array, Array]:
         """Start times, and velocities of shape (pieces, 2), where the velocity is piecewise constant."""
         return np.array([time for time, _ in self.pieces]), np.array([v for _, v in self.pieces])
+
+    def in_fence_frame(self, fence: Frame) -> Pusher:
+        """The same motion along the axes of the fence frame, of a pusher that moves along the world's."""
+        given: Any = self.velocity
+
+        def turned(velocity: object) -> Vector:
+            x, y = fence.vector_in(vector(velocity)).tolist()
+            return x, y
+
+        if self.pieces:
+            return Pusher(velocity=[(t, turned(v)) for t, v in self.pieces], shape=self.shape)
+        return Pusher(
+            velocity=lambda time: turned(given(time)),
+            breakpoints=self.breakpoints,
+            shape=self.shape,
+        )
 
     def fence(self, duration: float, radius: float, cuts: Sequence[float] = ()) -> Any:
         """The fence's motion as an array of pieces, from 0 to the duration; a span ends at each cut.
@@ -196,3 +231,31 @@ def _pieces(given: Any) -> tuple[tuple[float, Vector], ...]:
     if not any(isinstance(each, Iterable) for each in items):
         return ((0.0, _constant(given)),)
     return timed("velocity", given, _constant, ALLOWED, REMEDY)
+
+
+def _require_alone(velocity: Any) -> None:
+    """Refuse a velocity beside waypoints."""
+    if velocity is not None:
+        raise InvalidValue(
+            "velocity", velocity, "none beside waypoints", "give the velocity or the waypoints"
+        )
+
+
+def _legs(given: Any) -> tuple[tuple[float, Vector], ...]:
+    """Start times and velocities between places with times, or `InvalidValue`."""
+    if not hasattr(given, "__len__") or len(given) < 2:
+        raise InvalidValue("waypoints", given, PLACES, TIMES)
+    places = timed("waypoints", given, lambda place: _place(given, place), PLACES, TIMES)
+    legs = [
+        (start, _constant([(q - p) / (end - start) for p, q in zip(here, there, strict=True)]))
+        for (start, here), (end, there) in itertools.pairwise(places)
+    ]
+    return (*legs, (places[-1][0], (0.0, 0.0)))
+
+
+def _place(every: Any, given: Any) -> Vector:
+    """A place of the pusher."""
+    place = as_floats(given)
+    if len(place) != 2 or not all(map(math.isfinite, place)):
+        raise InvalidValue("waypoints", every, PLACES, TIMES)
+    return place

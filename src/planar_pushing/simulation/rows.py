@@ -12,7 +12,7 @@ import numpy as np
 NO_MODE = -1
 #: Variables that the core has in radii; energies too are forces times radii.
 LENGTHS = (
-    "position", "fence", "slip", "gap", "contact_position",
+    "position", "pusher", "slip", "gap", "contact_position",
     "dissipated", "contact_dissipated", "work", "load_work", "kinetic_energy",
 )  # fmt: skip
 
@@ -28,7 +28,7 @@ def row_type(effects: int) -> np.dtype[Any]:
     return np.dtype(
         [
             ("time", "f8"), ("position", "f8", (2,)), ("rod_angle", "f8"), ("twist", "f8", (3,)),
-            ("fence", "f8", (2,)), ("slip", "f8"), ("gap", "f8"), ("force", "f8", (2,)),
+            ("pusher", "f8", (2,)), ("slip", "f8"), ("gap", "f8"), ("force", "f8", (2,)),
             ("mode", "i8"), ("solutions", "i8"), ("pivot", "i8"), ("event", "i8"),
             ("spin_ratio", "f8"), ("dissipated", "f8", (max(effects, 1),)),
             ("contact_dissipated", "f8"), ("work", "f8"), ("load_work", "f8"),
@@ -40,7 +40,7 @@ def row_type(effects: int) -> np.dtype[Any]:
 
 
 class Event(IntEnum):
-    """Why a mode ends, or why the modes are enumerated anew."""
+    """Why a contact mode ends, or why the modes are enumerated anew: flags of `event` in a log."""
 
     NONE = -1
     #: The force leaves the friction cone; a slip or a force ends; the contact is made.
@@ -65,6 +65,8 @@ class Event(IntEnum):
     TURNS_ALONG = 12
     #: A finger comes to the end of its side.
     END_OF_SIDE = 13
+    #: Another point of the outline meets the fence.
+    PENETRATES = 14
 
 
 class Stop(IntEnum):
@@ -77,6 +79,8 @@ class Stop(IntEnum):
     SINGULAR = 4
     EVENTS = 5
     PROGRESS = 6
+    PENETRATES = 7
+    END_OF_SIDE = 8
 
 
 REASONS = {
@@ -87,6 +91,8 @@ REASONS = {
     Stop.SINGULAR: "the motion is singular in the mode",
     Stop.EVENTS: "without any time between them",
     Stop.PROGRESS: "thousands of steps make no progress",
+    Stop.PENETRATES: "another point of the outline meets the fence",
+    Stop.END_OF_SIDE: "the finger comes to the end of the side",
 }
 
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from tqdm import tqdm
 
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.simulation.events.integrate import EventDriven
@@ -18,7 +20,9 @@ from planar_pushing.simulation.log.stream import streaming
 from planar_pushing.simulation.log.variables import dataset
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.rows import Event
 from planar_pushing.simulation.steps.integrate import TimeStepping
+from planar_pushing.simulation.until import Until, UntilRun, required_condition
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import (
     InvalidValue,
@@ -42,6 +46,8 @@ def simulate(
     gap: float = 0.0,
     samples: int = 101,
     step: float | None = None,
+    until: Event | ContactMode | str | Until | Callable[[dict[str, Any]], bool] | None = None,
+    object_pose: Sequence[float] | None = None,
     path: PathLike | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
@@ -54,7 +60,7 @@ def simulate(
     pusher : Pusher
         A fence or a finger, and its velocity over time.
     duration : float
-        Time to simulate, > 0.
+        Time to simulate at most, > 0.
     method : {"event-driven", "time-stepping"}
         DOP853 from event to event to the tolerance, or steps of first order, which survive
         configurations in which the equations of motion have no solution.
@@ -74,6 +80,18 @@ def simulate(
         Number of evenly spaced instants in the log, >= 2; every event is logged besides.
     step : float, optional
         Greatest step of the time-stepping method, by default a thousandth of the duration.
+    until : Event, ContactMode, str, Until or callable, optional
+        The run stops at the first instant at which this holds: the event or the contact mode of this name
+        (a flag meaning of `event` or `mode` in the log), a rotation or a distance that is reached, or a
+        function of an instant that returns True. The function is given the log's variables at the instant
+        by name, in the log's units, and `time`; its answer is looked at in every entry of the log, and then
+        between the two entries where it changes, to rounding of the time. By time-stepping the run stops at
+        the end of a step, and events are not located.
+    object_pose : (x, y, angle), optional
+        Pose of the object's frame in the world at time 0, the angle in radians. With it the log holds
+        `object_pose`, whose angles are degrees, and `pusher_position`, the place of the finger or of the
+        point of the fence that is under the contact at time 0. The object's frame is that of
+        `Scene.placement`, by default the body frame.
     path : path, optional
         A file to which the log is streamed; memory then stays bounded, and the dataset that is returned
         reads from the file.
@@ -83,9 +101,10 @@ def simulate(
     Returns
     -------
     xarray.Dataset
-        One entry of each variable for each instant; angles in degrees. Where the motion could not be
-        continued the attribute `stopped` says why, and it is empty otherwise. A finger that leaves the side
-        at its end ends the contact for good: `parted` is true from then on.
+        One entry of each variable for each instant; angles in degrees. Where the motion ended before the
+        duration the attribute `stopped` says why: it could not go on, or `until` holds ("until: ..."). It
+        is empty otherwise. A finger that leaves the side at its end ends the contact for good: `parted` is
+        true from then on.
 
     Raises
     ------
@@ -106,12 +125,12 @@ def simulate(
         require_number(name, required(name, given), math.isfinite, "one number", "give one")
     problem = Problem(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
-        on_ambiguity=on_ambiguity, rtol=rtol,
+        on_ambiguity=on_ambiguity, rtol=rtol, object_pose=object_pose,
     )  # fmt: skip
     if path is not None:
         require_path("path", path)
     require_option("method", method, Method, "name one of these methods")
-    run = _run(problem, method, np.linspace(0.0, duration, sample_count(samples)), step)
+    run = _run(problem, method, np.linspace(0.0, duration, sample_count(samples)), step, until)
     if path is None:
         rows = np.concatenate(list(_shown(run, duration, progress)))
         return dataset(problem, method, rows, run.stopped)
@@ -122,15 +141,22 @@ def simulate(
     return xr.open_dataset(path, engine="h5netcdf")
 
 
-def _run(problem: Problem, method: str, times: Array, step: float | None) -> Any:
+def _run(problem: Problem, method: str, times: Array, step: float | None, until: Any) -> Any:
+    """A run that has not begun."""
+    start: Callable[[Array], Any]
     if method == Method.TIME_STEPPING:
-        return TimeStepping(problem, times, step)
-    if step is not None:
+        start = partial(TimeStepping, problem, step=step)
+    elif step is not None:
         raise InvalidValue(
             "step", step, "a number for the time-stepping method only",
             "leave it out: the event-driven method takes its steps by rtol",
         )  # fmt: skip
-    return EventDriven(problem, times)
+    else:
+        start = partial(EventDriven, problem)
+    run = start(times)
+    if until is None:
+        return run
+    return UntilRun(start, times, required_condition(until, problem, method), problem)
 
 
 def _shown(batches: Iterable[Any], duration: float, progress: bool) -> Iterator[Any]:

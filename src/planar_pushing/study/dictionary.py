@@ -71,6 +71,7 @@ def _simulations(results: str) -> str:
     dataset = open_dataset(f"{SIMULATIONS}/{first}", results)
     about = "motion over time, a log of each simulation"
     rows = [*_table([dataset]), "", "The log of a finger differs in these:", "", *_finger_table()]
+    rows += ["", "A log with the object's pose in the world holds these too:", "", *_world_table()]
     return _lines(f"data/{SIMULATIONS}/NAME.nc", about, *_source(dataset), *rows)
 
 
@@ -81,6 +82,15 @@ def _finger_table() -> Iterator[str]:
     for name, (unit, meaning) in FINGER.items():
         if LOG.get(name) != (unit, meaning):
             yield f"| `{name}` | {unit} | {meaning} |"
+
+
+def _world_table() -> Iterator[str]:
+    """Rows of the variables of a log in the world, and of their coordinate."""
+    yield "| name | unit | meaning |"
+    yield "| --- | --- | --- |"
+    for name in ("object_pose", "pose", "pusher_position"):
+        unit, meaning = LOG[name]
+        yield f"| `{name}` | {unit} | {meaning} |"
 
 
 def _section(name: str, about: str, results: str) -> str:

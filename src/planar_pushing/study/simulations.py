@@ -9,6 +9,7 @@ import xarray as xr
 
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
+from planar_pushing.simulation.until import Until
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
@@ -33,12 +34,10 @@ def simulate_file(
 
 def arguments(entry: SimulateEntry) -> dict[str, Any]:
     """Keyword arguments of `simulate`; angles in radians."""
-    twist = entry.initial_twist
+    twist, pose, until = entry.initial_twist, entry.object_pose, entry.until
+    goals = Until(**until.goals) if until and until.goals else None
     return {
-        "pusher": Pusher(
-            velocity=[(piece.time, velocity(piece)) for piece in entry.pieces],
-            shape=entry.pusher_shape,
-        ),
+        "pusher": _pusher(entry),
         "duration": entry.duration,
         "method": entry.method,
         "rtol": entry.rtol,
@@ -47,7 +46,17 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
         "gap": entry.initial_gap,
         "samples": int(entry.samples),
         "step": entry.step,
+        "until": (until.event or until.mode or goals) if until else None,
+        "object_pose": (pose.x, pose.y, math.radians(pose.angle)) if pose else None,
     }
+
+
+def _pusher(entry: SimulateEntry) -> Pusher:
+    """The pusher, by its velocities or its waypoints."""
+    kind = {"shape": entry.pusher_shape, "frame": entry.pusher_frame}
+    if entry.waypoints is not None:
+        return Pusher(waypoints=[(each.time, (each.x, each.y)) for each in entry.waypoints], **kind)
+    return Pusher(velocity=[(piece.time, velocity(piece)) for piece in entry.pieces], **kind)
 
 
 def velocity(piece: PieceEntry) -> tuple[float, float]:

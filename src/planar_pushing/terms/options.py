@@ -38,6 +38,13 @@ class Shape(StrEnum):
     FINGER = "finger"
 
 
+class PusherFrame(StrEnum):
+    """Axes along which the pusher moves: those of the fence frame at time 0, or of the world."""
+
+    FENCE = "fence"
+    WORLD = "world"
+
+
 class AtZeroNormal(StrEnum):
     """Tangential force of infinite friction without normal force: the paper's definitions 1 and 2."""
 

@@ -20,7 +20,7 @@ FLAGS = ["mode", "pivot", "event", "outcome", "solutions", "adhesive"]
 #: and 15 in tests/golden/tolerances.yaml, and smaller ones of what these figures do not plot.
 TOLERANCES = {
     "rod_angle": 1e-9, "position": 1e-10, "slip": 1e-10, "spin_ratio": 1e-10, "force": 1e-10,
-    "fence": 1e-14, "gap": 1e-14, "twist": 2e-11, "work": 2e-11, "dissipated": 2e-11,
+    "pusher": 1e-14, "gap": 1e-14, "twist": 2e-11, "work": 2e-11, "dissipated": 2e-11,
     "contact_dissipated": 2e-11, "kinetic_energy": 2e-11, "time": 0.0,
 }  # fmt: skip
 #: Of single scenes: a flight is integrated, and so is the time of an event. That of a pivot is late by

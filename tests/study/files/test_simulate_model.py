@@ -23,7 +23,8 @@ simulate:
          "simulate.duration: 0 given; allowed: a finite number > 0; change the value"),
         ("duration: 1.5", "durations: 1.5",
          "simulate.durations: 1.5 given; allowed: the keys pusher_angle, pusher_speed, pusher_shape, "
-         "pusher, duration, method, on_ambiguity, rtol, initial_twist, initial_gap, samples, step; "
+         "pusher_frame, pusher, waypoints, duration, method, on_ambiguity, rtol, initial_twist, "
+         "initial_gap, object_pose, until, samples, step; "
          "did you mean duration?"),
         ("  duration: 1.5\n", "",
          "simulate.duration: missing; allowed: a value for this key; add it"),
@@ -56,6 +57,12 @@ simulate:
         ("duration: 1.5", "duration: 1.5\n  samples: 10000000000",
          "simulate.samples: 10000000000 given; allowed: a whole number >= 2, at most 1e7; "
          "change the value"),
+        ("duration: 1.5", "duration: 1.5\n  until: {rotation: 0}",
+         "simulate.until.rotation: 0 given; allowed: a finite number > 0; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  pusher_frame: word",
+         "simulate.pusher_frame: 'word' given; allowed: 'fence' or 'world'; did you mean world?"),
+        ("duration: 1.5", "duration: 1.5\n  object_pose: {x: 1, y: 2}",
+         "simulate.object_pose.angle: missing; allowed: a value for this key; add it"),
         ("duration: 1.5", "duration: 1.5\n  samples: 2.5",
          "simulate.samples: 2.5 given; allowed: a whole number >= 2, at most 1e7; change the value"),
     ],
@@ -68,7 +75,14 @@ def test_error(tmp_path, written, instead, said):
 @pytest.mark.parametrize(
     ("written", "instead", "allowed"),
     [
-        ("duration", "pusher_angle: 3\n  duration", "exactly one of pusher_angle and pusher"),
+        ("duration", "pusher_angle: 3\n  duration", "exactly one of pusher_angle, pusher and waypoints"),
+        ("pusher: [{time: 0, angle: 10}, {time: 0.5, angle: -10, speed: 2}]",
+         "waypoints: [{time: 0, x: 0, y: 0}]", "at least two waypoints"),
+        ("pusher: [{time: 0, angle: 10}, {time: 0.5, angle: -10, speed: 2}]",
+         "waypoints: [{time: 0, x: 0, y: 0}, {time: 0, x: 0, y: 1}]",
+         "times of waypoints that begin at 0 and increase"),
+        ("duration", "pusher_frame: world\n  duration", "pusher_frame world with an object_pose only"),
+
         ("duration", "pusher_speed: 3\n  duration", "pusher_speed with pusher_angle only"),
         ("{time: 0, ", "{time: 0.1, ", "times of pusher that begin at 0 and increase"),
         ("time: 0.5", "time: 0", "times of pusher that begin at 0 and increase"),
@@ -84,6 +98,16 @@ def test_contradiction(tmp_path, written, instead, allowed):
     assert said.startswith("simulate: ")
     assert f" given; allowed: {allowed}" in said
     assert "\n" not in said
+
+
+def test_unknown_events_and_several_conditions(tmp_path):
+    until = SCENE + "  until: {event: SLIP_END}\n"
+    said = message(tmp_path, until)
+    assert said.startswith("simulate.until.event: 'SLIP_END' given; allowed: 'LEAVES_CONE' or ")
+    assert said.endswith("did you mean SLIP_ENDS?")
+    allowed = "allowed: an event, a mode, or some of rotation, distance and pusher_distance"
+    for given in ("{}", "{event: KINK, mode: STICK}", "{mode: STICK, distance: 1}"):
+        assert allowed in message(tmp_path, SCENE + f"  until: {given}\n")
 
 
 def message(tmp_path, text):

@@ -100,7 +100,9 @@ def pieces(file: File) -> list[Piece]:
     """
     section = file["simulate"]
     plain = section["method"] == "event-driven" and section["pusher_shape"] == "fence"
-    if not plain or not isinstance(section["on_ambiguity"], str):
+    further = any(section.get(name) is not None for name in ("waypoints", "until"))
+    along = section.get("pusher_frame", "fence") == "fence"
+    if not plain or not along or further or not isinstance(section["on_ambiguity"], str):
         raise Undecided("certified motion is event-driven, of a fence, under one policy")
     given = section["pusher"] or [
         {"time": 0, "angle": section["pusher_angle"], "speed": section["pusher_speed"]}

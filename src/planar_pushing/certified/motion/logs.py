@@ -37,7 +37,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], Callable[[Instant], Any]]] = {
     "position": (("xy",), lambda now: [*now.position]),
     "rod_angle": ((), lambda now: in_degrees(now.angle)),
     "twist": (("twist_component",), lambda now: [*now.twist]),
-    "fence": (("xy",), lambda now: [*now.fence]),
+    "pusher": (("xy",), lambda now: [*now.fence]),
     "slip": ((), lambda now: now.slip),
     "gap": ((), lambda now: now.gap),
     "force": (("xy",), lambda now: [*now.force]),

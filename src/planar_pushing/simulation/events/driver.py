@@ -31,6 +31,7 @@ PATIENCE, LEAST_PROGRESS = 5000, 1e-6
 #: Part of the tolerance that one step may use, since the errors of steps add up; and the least one.
 STEP_PART, LEAST = 0.02, 2.3e-14
 GOES_ON, INCONSISTENT, LAY_DOWN = int(Stop.NO), int(Stop.INCONSISTENT), int(Stop.LIES)
+MET, SIDE_ENDED = int(Stop.PENETRATES), int(Stop.END_OF_SIDE)
 SINGULAR, TOO_MANY, NO_PROGRESS = int(Stop.SINGULAR), int(Stop.EVENTS), int(Stop.PROGRESS)
 
 
@@ -106,8 +107,8 @@ def _row(system, run, time, state, solutions, row):
     """Write down an instant."""
     mode = at.candidate(system, run, run.chosen)
     row.time, row.solutions, row.stopped = time, solutions, run.stopped
-    row.fence[0], row.fence[1] = displacement(system.fence, mode.during, time)
-    row.fence[1] -= system.body.gap
+    row.pusher[0], row.pusher[1] = displacement(system.fence, mode.during, time)
+    row.pusher[1] -= system.body.gap
     row.mode = run.kind if run.chosen >= 0 else NO_MODE
     write(system, mode, time, state, row)
 
@@ -222,12 +223,17 @@ def _happen(system, run):
     copy(state, run.vectors[at.PASSING])
     run.time, reason = run.event, GOES_ON
     if _parts(system, run.cause, state[base.ALONG]):
-        system.body.parted = True
+        if len(system.room.corners) > 0:
+            reason = SIDE_ENDED
+        else:
+            system.body.parted = True
     else:
         policy = _policy(system, run)
         run.time, reason = base.after(system, run.cause, mode, run.event, state, policy)
     if run.cause == base.LIES:
         reason = LAY_DOWN
+    elif run.cause == base.PENETRATES:
+        reason = MET
     run.phase = CHANGES
     if reason != GOES_ON:
         _stop(run, reason)

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import STATE, Task, run_type
 from planar_pushing.simulation.problem import Problem
@@ -17,6 +18,8 @@ from planar_pushing.simulation.systems.setup import NUMBERS, put, row_of, size_o
 
 #: Rows handed on at once.
 BATCH = 256
+#: Equal parts into which the time between two instants is cut to find one of them more narrowly.
+PARTS = 65
 
 
 class EventDriven:
@@ -46,6 +49,12 @@ class EventDriven:
             count = advance(self.system, self.task, self.run, rows)
             if count:
                 yield in_units(rows[:count], self.radius)
+
+    @staticmethod
+    def between(low: float, high: float) -> Array:
+        """Finer instants strictly between two, the last double before the end among them."""
+        inner = np.append(np.linspace(low, high, PARTS + 1), np.nextafter(high, low))
+        return np.unique(inner[(inner > low) & (inner < high)])
 
     @property
     def stopped(self) -> str:

@@ -71,7 +71,7 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
 
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
-    coordinates, table = log.coordinates(problem.scene), log.table_of(problem.shape)
+    coordinates, table = log.coordinates(problem), log.table_of(problem.shape)
     file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
     file.attrs.update(log.attributes(problem, method) | {"finished": 0})
     time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))

@@ -23,7 +23,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
     "position": (("xy",), "f8"),
     "rod_angle": ((), "f8"),
     "twist": (("twist_component",), "f8"),
-    "fence": (("xy",), "f8"),
+    "pusher": (("xy",), "f8"),
     "slip": ((), "f8"),
     "gap": ((), "f8"),
     "force": (("xy",), "f8"),
@@ -45,6 +45,11 @@ FINGER: dict[str, tuple[tuple[str, ...], str]] = {
     "contact_position": ((), "f8"),
     "parted": ((), "?"),
 }
+#: And of an object whose pose in the world is given.
+PLACED: dict[str, tuple[tuple[str, ...], str]] = {
+    "object_pose": (("pose",), "f8"),
+    "pusher_position": (("xy",), "f8"),
+}
 #: And of a slider with loads.
 LOADED: dict[str, tuple[tuple[str, ...], str]] = {"load_work": ((), "f8")}
 #: Names of the numbers of flags, in logs and in batches.
@@ -59,7 +64,8 @@ FLAGS = {
 def variables(problem: Problem) -> dict[str, tuple[tuple[str, ...], str]]:
     """Dimensions after time, and type, of the variables of a problem's log."""
     finger = FINGER if problem.shape == Shape.FINGER else {}
-    return VARIABLES | finger | (LOADED if problem.scene.loads else {})
+    placed = {} if problem.object_pose is None else PLACED
+    return VARIABLES | finger | (LOADED if problem.scene.loads else {}) | placed
 
 
 def arrays(rows: Any, problem: Problem) -> dict[str, Any]:
@@ -72,9 +78,20 @@ def arrays(rows: Any, problem: Problem) -> dict[str, Any]:
         "dissipated": _dissipated(rows["dissipated"], scene),
         "evaluations": np.repeat(rows["evaluations"][:, None], len(scene.effects), axis=1),
     }
+    own |= _placed(rows, problem)
     return {"time": np.array(rows["time"])} | {
         name: np.array(own[name] if name in own else rows[name], dtype)
         for name, (_, dtype) in variables(problem).items()
+    }
+
+
+def _placed(rows: Any, problem: Problem) -> dict[str, Any]:
+    """Poses of the object and places of the pusher in the world."""
+    if problem.world is None:
+        return {}
+    return {
+        "object_pose": problem.world.object_pose(rows["position"], rows["rod_angle"]),
+        "pusher_position": problem.world.fence.point_out(rows["pusher"]),
     }
 
 
@@ -101,14 +118,15 @@ def _name_of(effect: Any) -> EffectKind:
     return kinds.get(type(effect), EffectKind.SUPPORT_FRICTION)
 
 
-def coordinates(scene: Scene) -> dict[str, list[str]]:
+def coordinates(problem: Problem) -> dict[str, list[str]]:
     """Labels along the dimensions other than time."""
-    names = [str(_name_of(effect)) for effect in scene.effects]
+    names = [str(_name_of(effect)) for effect in problem.scene.effects]
     repeated = [name if names.count(name) == 1 else f"{name}_{i}" for i, name in enumerate(names)]
     return {
         "xy": ["x", "y"],
         "twist_component": ["v_x", "v_y", "omega"],
         "effect": repeated,
+        **({} if problem.object_pose is None else {"pose": ["x", "y", "angle"]}),
     }
 
 
@@ -140,6 +158,7 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
         "duration": problem.duration,
         "initial_twist": np.array(problem.twist),
         "initial_gap": problem.gap,
+        **({} if problem.object_pose is None else {"object_pose": np.array(problem.object_pose)}),
         "method": str(method),
         "on_ambiguity": policies[0][1].value if len(policies) == 1 else to_json(policies),
         "rtol": problem.rtol,
@@ -156,7 +175,7 @@ def ending(stopped: str, time: float) -> dict[str, Any]:
 def dataset(problem: Problem, method: str, rows: Any, stopped: str) -> xr.Dataset:
     """The log in memory of a run that has ended, and why before its time."""
     values, table = arrays(rows, problem), table_of(problem.shape)
-    given = {"time": values["time"]} | coordinates(problem.scene)
+    given = {"time": values["time"]} | coordinates(problem)
     coords = {name: (name, each, described(table, name)) for name, each in given.items()}
     found = {
         name: (("time", *dims), values[name], described(table, name))

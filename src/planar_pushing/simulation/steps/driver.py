@@ -38,6 +38,7 @@ FARTHEST = 1e3
 #: Steps until the driver returns in any case, so that an interrupt is heard, and rows that a step writes.
 STEPS_AT_ONCE, ROOM = 20_000, 2
 INCONSISTENT, LIES, NO_EVENT = int(Stop.INCONSISTENT), int(Stop.LIES), int(Event.NONE)
+PENETRATES, END_OF_SIDE = int(Stop.PENETRATES), int(Stop.END_OF_SIDE)
 
 
 class Plan(NamedTuple):
@@ -180,12 +181,17 @@ def _turn(system, run, v_x, v_y, spin):
 
 @inlined
 def _part(system, run):
-    """End the contact at the end of a finger's side; stop where the slider lies on a fence."""
+    """End the contact at the end of a finger's side; stop there, and on a fence, by the outline."""
     state = run.state
     if state[base.GAP] <= CLOSED and shapes.room(system.shape, state[base.ALONG]) < 0.0:
-        system.body.parted = True
+        if len(system.room.corners) > 0:
+            run.stopped = END_OF_SIDE
+        else:
+            system.body.parted = True
     if shapes.upright(system.shape, system.body, state[base.ANGLE], state[base.GAP]) <= 0.0:
         run.stopped = LIES
+    elif base.height(system, state) <= 0.0:
+        run.stopped = PENETRATES
 
 
 @inlined
@@ -202,7 +208,7 @@ def _log(system, run, rows, count):
     if count > 0 and rows[count - 1].time == run.time:
         count -= 1
     row = rows[count]
-    copy(row.fence, run.fence)
+    copy(row.pusher, run.fence)
     copy(row.force, run.force)
     row.time, row.mode, row.solutions, row.stopped = run.time, run.kind, run.solutions, run.stopped
     row.pivot, row.event = run.pivot, NO_EVENT

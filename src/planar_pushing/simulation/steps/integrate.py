@@ -72,6 +72,18 @@ class TimeStepping:
             if count:
                 yield in_units(rows[:count], self.radius)
 
+    def between(self, low: float, high: float) -> Array:
+        """The ends of the steps strictly between two instants."""
+        ends, counts = self.plan.ends, self.plan.counts
+        starts = np.concatenate([[0.0], ends[:-1]])
+        met = np.flatnonzero((ends > low) & (starts < high))
+        found = [
+            starts[i] + (ends[i] - starts[i]) * (np.arange(1, counts[i] + 1) / counts[i])
+            for i in met
+        ]
+        steps = np.concatenate([*found, []])
+        return steps[(steps > low) & (steps < high)]
+
     @property
     def stopped(self) -> str:
         """Why the run ended before its time; empty otherwise."""

@@ -55,29 +55,30 @@ FORCE_ENDS, TOUCHES, STARTS = int(Event.FORCE_ENDS), int(Event.TOUCHES), int(Eve
 HINGE_YIELDS, LIES, LIFTS = int(Event.HINGE_YIELDS), int(Event.LIES), int(Event.LIFTS)
 STOPS, ARRIVES, KINK = int(Event.STOPS), int(Event.ARRIVES), int(Event.KINK)
 TURNS, TURNS_ALONG = int(Event.TURNS), int(Event.TURNS_ALONG)
-END_OF_SIDE = int(Event.END_OF_SIDE)
+END_OF_SIDE, PENETRATES = int(Event.END_OF_SIDE), int(Event.PENETRATES)
 #: Some are watches: their change of sign is an event. The others are margins, positive while a mode lasts.
 WATCHED = LIFTS, STOPS, ARRIVES, KINK, TURNS, TURNS_ALONG, END_OF_SIDE
 WATCHES = tuple(cause in WATCHED for cause in range(CAUSES))
 
 #: Constants of a scene: l / R; edges of the friction cone and their angles, and what the law allows there;
 #: friction in a translation, mass and moment m (rho / R)^2, zero where there is no such effect; center of
-#: mass in the body frame; loads; typical speed and force, to which slacks are relative; initial gap. And
-#: what changes: how often the motion was evaluated, and whether the contact has ended for good.
+#: mass in the body frame; loads; typical speed and force, to which slacks are relative; initial gap; the
+#: slider's radius in tolerances of its outline. And what changes: how often the motion was evaluated, and
+#: whether the contact has ended for good.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
         ("left_angle", "f8"), ("slips", "b1"), ("closed", "b1"), ("rough", "b1"),
         ("weight", "f8"), ("mass", "f8"), ("moment", "f8"), ("center", "f8", (2,)),
         ("load", "f8", (4,)), ("start_angle", "f8"), ("speed", "f8"), ("force", "f8"), ("gap", "f8"),
-        ("evaluations", "i8"), ("parted", "b1"),
+        ("fine", "f8"), ("evaluations", "i8"), ("parted", "b1"),
     ],
     align=True,
 )  # fmt: skip
 
 
 class Room(NamedTuple):
-    """Arrays on which functions work."""
+    """Arrays on which functions work, and the corners of the outline in tolerances, none without one."""
 
     scratch: Any
     solutions: Any
@@ -86,6 +87,7 @@ class Room(NamedTuple):
     hinged: Any
     starts: Any
     rates: Any
+    corners: Any
 
 
 class QuasiStatic(NamedTuple):
@@ -193,6 +195,12 @@ def acceleration(system, during, time, state):
 def clearance(system, state):
     """Height of the contact over the pusher, infinite where the contact has ended for good."""
     return shapes.clearance(system.shape, system.body, state[GAP])
+
+
+@compiled
+def height(system, state):
+    """Height of the outline over the fence in its tolerances, plus one; NaN without an outline."""
+    return shapes.height(system.shape, system.body, system.room.corners, state[ANGLE], state[GAP])
 
 
 @compiled

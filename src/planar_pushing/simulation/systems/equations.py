@@ -59,4 +59,5 @@ def _guards(system, mode, state, now, found):
         found[base.LIES] = shapes.upright(system.shape, body, state[base.ANGLE], state[base.GAP])
     if mode.kind != base.SEPARATE and mode.kind != base.CLEAR and state[base.GAP] <= base.SLACK:
         found[base.END_OF_SIDE] = shapes.room(system.shape, state[base.ALONG])
+    found[base.PENETRATES] = base.height(system, state)
     base.guard_contact(system, mode, state, now, found)

@@ -13,8 +13,9 @@ from planar_pushing.mechanics.effects.load import Wrench
 from planar_pushing.mechanics.modes import MOST, SOLUTION
 from planar_pushing.mechanics.plane import Array, unit_vector
 from planar_pushing.mechanics.reduced.slips import ENTRIES, SLIPS
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.simulation.fence import typical_speed
+from planar_pushing.simulation.outlines import tolerance
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.systems import base, inertial, quasi_static
@@ -24,10 +25,13 @@ from planar_pushing.simulation.systems.shapes import fence as fences
 from planar_pushing.simulation.systems.shapes import finger
 from planar_pushing.terms.options import Shape
 
-#: Numbers of a row behind those of the effects; twist, gap and ends of the side in radii.
+#: Numbers of a row behind those of the effects; twist, gap and ends of the side in radii, and the radius in
+#: tolerances of the outline.
 WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, LOAD_X, LOAD_Y, CROSS, DOT = range(9)
-LENGTH, ANGLE, RIGHT, LEFT, SLIPS_AT, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP, START, END = range(9, 22)
-NUMBERS = END + 1
+LENGTH, ANGLE, RIGHT, LEFT, SLIPS_AT, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP, START, END, FINE = range(
+    9, 23
+)
+NUMBERS = FINE + 1
 #: Systems by whether they have inertia.
 KINDS = {False: base.QuasiStatic, True: base.Inertial}
 base.SYSTEMS.update({base.QuasiStatic: quasi_static, base.Inertial: inertial})
@@ -92,8 +96,20 @@ def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
         mass * radius if scene.stores_energy else 0.0,
         gyration, *scene.mass_center, *_loads(scene), slider.length_ratio, slider.rod_angle,
         *scene.law, v_x / radius, v_y / radius, omega, gap / radius,
-        *(end / radius for end in slider.side),
+        *(end / radius for end in slider.side), _fineness(slider),
     ]  # fmt: skip
+
+
+def _fineness(slider: Slider) -> Any:
+    """The radius in tolerances of the outline, 0 without one."""
+    return 0.0 if slider.outline is None else slider.radius / tolerance(slider.outline)
+
+
+def corners_of(slider: Slider) -> Array:
+    """The corners of the outline in its tolerances, shape (corners, 2); none without an outline."""
+    if slider.outline is None:
+        return np.empty((0, 2))
+    return np.array(slider.outline) / tolerance(slider.outline)
 
 
 def _loads(scene: Scene) -> list[Any]:
@@ -136,6 +152,7 @@ def fill(row, fence, body):
     body.slips, body.closed = row[SLIPS_AT] != 0.0, row[CLOSED] != 0.0
     body.rough = row[ROUGH] != 0.0
     body.gap, body.evaluations, body.parted = row[GAP], 0, False
+    body.fine = row[FINE]
 
 
 @kernel
@@ -152,11 +169,12 @@ def shape_of(shape, row):
     return shapes.made(shape, row[LENGTH], row[ANGLE], row[START], row[END])
 
 
-def new_room(entries: int) -> base.Room:
-    """Arrays on which the functions of a system with a number of entries of the state work."""
+def new_room(scene: Scene) -> base.Room:
+    """Arrays on which the functions of a scene's system work, and the corners of its outline."""
     return base.Room(
         np.empty((SLIPS, ENTRIES)), np.empty(MOST, SOLUTION), np.zeros(MOST, np.int64),
-        np.zeros(MOST, np.int64), np.zeros(MOST, np.int64), np.zeros((MOST, 3)), np.zeros(entries),
+        np.zeros(MOST, np.int64), np.zeros(MOST, np.int64), np.zeros((MOST, 3)), np.zeros(size_of(scene)),
+        corners_of(scene.slider),
     )  # fmt: skip
 
 
@@ -182,7 +200,7 @@ def system_of(problem: Problem, row: Array, fence: Any) -> Any:
     effects, friction, films = parts_of(kinds, row)
     return system(
         effects, friction, films, kinds.loads, body, fence,
-        shape_of(PUSHERS[problem.shape], numbers), new_room(size_of(scene)),
+        shape_of(PUSHERS[problem.shape], numbers), new_room(scene),
     )  # fmt: skip
 
 

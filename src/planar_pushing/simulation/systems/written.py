@@ -14,7 +14,7 @@ from planar_pushing.simulation.systems.shapes import base as shapes
 
 @compiled
 def put(system, state, v_x, v_y, spin, row):
-    """Write down the state, position, twist, spin ratio and energies; the fence is in the row already."""
+    """Write down the state, position, twist, spin ratio and energies; the pusher is in the row already."""
     shape, angle, now = system.shape, state[base.ANGLE], base.pose(system, state)
     row.rod_angle, row.slip, row.gap = angle, state[base.SLIP], state[base.GAP]
     row.work, row.contact_dissipated = state[base.WORK], state[base.LOST]
@@ -22,7 +22,7 @@ def put(system, state, v_x, v_y, spin, row):
     for i in range(count):
         row.dissipated[i] = state[len(state) - count + i]
     x, y = shapes.center(
-        shape, angle, now, state[base.ALONG], state[base.GAP], row.fence[0], row.fence[1]
+        shape, angle, now, state[base.ALONG], state[base.GAP], row.pusher[0], row.pusher[1]
     )
     row.position[0], row.position[1] = x, y
     row.load_work = potential(system, state, x, y)

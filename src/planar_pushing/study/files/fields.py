@@ -19,6 +19,8 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.simulation.rows import Event
 from planar_pushing.terms.domain import SIDE
 from planar_pushing.terms.options import (
     SAMPLES,
@@ -27,6 +29,7 @@ from planar_pushing.terms.options import (
     EffectSet,
     Method,
     Policy,
+    PusherFrame,
     Shape,
 )
 
@@ -143,7 +146,11 @@ def _counts(given: float) -> bool:
 
 def spelled(options: type[StrEnum]) -> Any:
     """As `choice`, of options of which the error of an unknown one suggests one."""
-    names = tuple(map(str, options))
+    return named(tuple(map(str, options)))
+
+
+def named(names: tuple[str, ...]) -> Any:
+    """Type of a text that is one of these names, of which the error of an unknown one suggests one."""
     context = {"allowed": " or ".join(map(repr, names)), "names": names}
 
     def known(given: object) -> object:
@@ -151,7 +158,7 @@ def spelled(options: type[StrEnum]) -> Any:
             raise PydanticCustomError("unknown_option", "{allowed}", context)
         return given
 
-    return Annotated[choice(options), BeforeValidator(known)]
+    return Annotated[Literal.__getitem__(names), BeforeValidator(known)]
 
 
 def _side(given: object) -> object:
@@ -286,6 +293,9 @@ Count = Annotated[
 PolicyName = choice(Policy)
 MethodName = choice(Method)
 ShapeName = spelled(Shape)
+FrameName = spelled(PusherFrame)
+EventName = named(tuple(event.name for event in Event if event is not Event.NONE))
+ModeName = named(tuple(mode.name for mode in ContactMode))
 AtZeroNormalName = choice(AtZeroNormal)
 EffectsName = choice(EffectSet)
 

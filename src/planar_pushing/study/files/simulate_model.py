@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import itertools
-from typing import Annotated, Self
+import math
+from collections.abc import Sequence
+from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Tag, model_validator
 
 from planar_pushing.study.files.fields import (
     Degrees,
+    EventName,
     FileModel,
     FiniteNumber,
+    FrameName,
     MethodName,
+    ModeName,
     NonNegative,
     NotEmpty,
     PolicyName,
@@ -21,7 +26,7 @@ from planar_pushing.study.files.fields import (
     ShapeName,
     refuse,
 )
-from planar_pushing.terms.options import Method, Policy, Shape
+from planar_pushing.terms.options import Method, Policy, PusherFrame, Shape
 
 
 class PieceEntry(FileModel):
@@ -37,6 +42,49 @@ class PolicyEntry(FileModel):
 
     time: NonNegative
     policy: PolicyName
+
+
+class WaypointEntry(FileModel):
+    """A place of the pusher and its time."""
+
+    time: NonNegative
+    x: FiniteNumber
+    y: FiniteNumber
+
+
+class PoseEntry(FileModel):
+    """Pose of the object's frame in the world at time 0, the angle in degrees."""
+
+    x: FiniteNumber
+    y: FiniteNumber
+    angle: Degrees
+
+
+class UntilEntry(FileModel):
+    """What stops the run: an event, a contact mode, or the first goal that is reached; degrees."""
+
+    event: EventName | None = None
+    mode: ModeName | None = None
+    rotation: Positive | None = None
+    distance: Positive | None = None
+    pusher_distance: Positive | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> Self:
+        if sum(map(bool, (self.event, self.mode, self.goals))) != 1:
+            raise refuse("an event, a mode, or some of rotation, distance and pusher_distance")
+        return self
+
+    @property
+    def goals(self) -> dict[str, float]:
+        """The goals that are given, angles in radians."""
+        rotation = None if self.rotation is None else math.radians(self.rotation)
+        goals = {
+            "rotation": rotation,
+            "distance": self.distance,
+            "pusher_distance": self.pusher_distance,
+        }
+        return {name: goal for name, goal in goals.items() if goal is not None}
 
 
 class TwistEntry(FileModel):
@@ -61,26 +109,37 @@ class SimulateEntry(FileModel):
     pusher_angle: Degrees | None = None
     pusher_speed: NonNegative | None = None
     pusher_shape: ShapeName = Shape.FENCE.value
+    pusher_frame: FrameName = PusherFrame.FENCE.value
     pusher: Annotated[tuple[PieceEntry, ...], NotEmpty] | None = None
+    waypoints: tuple[WaypointEntry, ...] | None = None
     duration: Positive
     method: MethodName = Method.EVENT_DRIVEN.value
     on_ambiguity: PolicyEntries = Policy.KEEP_CONTACT.value
     rtol: RelativeTolerance = 1e-10
     initial_twist: TwistEntry | None = None
     initial_gap: NonNegative = 0.0
+    object_pose: PoseEntry | None = None
+    until: UntilEntry | None = None
     samples: SampleCount = 101
     step: Positive | None = None
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        if (self.pusher_angle is None) == (self.pusher is None):
-            raise refuse("exactly one of pusher_angle and pusher")
-        if self.pusher is not None and self.pusher_speed is not None:
+        if [self.pusher_angle, self.pusher, self.waypoints].count(None) != 2:
+            raise refuse("exactly one of pusher_angle, pusher and waypoints")
+        if self.pusher_angle is None and self.pusher_speed is not None:
             raise refuse(
                 "pusher_speed with pusher_angle only; the pieces of pusher hold a speed each"
             )
-        for name, pieces in (("pusher", self.pieces), ("on_ambiguity", self.policies)):
-            times = [piece.time for piece in pieces]
+        if self.waypoints is not None and len(self.waypoints) < 2:
+            raise refuse("at least two waypoints")
+        if self.pusher_frame == PusherFrame.WORLD and self.object_pose is None:
+            raise refuse("pusher_frame world with an object_pose only")
+        timed: dict[str, Sequence[Any]] = {
+            "pusher": self.pieces, "waypoints": self.waypoints or (), "on_ambiguity": self.policies,
+        }  # fmt: skip
+        for name, pieces in timed.items():
+            times = [piece.time for piece in pieces] or [0.0]
             if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
                 raise refuse(f"times of {name} that begin at 0 and increase")
         if self.step is not None and self.method != Method.TIME_STEPPING:
@@ -89,9 +148,11 @@ class SimulateEntry(FileModel):
 
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:
-        """The fence's motion as pieces, of which a constant one has one."""
+        """The fence's motion as pieces, of which a constant one has one, and waypoints none."""
         if self.pusher is not None:
             return self.pusher
+        if self.waypoints is not None:
+            return ()
         speed = 1.0 if self.pusher_speed is None else self.pusher_speed
         return (PieceEntry(time=0.0, angle=self.pusher_angle, speed=speed),)
 

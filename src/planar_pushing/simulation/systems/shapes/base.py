@@ -36,5 +36,8 @@ steady = by_kind(SHAPES, "steady")
 clearance = by_kind(SHAPES, "clearance")
 #: Margin of a slider that does not lie on the pusher, NaN where it never does: shape, body, angle, gap.
 upright = by_kind(SHAPES, "upright")
+#: Height of the outline over the pusher, in its tolerances, plus one: positive where it is above it. NaN
+#: where there is no outline, or it is not a matter of height: shape, body, corners, angle, gap.
+height = by_kind(SHAPES, "height")
 #: Distance from the contact to the nearer end of the side, negative beyond it, NaN without one.
 room = by_kind(SHAPES, "room")

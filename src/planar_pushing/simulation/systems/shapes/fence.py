@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, nan, sin
+from math import cos, inf, nan, sin
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
@@ -67,6 +67,16 @@ def clearance(shape, body, gap):
 @compiled
 def upright(shape, body, angle, gap):
     return gap / body.length + sin(angle) if body.length > 0.0 else nan
+
+
+@compiled
+def height(shape, body, corners, angle, gap):
+    if len(corners) == 0:
+        return nan
+    c, s, least = cos(angle), sin(angle), inf
+    for k in range(len(corners)):
+        least = min(least, s * corners[k, 0] + c * corners[k, 1])
+    return least + body.fine * (gap + body.length * s) + 1.0
 
 
 @compiled

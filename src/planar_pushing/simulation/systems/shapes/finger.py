@@ -88,6 +88,11 @@ def upright(shape, body, angle, gap):
 
 
 @compiled
+def height(shape, body, corners, angle, gap):
+    return nan
+
+
+@compiled
 def room(shape, along):
     left = min(shape.end + along, -along - shape.start)
     return left if left < inf else nan

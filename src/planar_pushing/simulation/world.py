@@ -1,0 +1,76 @@
+"""The world: where the object's frame and the pusher are, from the object's pose at time 0."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.errors import InvalidValue, as_floats
+
+#: A pose: x, y, and the angle in radians.
+Pose = tuple[float, float, float]
+
+
+class World(NamedTuple):
+    """The world's frame over time.
+
+    Attributes
+    ----------
+    fence : Frame
+        The fence frame at time 0, in the world.
+    origin : ndarray, shape (2,)
+        Origin of the object's frame, in the body frame.
+    angle : float
+        Angle of the object in the world less the rod angle, which stays what it is.
+    """
+
+    fence: Frame
+    origin: Array
+    angle: float
+
+    def object_pose(self, position: Array, rod_angle: Array) -> Array:
+        """Poses, shape S + (3,), angles in degrees.
+
+        Parameters
+        ----------
+        position : ndarray, shape S + (2,)
+            The slider's center in the fence frame of time 0.
+        rod_angle : ndarray, shape S
+            Radians.
+        """
+        body = Frame((position[..., 0], position[..., 1]), (np.cos(rod_angle), np.sin(rod_angle)))
+        place = self.fence.point_out(body.point_out(self.origin))
+        angle = np.rad2deg(rod_angle + self.angle)
+        return np.concatenate([place, np.asarray(angle)[..., None]], axis=-1)
+
+
+def world_of(scene: Scene, pose: Pose) -> World:
+    """The world of a scene whose object has this pose at time 0."""
+    x, y, angle = pose
+    own = _frame((x, y), direction(angle))
+    origin = own.point_out(scene.to_object((0.0, 0.0), "point"))
+    fence = _frame(origin, own.vector_out(scene.to_object((1.0, 0.0), "vector")))
+    rod, length = float(scene.slider.rod_angle), float(scene.slider.rod_length)
+    body = _frame(length * direction(rod), direction(rod))
+    return World(fence, body.point_in(scene.to_fence((0.0, 0.0), "point")), angle - rod)
+
+
+def _frame(origin: Any, axis: Any) -> Frame:
+    return Frame((float(origin[0]), float(origin[1])), (float(axis[0]), float(axis[1])))
+
+
+def required_pose(given: Any) -> Pose:
+    """A pose as floats, or `InvalidValue`."""
+    pose = as_floats(given)
+    if len(pose) != 3 or not all(map(math.isfinite, pose)):
+        raise InvalidValue(
+            "object_pose", given, "(x, y, angle) of finite numbers",
+            "give the pose of the object's frame in the world at time 0, the angle in radians",
+        )  # fmt: skip
+    x, y, angle = pose
+    return x, y, angle
