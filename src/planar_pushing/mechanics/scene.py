@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
-from planar_pushing.mechanics.contact.laws import as_numbers, is_law
+from planar_pushing.mechanics.contact.laws import ContactLaw, as_numbers, is_law
 from planar_pushing.mechanics.core import Entry, entries, extents, is_own_ring
 from planar_pushing.mechanics.effects import (
     Effect,
@@ -21,6 +22,9 @@ from planar_pushing.mechanics.effects import (
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
 from planar_pushing.terms.errors import InvalidValue, require_kind
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,7 +98,7 @@ class Scene:
     """
 
     slider: Slider
-    contact: Any
+    contact: ContactLaw | list[Any] | npt.NDArray[Any] | xr.DataArray
     effects: tuple[Effect, ...]
 
     def __post_init__(self) -> None:

@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -72,7 +72,7 @@ class Pusher:
     velocity: Vector | Sequence[tuple[float, Vector]] | Motion
     acceleration: Motion | None = None
     breakpoints: Sequence[float] = ()
-    shape: str = Shape.FENCE
+    shape: Shape | Literal["fence", "finger"] = Shape.FENCE
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
     arrays: tuple[Any, Any] | None = field(init=False, default=None, repr=False)
 
