@@ -23,7 +23,15 @@ from .mechanics.contact import (
     PerfectlyRough,
     Status,
 )
-from .mechanics.effects import Inertia, Load, RingFriction, SupportFriction, Viscous
+from .mechanics.effects import (
+    Inertia,
+    Load,
+    RingFriction,
+    SupportFriction,
+    Viscous,
+    weight,
+)
+from .mechanics.frames import Placement
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solutions import Solution, SolutionArrays, Solutions
@@ -41,6 +49,7 @@ from .mechanics.supports import (
     fit_ellipsoid,
 )
 from .mechanics.wrench import potential, wrench
+from .objects.scene_at import scene_at
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
@@ -51,6 +60,7 @@ from .terms.errors import (
     InvalidValue,
     PlanarPushingError,
 )
+from .terms.units import Units
 
 __version__: str
 
@@ -70,6 +80,7 @@ __all__ = [
     "Load",
     "Outcome",
     "PerfectlyRough",
+    "Placement",
     "PlanarPushingError",
     "Points",
     "Polygon",
@@ -85,6 +96,7 @@ __all__ = [
     "Solutions",
     "Status",
     "SupportFriction",
+    "Units",
     "Viscous",
     "animate",
     "can_pull",
@@ -101,10 +113,12 @@ __all__ = [
     "plot_log",
     "potential",
     "save_scene",
+    "scene_at",
     "simulate",
     "simulate_batch",
     "slips_while_pushing",
     "solve",
     "spin_ratio",
+    "weight",
     "wrench",
 ]

@@ -11,11 +11,11 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.figures.colors import DARK, FENCE, PUSHER, SLIDER, tint
-from planar_pushing.figures.marks import ARROWS, NOTE, Hatch, Picture, Place
+from planar_pushing.figures.marks import AREAS, ARROWS, LINES, NOTE, Hatch, Picture, Place
 from planar_pushing.figures.supports import OUTLINE, Ink, Pose, add_support, extents
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.supports import Ring
+from planar_pushing.mechanics.supports import Polygon, Ring
 from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
 
@@ -27,16 +27,19 @@ NEAR = 1e-6
 RIM = 0.07
 #: Names of the centers.
 NAMES = {"pressure": "center of\npressure", "mass": "center\nof mass"}
+#: How much of its color the area of an outline has.
+OBJECT = 0.06
 #: Distance of two strokes of a fence's hatch, in units of its depth.
 APART = 0.8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Body:
-    """A slider in its body frame, with the centers that are marked: those that are not its origin."""
+    """A slider in its body frame, with its outline, and the centers that are marked: those off its origin."""
 
     support: Any
     centers: tuple[tuple[str, Any], ...] = ()
+    outline: tuple[tuple[float, float], ...] = ()
 
     @property
     def half(self) -> float:
@@ -46,7 +49,7 @@ class Body:
     @property
     def bounds(self) -> Array:
         """Corners of the box around the support, sides along the axes of the body."""
-        return _bounds(self.support)
+        return _bounds(self.support, self.outline)
 
     @property
     def middle(self) -> Array:
@@ -59,28 +62,32 @@ class Body:
 
     def box(self, pose: Pose) -> Array:
         """Corners of the upright box around the support and what is marked, in a place."""
-        points = [*extents(self.support, pose), *(pose.at(place) for _, place in self.centers)]
+        marked = [place for _, place in self.centers]
+        points = [*extents(self.support, pose), *map(pose.at, (*marked, *self.outline))]
         rim = 0.0 if self.is_ring else RIM * self.half
         return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
 
 
 @lru_cache(maxsize=32)
-def _bounds(support: Any) -> Array:
-    return extents(support, Pose((0.0, 0.0), 0.0))
+def _bounds(support: Any, outline: tuple[tuple[float, float], ...]) -> Array:
+    every = np.array([*extents(support, Pose((0.0, 0.0), 0.0)), *outline])
+    return np.array([every.min(axis=0), every.max(axis=0)])
 
 
 def body_of(scene: Scene) -> Body:
-    """The slider of a scene."""
-    support = support_of(scene)
+    """The slider of a scene; an outline that is the support's own is drawn with that."""
+    support, outline = support_of(scene), scene.slider.outline or ()
+    if isinstance(support, Polygon) and set(support.vertices) == set(outline):
+        outline = ()
     if scene.isotropic:
-        return Body(support=support)
+        return Body(support=support, outline=outline)
     pressure = support.center_of_pressure
     mass = tuple(scene.slider.radius * each for each in scene.mass_center)
     found = {"pressure": pressure} if scene.friction else {}
     found |= {"mass": mass} if scene.masses else {}
     near = NEAR * support.extent
     apart = any(np.hypot(*place) > near for place in found.values())
-    return Body(support=support, centers=tuple(found.items()) if apart else ())
+    return Body(support=support, centers=tuple(found.items()) if apart else (), outline=outline)
 
 
 def body_in(data: xr.Dataset) -> Body:
@@ -111,8 +118,10 @@ def add_body(
     contact: Place = (0.0, 0.0),
     ink: Ink | None = None,
 ) -> None:
-    """Support, rod, contact, and the signs of the centers."""
+    """Outline, support, rod, contact, and the signs of the centers."""
     own = ink or Ink()
+    if body.outline:
+        add_outline(picture, pose.at(body.outline), own)
     add_support(picture, body.support, pose, own)
     add_rod(picture, pose.origin, contact=contact, ink=own)
     for name, place in body.centers:
@@ -121,6 +130,13 @@ def add_body(
         picture.dot(
             pose.at(place), 7.2, face, edge=edge, width=width, shape=name, order=ARROWS - 0.5
         )
+
+
+def add_outline(picture: Picture, corners: Array, ink: Ink) -> None:
+    """The outline of an object: a thin line around a pale area."""
+    picture.area(corners, color=tint(ink.color, OBJECT), order=AREAS)
+    ring = np.vstack([corners, corners[:1]])
+    picture.line(ring, tint(ink.color, 0.6), width=0.4 * ink.width, order=LINES)
 
 
 def add_rod(picture: Picture, center: Place, *, contact: Place, ink: Ink) -> None:

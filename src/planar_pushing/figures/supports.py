@@ -65,7 +65,7 @@ def _rim(support: Any) -> tuple[Array, Array]:
             [part[1] for part in parts]
         )
     if isinstance(support, supports.PressureMap):
-        return np.array(_corners(support)), np.empty((0, 3))
+        return _corners(support), np.empty((0, 3))
     pieces = support.pieces()
     edges = [each[:, :4].reshape(-1, 2) for each in (pieces.segments, *pieces.plates)]
     ends = np.concatenate([pieces.atoms[:, :2], *edges])
@@ -96,7 +96,7 @@ def _outline(picture: Picture, ring: Array, ink: Ink) -> None:
 
 
 def _ring(picture: Picture, ring: supports.Ring, pose: Pose, ink: Ink) -> None:
-    _outline(picture, _circle(pose, (0.0, 0.0), ring.extent), ink)
+    _outline(picture, _circle(pose, ring.center_of_pressure, ring.extent), ink)
 
 
 def _disc(picture: Picture, disc: supports.Disc, pose: Pose, ink: Ink) -> None:
@@ -118,14 +118,16 @@ def _pressure_map(picture: Picture, given: supports.PressureMap, pose: Pose, ink
     for j, i in np.argwhere(pressure > 0):
         box = [(x[i], y[j]), (x[i + 1], y[j]), (x[i + 1], y[j + 1]), (x[i], y[j + 1])]
         part = float(pressure[j, i] / pressure.max())
-        picture.area(pose.at(box), color=tint(ink.color, HIGHEST * part), order=BELOW)
+        picture.area(
+            pose.at(given.frame.point_out(box)), color=tint(ink.color, HIGHEST * part), order=BELOW
+        )
     _outline(picture, pose.at(_corners(given)), ink._replace(width=0.4 * ink.width))
 
 
-def _corners(given: supports.PressureMap) -> list[tuple[float, float]]:
+def _corners(given: supports.PressureMap) -> Array:
     """Corners of the grid of a map, of which outer cells may be empty."""
     (left, *_, right), (low, *_, high) = given.x, given.y
-    return [(left, low), (right, low), (right, high), (left, high)]
+    return given.frame.point_out([(left, low), (right, low), (right, high), (left, high)])
 
 
 def _segment(picture: Picture, segment: supports.Segment, pose: Pose, ink: Ink) -> None:

@@ -90,6 +90,7 @@ def is_own_ring(support: Any, radius: Number) -> bool:
     """Whether supports are rings of the slider's radius."""
     return all(
         isinstance(ring, Ring)
+        and ring.center is None
         and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
         for ring in listed(support)
     )

@@ -59,10 +59,25 @@ def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
             "rod_angle": _degrees(slider.rod_angle),
             "radius": float(slider.radius),
             **_side_entry(slider.side),
+            **({} if slider.outline is None else {"outline": list(map(list, slider.outline))}),
         },
+        **_place_entry(scene),
         "contact": _contact_entry(scene),
         "effects": [_effect_entry(effect) for effect in scene.effects],
     }
+
+
+def _place_entry(scene: Scene) -> dict[str, Any]:
+    """Placement and units of a scene, where it has them."""
+    found: dict[str, Any] = {}
+    if scene.placement is not None:
+        point, normal = scene.placement.point, scene.placement.normal
+        found["placement"] = {"point": list(point), "normal": list(normal)}
+    if scene.units is not None:
+        found["units"] = {
+            each.name: getattr(scene.units, each.name) for each in fields(scene.units)
+        }
+    return found
 
 
 def _side_entry(side: tuple[Any, Any]) -> dict[str, list[float]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,9 +19,13 @@ from planar_pushing.mechanics.effects import (
     SupportFriction,
     Viscous,
 )
+from planar_pushing.mechanics.frames import Frame, Kind, Placement, changed
+from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.pictures import picture
+from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
 from planar_pushing.terms.errors import InvalidValue, require_kind
+from planar_pushing.terms.units import Units
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -43,17 +47,23 @@ class Slider:
     side : (start, end), of floats or arrays
         Ends of the flat side that a finger pushes, along the side from the contact: along the fence, at
         time 0. A fence takes no notice of it.
+    outline : sequence of pairs, optional
+        Corners of the slider in the body frame, in order; by default nothing is known of its outline. Over
+        time a run ends where another point of the outline meets the fence, or where the finger comes to the
+        end of its side.
 
     Raises
     ------
     InvalidValue
-        Where a parameter is out of range, or the side does not hold the contact.
+        Where a parameter is out of range, the side does not hold the contact, or the outline is no simple
+        polygon.
     """
 
     rod_length: Number
     rod_angle: Number
     radius: Number = None
     side: tuple[Number, Number] = (-math.inf, math.inf)
+    outline: Any = None
 
     def __post_init__(self) -> None:
         require_fields(self, "rod_length", "rod_angle")
@@ -61,6 +71,8 @@ class Slider:
             require_fields(self, "radius")
             _ = self.length_ratio
         object.__setattr__(self, "side", required_side(self.side))
+        if self.outline is not None:
+            object.__setattr__(self, "outline", required_outline(self.outline))
 
     @property
     def length_ratio(self) -> Number:
@@ -85,6 +97,14 @@ class Scene:
     effects : tuple of effects
         At least one of `SupportFriction`, its short form `RingFriction`, and `Inertia`; an absent effect is
         never evaluated.
+    placement : Placement, optional
+        Where the contact is in the object's own frame, as `scene_at` gives it; without one that frame is
+        the body frame.
+    units : Units, optional
+        Names of the units of its numbers, which labeled results and logs then carry.
+    push : (angle, magnitude), optional
+        The push that `solve` and `draw` take where none is given, the angle in radians, as scene files
+        give it.
 
     Raises
     ------
@@ -100,6 +120,9 @@ class Scene:
     slider: Slider
     contact: ContactLaw | list[Any] | npt.NDArray[Any] | xr.DataArray
     effects: tuple[Effect, ...]
+    placement: Placement | None = None
+    units: Units | None = None
+    push: tuple[float, float] | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
         require_kind("slider", self.slider, Slider)
@@ -123,6 +146,49 @@ class Scene:
             radius = extents(supports[0]) if supports else 1.0
             object.__setattr__(self, "slider", replace(self.slider, radius=radius))
         _ = self.inertia
+        for name, kind in (("placement", Placement), ("units", Units)):
+            if getattr(self, name) is not None:
+                require_kind(name, getattr(self, name), kind)
+
+    def to_object(self, value: npt.ArrayLike, kind: Kind) -> Array:
+        """Numbers of the fence frame at time 0 in the object's frame.
+
+        Parameters
+        ----------
+        value : array_like, shape S + (2,) or S + (3,)
+            A vector or a point in the fence frame, or a twist or a wrench in it at the slider's center, as
+            `solve` gives them.
+        kind : {"vector", "point", "twist", "wrench"}
+
+        Returns
+        -------
+        ndarray, of the same shape
+            In the object's frame; twists and wrenches about its origin. Without a placement the object's
+            frame is the body frame.
+
+        Raises
+        ------
+        InvalidValue
+            Where the shape does not fit the kind.
+        """
+        return changed(value, kind, self._object, self._center, into=True)
+
+    def to_fence(self, value: npt.ArrayLike, kind: Kind) -> Array:
+        """Numbers of the object's frame in the fence frame at time 0, the inverse of `to_object`."""
+        return changed(value, kind, self._object, self._center, into=False)
+
+    @property
+    def _center(self) -> Array:
+        """The slider's center in the fence frame, shape S + (2,)."""
+        return np.asarray(self.slider.rod_length)[..., None] * direction(self.slider.rod_angle)
+
+    @property
+    def _object(self) -> Frame:
+        """The object's frame in the fence frame."""
+        if self.placement is not None:
+            return self.placement.fence.inverse
+        center, axis = self._center, direction(self.slider.rod_angle)
+        return Frame((center[..., 0], center[..., 1]), (axis[..., 0], axis[..., 1]))
 
     def _repr_svg_(self) -> str | None:
         """The slider with its cones in a notebook."""

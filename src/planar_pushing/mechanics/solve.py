@@ -294,7 +294,7 @@ def solve(
 
 def _push(scene: Scene, angle: Number | None, magnitude: Number | None) -> tuple[Number, Number]:
     """Angle and magnitude of a push, those of the scene's file where no angle is given."""
-    own = getattr(scene, "push", None) if angle is None else (angle, 1.0)
+    own = scene.push if angle is None else (angle, 1.0)
     if own is None:
         raise InvalidValue(
             "pusher_angle", None, "radians, for a scene whose file holds no push",

@@ -72,6 +72,8 @@ RANGES = {
     "coefficient": _positive("leave the effect out of the scene if nothing is viscous"),
     "weight": _positive("leave the effect out of the scene if the support is frictionless"),
     "mass": _positive("leave the effect out of the scene if the slider has no inertia"),
+    "support_friction": _positive("leave the effect out of the scene if the support is frictionless"),
+    "gravity": _positive("give the acceleration of gravity, 9.80665 on Earth"),
     "gyration_radius": _positive("leave the effect out of the scene if the slider has no inertia"),
     "force_angle": _angle("turn degrees into radians with np.deg2rad"),
     "angle": _angle("turn degrees into radians with np.deg2rad"),

@@ -4,7 +4,11 @@ from planar_pushing.mechanics.effects import any_support, base, inertia, load, r
 from planar_pushing.mechanics.effects.base import Effect
 from planar_pushing.mechanics.effects.inertia import Inertia
 from planar_pushing.mechanics.effects.load import Load
-from planar_pushing.mechanics.effects.support_friction import RingFriction, SupportFriction
+from planar_pushing.mechanics.effects.support_friction import (
+    RingFriction,
+    SupportFriction,
+    weight,
+)
 from planar_pushing.mechanics.effects.viscous import Viscous
 
 base.KINDS.update(
@@ -17,4 +21,4 @@ base.KINDS.update(
     }
 )
 
-__all__ = ["Effect", "Inertia", "Load", "RingFriction", "SupportFriction", "Viscous"]
+__all__ = ["Effect", "Inertia", "Load", "RingFriction", "SupportFriction", "Viscous", "weight"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
@@ -13,6 +13,7 @@ from planar_pushing.mechanics.effects.base import (
     no_points,
     no_pull,
 )
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.terms.domain import Number, require_fields, required
 from planar_pushing.terms.errors import InvalidValue
 
@@ -49,6 +50,10 @@ class Inertia:
             )
         center = tuple(required("mass_center", each) for each in self.center)
         object.__setattr__(self, "center", center)
+
+    def moved(self, body: Frame, fence: Frame) -> Inertia:
+        """The same effect in the body frame, of numbers in an object's frame."""
+        return replace(self, center=moved_place(self.center, body))
 
     @property
     def degree(self) -> int:

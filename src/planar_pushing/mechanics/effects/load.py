@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
@@ -13,6 +13,7 @@ from planar_pushing.mechanics.effects.base import (
     no_place,
     no_points,
 )
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
 
@@ -41,6 +42,12 @@ class Load:
         object.__setattr__(self, "force", _pair("force", self.force))
         if self.center is not None:
             object.__setattr__(self, "center", _pair("center", self.center))
+
+    def moved(self, body: Frame, fence: Frame) -> Load:
+        """The same effect along the fence's axes and in the body frame, of numbers in an object's frame."""
+        x, y = fence.vector_in(self.force).tolist()
+        center = None if self.center is None else moved_place(self.center, body)
+        return replace(self, force=(x, y), center=center)
 
     @property
     def degree(self) -> int:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.supports.base import is_kind
+from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.terms.domain import Number, require_fields
+from planar_pushing.terms.domain import Number, require_fields, required
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -44,6 +45,10 @@ class SupportFriction:
                 "construct one of these supports",
             )  # fmt: skip
 
+    def moved(self, body: Frame, fence: Frame) -> SupportFriction:
+        """The same effect in the body frame, of numbers in an object's frame."""
+        return replace(self, support=moved_support(self.support, body))
+
     @property
     def degree(self) -> int:
         return 1
@@ -69,6 +74,13 @@ class RingFriction:
     def __post_init__(self) -> None:
         require_fields(self, "weight")
 
+    def moved(self, body: Frame, fence: Frame) -> RingFriction:
+        """Refuse: in an object's frame the ring has no radius."""
+        raise InvalidValue(
+            "effects", self, "SupportFriction for an object with a frame of its own",
+            "give the ring's radius, as in SupportFriction(support=Ring(1.0))",
+        )  # fmt: skip
+
     @property
     def support(self) -> Ring:
         """The ring, of the slider's radius."""
@@ -77,3 +89,29 @@ class RingFriction:
     @property
     def degree(self) -> int:
         return 1
+
+
+def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) -> Number:
+    """W = mu_s m g: the force that slides an object over the table without turning it.
+
+    Parameters
+    ----------
+    mass : float or array
+        m > 0, in kilograms.
+    support_friction : float or array
+        mu_s > 0, the coefficient of friction between object and table.
+    gravity : float or array
+        g > 0, in meters per second squared; by default standard gravity.
+
+    Returns
+    -------
+    float or array
+        The `weight` of `SupportFriction`, in newtons.
+
+    Raises
+    ------
+    InvalidValue
+        Where a number is not positive and finite.
+    """
+    found = required("mass", mass), required("support_friction", support_friction)
+    return found[0] * found[1] * required("gravity", gravity)

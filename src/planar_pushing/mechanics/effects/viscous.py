@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from planar_pushing.mechanics.supports.base import is_kind
+from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
 
@@ -42,6 +43,10 @@ class Viscous:
                 "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",
                 "construct one of these supports",
             )  # fmt: skip
+
+    def moved(self, body: Frame, fence: Frame) -> Viscous:
+        """The same effect in the body frame, of numbers in an object's frame."""
+        return replace(self, support=moved_support(self.support, body))
 
     @property
     def degree(self) -> int:

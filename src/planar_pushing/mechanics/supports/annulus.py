@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.record import Pieces
@@ -59,6 +60,10 @@ class Annulus(Pictured):
     @property
     def extent(self) -> float:
         return self.outer
+
+    def moved(self, frame: Frame) -> Annulus:
+        """The same annulus as another frame has it."""
+        return replace(self, center=moved_place(self.center, frame))
 
     def pieces(self) -> Pieces:
         ratio = self.inner / self.outer

@@ -8,6 +8,7 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
@@ -32,6 +33,22 @@ class Support(Protocol):
     def pieces(self) -> Pieces:
         """The support's pieces, whose shares add to 1."""
         ...
+
+
+def moved_support(support: Any, frame: Frame) -> Any:
+    """A support as another frame has it.
+
+    Raises
+    ------
+    InvalidValue
+        Where the support is of a kind of one's own that cannot be moved.
+    """
+    if not hasattr(support, "moved"):
+        raise InvalidValue(
+            "support", support, "a support with a method moved(frame)",
+            "add it: it returns the support with its positions taken through frame.point_in",
+        )  # fmt: skip
+    return support.moved(frame)
 
 
 @lru_cache

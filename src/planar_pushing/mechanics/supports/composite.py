@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position, is_kind, weights
+from planar_pushing.mechanics.supports.base import Position, is_kind, moved_support, weights
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.pressure.assembly import (
     center,
@@ -47,7 +48,7 @@ class Composite(Pictured):
                 "members", self.members, "at least one pair of a share and a support",
                 "give for instance [(0.5, Disc(1.0)), (0.5, Points([(2.0, 0.0)], [1.0]))]",
             )  # fmt: skip
-        if any(support == Ring() for _, support in found):
+        if any(isinstance(each, Ring) and each.radius is None for _, each in found):
             raise InvalidValue(
                 "members", Ring(), "a ring with a radius", "give the radius, as in Ring(1.0)"
             )
@@ -62,6 +63,10 @@ class Composite(Pictured):
     @property
     def extent(self) -> float:
         return extent(self.pieces())
+
+    def moved(self, frame: Frame) -> Composite:
+        """The same supports as another frame has them."""
+        return Composite([(share, moved_support(each, frame)) for share, each in self.members])
 
     def pieces(self) -> Pieces:
         whole = sum(share for share, _ in self.members)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.record import DISCS, PLATES, Pieces
@@ -58,6 +59,10 @@ class Disc(Pictured):
     @property
     def extent(self) -> float:
         return self.radius
+
+    def moved(self, frame: Frame) -> Disc:
+        """The same disc as another frame has it."""
+        return replace(self, center=moved_place(self.center, frame))
 
     def pieces(self) -> Pieces:
         return Pieces(discs=np.array([[*self.center, self.radius, 1.0]]))

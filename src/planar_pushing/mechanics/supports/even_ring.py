@@ -4,34 +4,39 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import sqrt
+from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position
+from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.record import DISCS, RINGS, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
 from planar_pushing.mechanics.supports.ring import ring_wrench
-from planar_pushing.terms.errors import require_positive
+from planar_pushing.terms.errors import InvalidValue, require_positive
 
 
 @dataclass(frozen=True, slots=True)
 class Ring(Pictured):
-    """Support on a ring about the slider's center, its pressure even: the paper's.
+    """Support on a ring, its pressure even: the paper's, about the slider's center.
 
     Parameters
     ----------
     radius : float, optional
         Greater than 0; without one the ring has the slider's radius.
+    center : pair of float, optional
+        In the body frame; without one the slider's center.
 
     Raises
     ------
     InvalidValue
-        Where the radius is not positive.
+        Where the radius is not positive, or a ring with a center has none.
     """
 
     radius: float | None = None
+    center: Any = None
 
     def __post_init__(self) -> None:
         if self.radius is not None:
@@ -39,18 +44,33 @@ class Ring(Pictured):
                 "radius", self.radius, "use Points for a support on one point"
             )
             object.__setattr__(self, "radius", radius)
+        if self.center is not None:
+            center = position("center", self.center)
+            if self.radius is None:
+                raise InvalidValue(
+                    "radius", None, "a radius beside the center", "give the radius, as in Ring(1.0)"
+                )
+            object.__setattr__(self, "center", None if center == (0.0, 0.0) else center)
 
     @property
     def center_of_pressure(self) -> Position:
-        return 0.0, 0.0
+        return (0.0, 0.0) if self.center is None else self.center
 
     @property
     def extent(self) -> float:
         """The radius, and 1 where the slider gives it, which is then the unit of length."""
         return 1.0 if self.radius is None else self.radius
 
+    def moved(self, frame: Frame) -> Ring:
+        """The same ring as another frame has it."""
+        if self.radius is None:
+            raise InvalidValue(
+                "radius", None, "a ring with a radius", "give the radius, as in Ring(1.0)"
+            )
+        return Ring(self.radius, moved_place(self.center_of_pressure, frame))
+
     def pieces(self) -> Pieces:
-        return Pieces(rings=np.array([[0.0, 0.0, self.extent, 1.0]]))
+        return Pieces(rings=np.array([[*self.center_of_pressure, self.extent, 1.0]]))
 
 
 @inlined

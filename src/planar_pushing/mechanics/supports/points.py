@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from math import sqrt
 from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.compiled import summing
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions, weights
+from planar_pushing.mechanics.supports.layouts import (
+    disc_places,
+    placed_corners,
+    rectangle_corners,
+    regular_corners,
+)
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import NOTHING
@@ -23,10 +31,12 @@ class Points(Pictured):
 
     Parameters
     ----------
-    positions : sequence of pairs
+    positions : sequence of pairs, or a mapping of names to pairs
         Points in the body frame. Points at the same place act as one.
-    weights : sequence of float
-        What each carries, > 0, in any unit.
+    weights : sequence of float, optional
+        The load on each, > 0, in any unit; without them all carry the same.
+    names : sequence of str, optional
+        A name for each point, which printed solutions then use.
 
     Raises
     ------
@@ -35,16 +45,45 @@ class Points(Pictured):
     """
 
     positions: Any
-    weights: Any
+    weights: Any = None
+    names: Any = None
 
     def __post_init__(self) -> None:
         remedy = "give x and y of each point in the body frame"
-        places = positions("positions", self.positions, remedy)
+        named = isinstance(self.positions, Mapping)
+        given = list(self.positions.values()) if named else self.positions
+        places = positions("positions", given, remedy)
         if not places:
             raise InvalidValue("positions", self.positions, "at least one point", remedy)
-        loads = weights("weights", self.weights, len(places), "give one weight for each point")
+        shares = [1.0] * len(places) if self.weights is None else self.weights
+        loads = weights("weights", shares, len(places), "give one weight for each point")
+        names = _names(list(self.positions) if named else self.names, len(places))
         object.__setattr__(self, "positions", places)
         object.__setattr__(self, "weights", loads)
+        object.__setattr__(self, "names", names)
+
+    @classmethod
+    def rectangle(
+        cls, width: float, height: float, center: Any = (0.0, 0.0), angle: float = 0.0
+    ) -> Points:
+        """Four equal feet at the corners of a rectangle, its width at an angle from x, radians."""
+        return cls(placed_corners(rectangle_corners(width, height), center, angle))
+
+    @classmethod
+    def regular(
+        cls, count: int, radius: float, center: Any = (0.0, 0.0), angle: float = 0.0
+    ) -> Points:
+        """Equal feet at the corners of a regular polygon, the first at an angle from x, radians."""
+        return cls(placed_corners(regular_corners(count, radius), center, angle))
+
+    @classmethod
+    def disc(cls, rings: int, radius: float, center: Any = (0.0, 0.0)) -> Points:
+        """Equal feet spread evenly over a disc: one in the middle, and rings of 6, 12, 18, ... about it."""
+        return cls(placed_corners(disc_places(rings, radius), center, 0.0))
+
+    def moved(self, frame: Frame) -> Points:
+        """The same points as another frame has them."""
+        return replace(self, positions=[moved_place(each, frame) for each in self.positions])
 
     @property
     def center_of_pressure(self) -> Position:
@@ -57,6 +96,18 @@ class Points(Pictured):
     def pieces(self) -> Pieces:
         loads = np.array(self.weights)
         return Pieces(atoms=np.column_stack([self.positions, loads / loads.sum()]))
+
+
+def _names(given: Any, count: int) -> tuple[str, ...] | None:
+    """A name for each point, or none at all."""
+    if given is None:
+        return None
+    names = tuple(given) if isinstance(given, (list, tuple)) else ()
+    if len(names) != count or not all(isinstance(each, str) and each for each in names):
+        raise InvalidValue("names", given, f"{count} names", "give a name for each point, or none")
+    if len(set(names)) < count:
+        raise InvalidValue("names", given, "names that differ", "name each point once")
+    return names
 
 
 @summing

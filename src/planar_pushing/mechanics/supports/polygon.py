@@ -8,8 +8,14 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined, kernel
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions
+from planar_pushing.mechanics.supports.layouts import (
+    placed_corners,
+    rectangle_corners,
+    regular_corners,
+)
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.multipole import far
 from planar_pushing.mechanics.supports.pressure.plate import FAR, near
@@ -27,8 +33,9 @@ class Polygon(Pictured):
 
     Parameters
     ----------
-    vertices : sequence of pairs
+    vertices : sequence of pairs, or an object with `coords` or `exterior`
         At least three, in the body frame, in either direction of turning; the polygon need not be convex.
+        The first may stand at the end again, as in the rings of GeoJSON and shapely.
 
     Raises
     ------
@@ -40,12 +47,26 @@ class Polygon(Pictured):
     vertices: Any
 
     def __post_init__(self) -> None:
-        remedy = "give x and y of each vertex in the body frame, in order"
-        found = positions("vertices", self.vertices, remedy)
-        if len(found) < 3:
-            raise InvalidValue("vertices", self.vertices, "at least three vertices", remedy)
-        _require_simple(np.array(found))
-        object.__setattr__(self, "vertices", found)
+        found = simple_ring("vertices", self.vertices)
+        object.__setattr__(self, "vertices", tuple((x, y) for x, y in found.tolist()))
+
+    @classmethod
+    def rectangle(
+        cls, width: float, height: float, center: Any = (0.0, 0.0), angle: float = 0.0
+    ) -> Polygon:
+        """A rectangle about a center, its width at an angle from x, radians."""
+        return cls(placed_corners(rectangle_corners(width, height), center, angle))
+
+    @classmethod
+    def regular(
+        cls, count: int, radius: float, center: Any = (0.0, 0.0), angle: float = 0.0
+    ) -> Polygon:
+        """A regular polygon with `count` corners at a radius, the first at an angle from x, radians."""
+        return cls(placed_corners(regular_corners(count, radius), center, angle))
+
+    def moved(self, frame: Frame) -> Polygon:
+        """The same polygon as another frame has it."""
+        return Polygon([moved_place(each, frame) for each in self.vertices])
 
     @property
     def center_of_pressure(self) -> Position:
@@ -76,19 +97,41 @@ def _area(vertices):
     return total / 2.0
 
 
-def _require_simple(vertices: Array) -> None:
+def simple_ring(name: str, given: Any) -> Array:
+    """Vertices of a simple polygon, shape (n, 2), each once.
+
+    Raises
+    ------
+    InvalidValue
+        Under this name, where there are fewer than three, a number is not finite, edges cross or touch, or
+        the area is zero.
+    """
+    remedy = "give x and y of each vertex in order"
+    ring = getattr(getattr(given, "exterior", given), "coords", getattr(given, "vertices", given))
+    found = np.array(positions(name, list(ring) if ring is not given else ring, remedy)).reshape(
+        -1, 2
+    )
+    if len(found) > 1 and (found[0] == found[-1]).all():
+        found = found[:-1]
+    if len(found) < 3:
+        raise InvalidValue(name, given, "at least three vertices", remedy)
+    _require_simple(name, found)
+    return found
+
+
+def _require_simple(name: str, vertices: Array) -> None:
     """Refuse a polygon whose edges meet elsewhere than at their common vertices, or without area."""
     i, j = _crossing(vertices)
     if i >= 0:
         raise InvalidValue(
-            "vertices", _edges(vertices, i, j),
+            name, _edges(vertices, i, j),
             "a simple polygon, whose edges do not cross or touch",
             "order the vertices along the boundary, each once",
         )  # fmt: skip
     size = (vertices.max(axis=0) - vertices.min(axis=0)).max()
     if abs(_area(vertices)) <= THINNEST * size**2:
         raise InvalidValue(
-            "vertices", vertices.tolist(), "a polygon whose area is not zero",
+            name, vertices.tolist(), "a polygon whose area is not zero",
             "use Segment for a support on a line",
         )  # fmt: skip
 

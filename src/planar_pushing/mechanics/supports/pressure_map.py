@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position, array, require_all
+from planar_pushing.mechanics.supports.base import Position, array, position, require_all
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 #: Cells along a side of the blocks that are evaluated together, each by one series from afar.
 BLOCK = 4
+#: How far the square of a unit vector's length may be from 1: rounding of its two numbers.
+UNIT = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,10 +27,13 @@ class PressureMap(Pictured):
     Parameters
     ----------
     x, y : sequence of float
-        Edges of the cells in the body frame, increasing: one more than there are columns and rows.
+        Edges of the cells, increasing: one more than there are columns and rows.
     pressure : array_like, shape (len(y) - 1, len(x) - 1)
         Pressure in each cell, >= 0 and not all zero, in any unit; ``pressure[j][i]`` is the cell from
         ``x[i]`` to ``x[i + 1]`` and from ``y[j]`` to ``y[j + 1]``.
+    origin, axis : pair of float, optional
+        Where the origin of x and y is in the body frame, and the direction of x there; without them x and y
+        are those of the body frame.
 
     Raises
     ------
@@ -39,6 +45,8 @@ class PressureMap(Pictured):
     x: Any
     y: Any
     pressure: Any
+    origin: Any = None
+    axis: Any = None
 
     def __post_init__(self) -> None:
         x, y = (_edges(name, getattr(self, name)) for name in ("x", "y"))
@@ -55,6 +63,11 @@ class PressureMap(Pictured):
         )
         if not cells.any():
             raise InvalidValue("pressure", 0.0, "at least one number > 0", "leave out empty maps")
+        for name in ("origin", "axis"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, position(name, getattr(self, name)))
+        if self.axis is not None:
+            _require_unit(self.axis)
         object.__setattr__(self, "x", tuple(x.tolist()))
         object.__setattr__(self, "y", tuple(y.tolist()))
         object.__setattr__(self, "pressure", tuple(map(tuple, cells.tolist())))
@@ -67,6 +80,17 @@ class PressureMap(Pictured):
     def extent(self) -> float:
         return extent(self.pieces())
 
+    @property
+    def frame(self) -> Frame:
+        """The frame of x and y in the body frame."""
+        return Frame(self.origin or (0.0, 0.0), self.axis or (1.0, 0.0))
+
+    def moved(self, frame: Frame) -> PressureMap:
+        """The same map as another frame has it."""
+        own = self.frame
+        x, y = frame.vector_in(own.axis).tolist()
+        return replace(self, origin=moved_place(own.origin, frame), axis=(x + 0.0, y + 0.0))
+
     def pieces(self) -> Pieces:
         x, y, cells = np.array(self.x), np.array(self.y), np.array(self.pressure)
         loads = cells / cells.max()
@@ -77,14 +101,25 @@ class PressureMap(Pictured):
             for i in range(0, len(x) - 1, BLOCK)
             if loads[j : j + BLOCK, i : i + BLOCK].any()
         ]
-        return Pieces(
-            plates=tuple(
-                _block(
-                    x[i : i + BLOCK + 1], y[j : j + BLOCK + 1], loads[j : j + BLOCK, i : i + BLOCK]
-                )
-                for i, j in corners
-            )
-        )
+        plates = [
+            _block(x[i : i + BLOCK + 1], y[j : j + BLOCK + 1], loads[j : j + BLOCK, i : i + BLOCK])
+            for i, j in corners
+        ]
+        if self.origin is not None or self.axis is not None:
+            plates = [_turned(plate, self.frame) for plate in plates]
+        return Pieces(plates=tuple(plates))
+
+
+def _require_unit(axis: Position) -> None:
+    """Refuse a direction that is no unit vector."""
+    if abs(axis[0] ** 2 + axis[1] ** 2 - 1.0) > UNIT:
+        raise InvalidValue("axis", axis, "a unit vector", "divide it by its length")
+
+
+def _turned(plate: Array, frame: Frame) -> Array:
+    """Edges of a frame, out of it."""
+    ends = frame.point_out(plate[:, :4].reshape(-1, 2)).reshape(-1, 4)
+    return np.column_stack([ends, plate[:, 4]])
 
 
 def _edges(name: str, given: object) -> Array:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, position
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
@@ -62,6 +63,10 @@ class Segment(Pictured):
     @property
     def extent(self) -> float:
         return extent(self.pieces())
+
+    def moved(self, frame: Frame) -> Segment:
+        """The same line as another frame has it."""
+        return Segment(moved_place(self.start, frame), moved_place(self.end, frame))
 
     def pieces(self) -> Pieces:
         return Pieces(segments=np.array([[*self.start, *self.end, 1.0]]))

@@ -129,6 +129,10 @@ def choice(options: type[StrEnum]) -> Any:
     return Literal.__getitem__(tuple(map(str, options)))
 
 
+#: Corners of a regular polygon.
+CornerCount = number(
+    "a whole number >= 3", lambda x: x >= 3 and x == int(x), type="integer", minimum=3
+)
 #: Numbers that count things.
 COUNT = "an integer >= 1"
 

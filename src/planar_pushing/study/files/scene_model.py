@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field, ValidationInfo, field_validator
+from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.contact import (
     ContactLaw,
@@ -21,6 +23,8 @@ from planar_pushing.mechanics.effects import (
     SupportFriction,
     Viscous,
 )
+from planar_pushing.mechanics.frames import Placement
+from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.files.fields import (
     AtZeroNormalName,
@@ -35,8 +39,10 @@ from planar_pushing.study.files.fields import (
     refuse,
 )
 from planar_pushing.study.files.simulate_model import SimulateEntry
-from planar_pushing.study.files.support_model import Point, WholeSupport
+from planar_pushing.study.files.support_model import Point, Points, WholeSupport
+from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
+from planar_pushing.terms.units import Units
 
 
 class SliderEntry(FileModel):
@@ -44,19 +50,50 @@ class SliderEntry(FileModel):
 
     Without a radius it is the support's largest distance from its center of pressure, 1 for a ring. `side`
     holds the ends of the flat side that a finger pushes, along it from the contact; it has none by default.
+    `outline` holds the slider's corners in the body frame.
     """
 
     rod_length: NonNegative
     rod_angle: RodAngle
     radius: Positive | None = None
     side: Side | None = None
+    outline: Points | None = None
+
+    @field_validator("outline")
+    @classmethod
+    def _is_simple(cls, given: Any) -> Any:
+        try:
+            return given if given is None else required_outline(given)
+        except InvalidValue as error:
+            raise PydanticCustomError("not_allowed", "{allowed}", vars(error)) from None
 
     def build(self) -> Slider:
         side = {} if self.side is None else {"side": self.side}
         return Slider(
             rod_length=self.rod_length, rod_angle=np.deg2rad(self.rod_angle), radius=self.radius,
-            **side,
+            outline=self.outline, **side,
         )  # fmt: skip
+
+
+class PlacementEntry(FileModel):
+    """The contact and the inward normal there in the object's own frame."""
+
+    point: Point
+    normal: Point
+
+    def build(self) -> Placement:
+        return Placement(self.point, self.normal)
+
+
+class UnitsEntry(FileModel):
+    """Names of the units of length, force and time."""
+
+    length: Text = "m"
+    force: Text = "N"
+    time: Text = "s"
+
+    def build(self) -> Units:
+        return Units(length=self.length, force=self.force, time=self.time)
 
 
 class CoulombEntry(FileModel):
@@ -162,26 +199,41 @@ class SceneFile(FileModel):
     """
 
     title: Text = ""
+    units: UnitsEntry | None = None
     slider: SliderEntry
+    placement: PlacementEntry | None = None
     contact: ContactEntry
     effects: Annotated[tuple[EffectEntry, ...], NotEmpty]
     simulate: SimulateEntry | None = None
 
-    @field_validator("simulate")
-    @classmethod
-    def _twist_has_inertia(
-        cls, given: SimulateEntry | None, info: ValidationInfo
-    ) -> SimulateEntry | None:
-        inert = EffectKind.INERTIA in {
-            EFFECT_TYPES[each.type] for each in info.data.get("effects", ())
-        }
-        if given and given.initial_twist and not inert:
-            raise refuse("initial_twist with inertia among the effects only")
-        return given
+    _twist_has_inertia = field_validator("simulate")(
+        lambda given, info: require_inertia(given, info)
+    )
 
     def build(self) -> Scene:
         return Scene(
             slider=self.slider.build(),
             contact=self.contact.build(),
             effects=tuple(effect.build() for effect in self.effects),
+            placement=None if self.placement is None else self.placement.build(),
+            units=None if self.units is None else self.units.build(),
+            push=None if self.simulate is None else _push(self.simulate, self.effects),
         )
+
+
+def require_inertia(given: SimulateEntry | None, info: ValidationInfo) -> SimulateEntry | None:
+    """A section `simulate` whose twist needs inertia among the effects."""
+    inert = EffectKind.INERTIA in {EFFECT_TYPES[each.type] for each in info.data.get("effects", ())}
+    if given and given.initial_twist and not inert:
+        raise refuse("initial_twist with inertia among the effects only")
+    return given
+
+
+def _push(given: SimulateEntry, effects: Sequence[Any]) -> tuple[float, float]:
+    """Direction in radians and speed of the pusher as it starts.
+
+    A slider with inertia is pushed from rest, by an acceleration, of which a file holds none: it has size 1.
+    """
+    first = given.pieces[0]
+    inert = EffectKind.INERTIA in {EFFECT_TYPES[each.type] for each in effects}
+    return np.deg2rad(first.angle), 1.0 if inert else first.speed

@@ -13,6 +13,7 @@ from ruamel.yaml import YAML
 from planar_pushing.mechanics.entries import scene_entry
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.study.files.fields import FileModel
+from planar_pushing.study.files.object_model import ObjectFile
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.yaml_text import read_yaml, shown
@@ -36,7 +37,10 @@ def load_scene(path: PathLike) -> Scene:
 
 
 def load_scene_file(path: PathLike) -> SceneFile:
-    """Read a scene file with its title; errors as in `load_scene`."""
+    """Read a scene file, or an object file as one, with its title; errors as in `load_scene`."""
+    content = read_yaml(Path(require_path("path", path)))
+    if isinstance(content, dict) and "object" in content:
+        return load_model(path, ObjectFile).scene_file()
     return load_model(path, SceneFile)
 
 
@@ -116,8 +120,9 @@ def explain(path: Path, error: ErrorDetails) -> str:
             word = shown(unknown)[1:].removesuffix("'") if isinstance(unknown, str) else unknown
             key, given = (f"{key}.{word}" if key else str(word)), given[unknown]
             allowed = f"the keys {', '.join(known)}"
-        case "refused":
-            key, given, remedy = f"{key}.{context['name']}", context["given"], context["remedy"]
+        case "refused" | "refused_in":
+            key = f"{context.get('place', key)}.{context['name']}"
+            given, remedy = context["given"], context["remedy"]
         case "union_tag_invalid":
             allowed = f"{context['discriminator']} one of {context['expected_tags']}"
         case "union_tag_not_found":

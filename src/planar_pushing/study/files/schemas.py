@@ -4,17 +4,24 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
-from planar_pushing.study.files.fields import FileModel
+from pydantic import TypeAdapter
+
+from planar_pushing.study.files.object_model import ObjectFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.study_model import StudyFile
 
-SCHEMAS: dict[str, type[FileModel]] = {"scene": SceneFile, "study": StudyFile}
+#: A scene file is one in the body frame, or in the frame of an object.
+SCHEMAS: dict[str, TypeAdapter[Any]] = {
+    "scene": TypeAdapter(SceneFile | ObjectFile),
+    "study": TypeAdapter(StudyFile),
+}
 
 
 def schema_text(name: str) -> str:
     """JSON schema of a scene or a study file, as text."""
-    return json.dumps(SCHEMAS[name].model_json_schema(mode="validation"), indent=2) + "\n"
+    return json.dumps(SCHEMAS[name].json_schema(mode="validation"), indent=2) + "\n"
 
 
 def main(folder: str = "workflow/schemas") -> None:

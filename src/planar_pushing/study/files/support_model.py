@@ -8,9 +8,16 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from planar_pushing.mechanics.supports import SHAPES
+from planar_pushing.mechanics.supports import SHAPES, Polygon
 from planar_pushing.mechanics.supports.pressure.table import extent_of
-from planar_pushing.study.files.fields import FileModel, NotEmpty, Positive, refuse
+from planar_pushing.study.files.fields import (
+    CornerCount,
+    Degrees,
+    FileModel,
+    NotEmpty,
+    Positive,
+    refuse,
+)
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -52,18 +59,20 @@ class Entry(FileModel):
 
 
 class RingSupport(Entry):
-    """An even ring about the slider's center, of the slider's radius unless it says another."""
+    """An even ring, of the slider's radius and about its center unless it says others."""
 
     shape: Literal["ring"]
     radius: Positive | None = None
+    center: Point | None = None
 
 
 class PointsSupport(Entry):
-    """Support points, and what each carries."""
+    """Support points, the load on each, equal by default, and their names."""
 
     shape: Literal["points"]
     positions: Points
-    weights: Numbers
+    weights: Numbers | None = None
+    names: Annotated[tuple[str, ...], NotEmpty] | None = None
 
 
 class SegmentSupport(Entry):
@@ -98,13 +107,44 @@ class PolygonSupport(Entry):
     vertices: Points
 
 
+class RectangleSupport(Entry):
+    """An even rectangle about a center, its width at an angle from x in degrees."""
+
+    shape: Literal["rectangle"]
+    width: Positive
+    height: Positive
+    center: Point = (0.0, 0.0)
+    angle: Degrees = 0.0
+
+    def build(self) -> Any:
+        return Polygon.rectangle(self.width, self.height, self.center, math.radians(self.angle))
+
+
+class RegularPolygonSupport(Entry):
+    """An even regular polygon about a center, its first corner at an angle from x in degrees."""
+
+    shape: Literal["regular_polygon"]
+    count: CornerCount
+    radius: Positive
+    center: Point = (0.0, 0.0)
+    angle: Degrees = 0.0
+
+    def build(self) -> Any:
+        return Polygon.regular(int(self.count), self.radius, self.center, math.radians(self.angle))
+
+
 class PressureMapSupport(Entry):
-    """Cells between the lines x and y, each with its pressure; rows along y."""
+    """Cells between the lines x and y, each with its pressure; rows along y.
+
+    `origin` and `axis` are the origin of x and y and the direction of x in the body frame.
+    """
 
     shape: Literal["pressure_map"]
     x: Numbers
     y: Numbers
     pressure: Annotated[tuple[Numbers, ...], NotEmpty]
+    origin: Point | None = None
+    axis: Point | None = None
 
 
 class MemberEntry(FileModel):
@@ -132,6 +172,8 @@ SupportEntry = Annotated[
     | DiscSupport
     | AnnulusSupport
     | PolygonSupport
+    | RectangleSupport
+    | RegularPolygonSupport
     | PressureMapSupport
     | CompositeSupport,
     Field(discriminator="shape"),

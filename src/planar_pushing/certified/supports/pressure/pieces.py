@@ -161,7 +161,7 @@ def _segment(entry: Entry) -> Pieces:
 
 def _ring(entry: Entry) -> Pieces:
     radius = entry.get("radius")
-    return Pieces(rings=(_circle((0, 0), 1 if radius is None else radius),))
+    return Pieces(rings=(_circle(entry.get("center") or (0, 0), 1 if radius is None else radius),))
 
 
 def _disc(entry: Entry) -> Pieces:
@@ -197,7 +197,17 @@ def _pressure_map(entry: Entry) -> Pieces:
             corners = [(west, south), (east, south), (east, north), (west, north), (west, south)]
             for a, b in pairwise(corners):
                 _step(steps, a, b, rational(pressure))
-    return Pieces(edges=_even([Line(a, b, step) for (a, b), step in steps.items() if step]))
+    frame = _place(entry.get("origin") or (0, 0)), _place(entry.get("axis") or (1, 0))
+    lines = [
+        Line(_out_of(frame, a), _out_of(frame, b), step) for (a, b), step in steps.items() if step
+    ]
+    return Pieces(edges=_even(lines))
+
+
+def _out_of(frame: tuple[Place, Place], place: Place) -> Place:
+    """A place of a map in the body frame; its axis counts as exact, so it may stretch the map by an ulp."""
+    (x, y), (a, b) = frame
+    return x + place[0] * a - place[1] * b, y + place[1] * a + place[0] * b
 
 
 def _step(steps: dict[tuple[Place, Place], fmpq], a: Place, b: Place, pressure: fmpq) -> None:

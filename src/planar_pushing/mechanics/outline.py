@@ -1,0 +1,100 @@
+"""The outline of an object: its corners in order, and its sides."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.frames import Placement
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports.polygon import simple_ring
+from planar_pushing.terms.errors import InvalidValue
+
+Corners = tuple[tuple[float, float], ...]
+#: A point this near to a side, over the size of the outline, is on it; drawings are no better than this.
+ON = 1e-6
+#: Largest angle, radians, between a normal that is given and that of its side.
+ALIGNED = 1e-3
+
+
+def required_outline(given: Any) -> Corners:
+    """Corners of a simple polygon, counter-clockwise, without those at which no side turns.
+
+    Raises
+    ------
+    InvalidValue
+        Where the outline is no simple polygon.
+    """
+    corners = simple_ring("outline", given)
+    x, y = corners.T
+    if np.dot(x, np.roll(y, -1)) < np.dot(y, np.roll(x, -1)):
+        corners = corners[::-1]
+    before, behind = corners - np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0) - corners
+    cross = before[:, 0] * behind[:, 1] - before[:, 1] * behind[:, 0]
+    turns = np.abs(cross) > 1e-12 * np.hypot(*before.T) * np.hypot(*behind.T)
+    return tuple((float(a), float(b)) for a, b in corners[turns])
+
+
+def size(corners: Array) -> float:
+    """Largest extent of an outline along x or y."""
+    return float(np.ptp(corners, axis=0).max())
+
+
+def placed(
+    point: Any, normal: Any, corners: Corners
+) -> tuple[Placement, tuple[float, float] | None]:
+    """The placement at a point of an outline, and the ends of the side from there; None at a corner.
+
+    A normal within a thousandth of a radian of that of the side is taken to be that.
+
+    Raises
+    ------
+    InvalidValue
+        Where the point is not on the outline, or an object with this normal is not beside the fence.
+    """
+    given = None if normal is None else Placement(point, normal)
+    place = np.array(Placement(point, (0.0, 1.0)).point)
+    every, scale = np.array(corners), size(np.array(corners))
+    starts, ends = every, np.roll(every, -1, axis=0)
+    sides = ends - starts
+    lengths = np.hypot(*sides.T)
+    along = ((place - starts) * sides).sum(axis=1) / lengths
+    across = (sides[:, 0] * (place - starts)[:, 1] - sides[:, 1] * (place - starts)[:, 0]) / lengths
+    reach = np.hypot(across, np.maximum(np.maximum(-along, along - lengths), 0.0))
+    side = int(reach.argmin())
+    if reach[side] > ON * scale:
+        nearest = (
+            starts[side] + np.clip(along[side], 0.0, lengths[side]) * sides[side] / lengths[side]
+        )
+        raise InvalidValue(
+            "point", point, "a point on the outline",
+            f"the nearest one is ({nearest[0]:.6g}, {nearest[1]:.6g})",
+        )  # fmt: skip
+    corner = [k for k in range(len(every)) if np.hypot(*(every[k] - place)) <= ON * scale]
+    if corner:
+        return _at_corner(point, given, every, corner[0]), None
+    inward = 0.0 - sides[side, 1] / lengths[side], sides[side, 0] / lengths[side] + 0.0
+    if given is not None and np.hypot(*np.subtract(given.normal, inward)) > ALIGNED:
+        raise InvalidValue(
+            "normal", normal, f"the inward normal of the side, ({inward[0]:.6g}, {inward[1]:.6g})",
+            "with another one the fence would pass through the object; leave the normal out",
+        )  # fmt: skip
+    return Placement(point, inward), (-float(along[side]), float(lengths[side] - along[side]))
+
+
+def _at_corner(point: Any, given: Placement | None, every: Array, corner: int) -> Placement:
+    """The placement at a corner, which both of its sides have to be beyond the fence."""
+    if given is None:
+        raise InvalidValue(
+            "normal", None, "the normal of the fence at a corner",
+            "give it: a corner touches a fence at any angle between those of its sides",
+        )  # fmt: skip
+    beside = every[[corner - 1, (corner + 1) % len(every)]] - every[corner]
+    heights = beside @ np.array(given.normal) / np.hypot(*beside.T)
+    if heights.min() < -ALIGNED:
+        raise InvalidValue(
+            "normal", given.normal, "a normal between those of the corner's sides",
+            "with this one the fence would pass through the object",
+        )  # fmt: skip
+    return given

@@ -1,0 +1,69 @@
+"""Places of corners and feet in common layouts."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.supports.base import position
+from planar_pushing.mechanics.supports.pressure.record import Array
+from planar_pushing.terms.errors import require_number, require_positive
+
+
+def placed_corners(places: Array, center: Any, angle: float) -> Array:
+    """Places turned about the origin by an angle in radians, and moved to a center."""
+    turn = require_number(
+        "angle", angle, np.isfinite, "a finite number of radians", "give one angle"
+    )
+    c, s = (1.0, 0.0) if turn == 0.0 else (np.cos(turn), np.sin(turn))
+    turned: Array = places @ np.array([[c, s], [-s, c]])
+    return turned + position("center", center)
+
+
+def rectangle_corners(width: float, height: float) -> Array:
+    """Corners of a rectangle about the origin, counter-clockwise."""
+    x = require_positive("width", width, "give the length of the sides along x") / 2
+    y = require_positive("height", height, "give the length of the sides along y") / 2
+    return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
+
+
+def regular_corners(count: int, radius: float) -> Array:
+    """Corners of a regular polygon about the origin, the first along x."""
+    number = _count(count, 3)
+    turns = 2 * np.pi * np.arange(number) / number
+    return _radius(radius) * np.column_stack([np.cos(turns), np.sin(turns)])
+
+
+def disc_places(rings: int, radius: float) -> Array:
+    """Places on rings of 6, 12, 18, ... about one in the middle, each with the same area around it.
+
+    A place is at the root mean square radius of its ring's area, so that the second moment of the places is
+    about that of the disc.
+    """
+    number = _count(rings, 1)
+    edges = np.sqrt(
+        (1 + 3 * np.arange(number + 1) * np.arange(1, number + 2)) / (1 + 3 * number * (number + 1))
+    )
+    places = [np.zeros((1, 2))]
+    for k in range(1, number + 1):
+        turns = 2 * np.pi * np.arange(6 * k) / (6 * k)
+        away = np.sqrt((edges[k - 1] ** 2 + edges[k] ** 2) / 2)
+        places.append(away * np.column_stack([np.cos(turns), np.sin(turns)]))
+    return _radius(radius) * np.concatenate(places)
+
+
+def _radius(given: float) -> float:
+    return require_positive("radius", given, "give the radius")
+
+
+def _count(given: int, least: int) -> int:
+    allowed = f"a whole number >= {least}"
+    number = require_number(
+        "count",
+        given,
+        lambda n: n >= least and n == int(n) and n < 1e6,
+        allowed,
+        "give more of them",
+    )
+    return int(number)

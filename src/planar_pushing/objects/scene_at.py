@@ -1,0 +1,149 @@
+"""A scene from an object in a frame of its own: supports, masses and contact as a person has them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.contact import ContactLaw
+from planar_pushing.mechanics.core import extents
+from planar_pushing.mechanics.effects import Effect, Inertia, SupportFriction, Viscous
+from planar_pushing.mechanics.frames import Frame, Placement, moved_place
+from planar_pushing.mechanics.outline import placed, required_outline
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.units import Units
+
+#: A center less than this part of the extent above the fence counts as on it: its rod would be flat.
+LEAST_HEIGHT = 1e-9
+#: Largest distance of a contact from the center, in extents of the support: no object's handle is longer.
+FARTHEST = 500.0
+
+
+def scene_at(
+    point: Sequence[float],
+    normal: Sequence[float] | None = None,
+    *,
+    effects: Sequence[Effect],
+    contact: ContactLaw,
+    outline: Any = None,
+    units: Units | None = None,
+) -> Scene:
+    """The scene of an object that is pushed at a point, everything in the object's own frame.
+
+    Parameters
+    ----------
+    point : (x, y)
+        The contact.
+    normal : (n_x, n_y), optional
+        Normal of the fence or of the finger's side, into the object, of any length. With an outline it may
+        be left out where the contact is not at a corner.
+    effects : sequence of effects
+        `SupportFriction`, `Viscous`, `Inertia` and `Load`; their supports, centers and forces in the
+        object's frame.
+    contact : ContactLaw
+    outline : sequence of pairs, or an object with `coords` or `exterior`, optional
+        Corners of the object in order. The contact has to be on it, and the normal that of its side.
+    units : Units, optional
+        Names of the units, which results then carry.
+
+    Returns
+    -------
+    Scene
+        In the fence frame: origin at the contact, +y along the normal, +x the normal turned by -90 degrees.
+        Its `placement` turns answers back (`Scene.to_object`).
+
+    Raises
+    ------
+    InvalidValue
+        Where the normal has no length or points out of the object, the point is not on the outline, or an
+        effect has no place in an object's frame.
+
+    Notes
+    -----
+    The slider's center c is the center of pressure, of a scene with inertia alone the center of mass. Where
+    it is not above the fence, as for a hook, c is the point above the contact at the height of the
+    support's extent. The rod goes from the contact to c.
+    """
+    if outline is None:
+        place, side, corners = _free(point, normal), None, None
+    else:
+        corners = required_outline(outline)
+        place, side = placed(point, normal, corners)
+    listed = _required_effects(effects)
+    center, extent = _middle(listed)
+    body, length, angle = _body(place, np.array(center), extent)
+    _require_one_unit(length, extent)
+    slider = Slider(
+        rod_length=length, rod_angle=angle,
+        radius=None if any(hasattr(each, "support") for each in listed) else extent,
+        outline=None if corners is None else [moved_place(each, body) for each in corners],
+        **({} if side is None else {"side": side}),
+    )  # fmt: skip
+    moved = tuple(each.moved(body, place.fence) for each in listed)
+    return Scene(slider=slider, contact=contact, effects=moved, placement=place, units=units)
+
+
+def _require_one_unit(length: float, extent: float) -> None:
+    """Refuse a contact that is as far from the support as only another unit of length takes it."""
+    if not length <= FARTHEST * extent:
+        raise InvalidValue(
+            "point", f"a contact {length:.6g} from the center of a support of size {extent:.6g}",
+            f"at most {FARTHEST:g} times its size", "give all lengths in one unit",
+        )  # fmt: skip
+
+
+def _free(point: Any, normal: Any) -> Placement:
+    if normal is None:
+        raise InvalidValue(
+            "normal",
+            None,
+            "(n_x, n_y) without an outline",
+            "give the inward normal",
+        )
+    return Placement(point, normal)
+
+
+def _required_effects(given: Any) -> tuple[Any, ...]:
+    """Effects that can be moved, or `InvalidValue`."""
+    found = tuple(given) if isinstance(given, (list, tuple)) else ()
+    if not found or not all(hasattr(each, "moved") for each in found):
+        raise InvalidValue(
+            "effects", given, "a sequence of SupportFriction, Viscous, Inertia and Load",
+            "list what resists the motion, in the object's frame",
+        )  # fmt: skip
+    return found
+
+
+def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
+    """Center and extent of an object in its frame: of friction, else of viscous friction, else of mass."""
+    friction = [each for each in effects if isinstance(each, SupportFriction)]
+    films = [each for each in effects if isinstance(each, Viscous)]
+    masses = [each for each in effects if isinstance(each, Inertia)]
+    if friction or films:
+        resting = friction or films
+        loads = np.array([each.weight for each in friction] or [each.coefficient for each in films])
+        centers = np.array([each.support.center_of_pressure for each in resting])
+        return loads @ centers / loads.sum(), float(extents(resting[0].support))
+    if not masses:
+        raise InvalidValue(
+            "effects", effects, "friction or inertia among them", "list what resists the motion"
+        )
+    loads = np.array([each.mass for each in masses])
+    return loads @ np.array([each.center for each in masses]) / loads.sum(), masses[
+        0
+    ].gyration_radius
+
+
+def _body(place: Placement, center: Array, extent: float) -> tuple[Frame, float, float]:
+    """The body frame in the object's frame, and length and angle of the rod."""
+    along, height = place.fence.point_in(center).tolist()
+    if height <= LEAST_HEIGHT * extent:
+        along, height = 0.0, extent
+    length = float(np.hypot(along, height))
+    x, y = place.fence.vector_out((along / length, height / length)).tolist()
+    c_x, c_y = place.fence.point_out((along, height)).tolist()
+    return Frame((c_x, c_y), (x, y)), length, float(np.arctan2(height, along))

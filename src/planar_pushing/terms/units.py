@@ -1,0 +1,62 @@
+"""Names of the units of a scene's numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+from planar_pushing.terms.errors import InvalidValue
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Units:
+    """Units in which the numbers of a scene are, as results and pictures print them.
+
+    They are names: nothing is converted.
+
+    Parameters
+    ----------
+    length, force, time : str
+        For instance "m", "N" and "s", the default, or "mm", "N" and "s".
+
+    Raises
+    ------
+    InvalidValue
+        Where a name is no text.
+    """
+
+    length: str = "m"
+    force: str = "N"
+    time: str = "s"
+
+    def __post_init__(self) -> None:
+        for each in fields(self):
+            given = getattr(self, each.name)
+            if not isinstance(given, str) or not given.strip():
+                raise InvalidValue(
+                    each.name, given, "the name of a unit", "give it as text, such as m"
+                )
+
+    def of(self, quantity: str, *, inertia: bool = False) -> str:
+        """Unit of a quantity as the tables of `quantities` have it: a power product in UDUNITS' form."""
+        motion = f"{self.length} {self.time}-{2 if inertia else 1}"
+        units = {
+            "length": self.length,
+            "force": self.force,
+            "time": self.time,
+            "motion": motion,
+            "force length": f"{self.force} {self.length}",
+            "length/time": f"{self.length} {self.time}-1",
+            "force/radian": f"{self.force} radian-1",
+        }
+        return units.get(quantity, quantity)
+
+
+def with_units(
+    attributes: dict[str, Any], units: Units | None, *, inertia: bool = False
+) -> dict[str, Any]:
+    """Attributes of a variable with the units of a scene in the place of a scaled quantity."""
+    if units is None or "quantity" not in attributes:
+        return attributes
+    found = {name: each for name, each in attributes.items() if name != "quantity"}
+    return found | {"units": units.of(attributes["quantity"], inertia=inertia)}
