@@ -12,12 +12,11 @@ r"""Geometry of the plane: frame, signs and the kinematics of a pushed slider.
    --------------+-*----------- x
          fence     contact = free end of the rod, origin of all positions; slider above the fence
 
-A twist is ``(v_x, v_y, omega)`` at the slider's center, a wrench ``(f_x, f_y, tau)`` at the ring
-center. `f` is the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` is the
-signed distance of the line of force from the slider's center, and the spin ratio ``k = R omega / v``
-compares the rotation with the center's speed `v` along `f`. "Motion" is velocity in a quasi-static
-scene and initial acceleration from rest otherwise. Angles are radians. The compiled core has lengths in
-units of R.
+A twist is ``(v_x, v_y, omega)`` and a wrench ``(f_x, f_y, tau)``, both at the slider's center. `f` is
+the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` is the signed distance of
+the line of force from the slider's center, and the spin ratio ``k = R omega / v`` compares the rotation
+with the center's speed `v` along `f`. "Motion" is velocity in a quasi-static scene and initial
+acceleration from rest otherwise. Angles are radians. The compiled core has lengths in units of R.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, SupportsIndex, overload
@@ -30,6 +30,8 @@ NUMBERS = {
     "spin_ratio": ("spin ratio",),
     "center": ("center x", "center y"),
 }
+#: A number below this fraction of the largest of its kind is a rounding error, and is printed as 0.
+ROUNDING = 1e-12
 #: Values of one problem, and dimension of the parts of a vector; all else is one number for a solution.
 COUNTS = ("solutions", "status")
 PARTS = {
@@ -99,11 +101,6 @@ def _plain(value: Any) -> Any:
     if isinstance(value, (bool, np.bool_)):
         return bool(value)
     return (np.asarray(value) + 0).tolist()
-
-
-def _numbers(solution: Solution) -> Array:
-    """The numbers of the table; adding 0 leaves no negative zeros."""
-    return np.hstack([getattr(solution, name) for name in NUMBERS]) + 0.0
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -180,10 +177,58 @@ class Solutions:
         import pandas as pd
 
         words = [word for each in NUMBERS.values() for word in each]
-        columns = [[f"{x:.6g}" for x in _numbers(each)] for each in self.solutions]
+        columns = [
+            [_short(x) for x in np.hstack([each[name] for name in NUMBERS])]
+            for each in printed(self)
+        ]
         return pd.DataFrame(dict(enumerate(columns)), words).set_axis(
             list(map(str, self.modes)), axis=1
         )
+
+
+def _short(number: float) -> str:
+    """A number of the table; a slider at rest has no center."""
+    return "none" if np.isnan(number) else f"{number:.6g}"
+
+
+def printed(solutions: Solutions) -> list[dict[str, Array]]:
+    """The numbers of each solution by name, with rounding errors and negative zeros as 0.
+
+    Forces are compared with the largest force of the solutions, motions with the largest motion, rotations
+    with that motion over the slider's reach, and places of the center with the reach or, where it is
+    larger, with the other coordinate.
+    """
+    names = (*NUMBERS, "force_end")
+    found = [{name: np.asarray(getattr(one, name)) for name in names} for one in solutions]
+    force = _largest(each[name] for each in found for name in ("force", "force_end"))
+    motion = _largest(
+        part for each in found for part in (each["contact_motion"], each["twist"][:2])
+    )
+    reach = _reach(solutions.problem)
+    turn = motion / reach if reach else 0.0
+    scales: dict[str, Any] = {
+        "force": force, "force_end": force, "contact_motion": motion, "spin_ratio": 1.0,
+        "twist": np.array([motion, motion, turn]),
+    }  # fmt: skip
+    for each in found:
+        for name, value in each.items():
+            scale = scales.get(name, max(reach, _largest([value])))
+            each[name] = np.where(np.abs(value) < ROUNDING * scale, 0.0, value) + 0.0
+    return found
+
+
+def _largest(vectors: Iterable[Array]) -> float:
+    """The largest finite component."""
+    finite = (np.abs(each[np.isfinite(each)]).max(initial=0.0) for each in vectors)
+    return float(max(finite, default=0.0))
+
+
+def _reach(problem: tuple[Any, float, float] | None) -> float:
+    """Length of a slider, with its rod: 0 where it is not known."""
+    if problem is None:
+        return 0.0
+    slider = problem[0].slider
+    return float(max(slider.rod_length, slider.radius))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -253,7 +298,9 @@ class SolutionArrays:
 
     def __repr__(self) -> str:
         outcomes, modes = _counted(Outcome, self.outcome), _counted(ContactMode, self.mode)
-        return f"SolutionArrays of shape {self.shape}\noutcomes: {outcomes}\nmodes: {modes}"
+        status = _counted(Status, self.status)
+        lines = (f"outcomes: {outcomes}", f"modes: {modes}", f"status: {status}")
+        return "\n".join((f"SolutionArrays of shape {self.shape}", *lines))
 
     def to_dataset(self, dims: Sequence[Hashable] | None = None) -> xr.Dataset:
         """The same as `solve` gives of labelled arrays, with units and flags.

@@ -232,7 +232,7 @@ def require_inertia(given: SimulateEntry | None, info: ValidationInfo) -> Simula
 def _push(given: SimulateEntry, effects: Sequence[Any]) -> tuple[float, float]:
     """Direction in radians and speed of the pusher as it starts.
 
-    A slider with inertia is pushed from rest, by an acceleration, of which a file holds none: it has size 1.
+    A slider with inertia is pushed from rest, by an acceleration, for which a file has no number: it is 1.
     """
     first = given.pieces[0]
     inert = EffectKind.INERTIA in {EFFECT_TYPES[each.type] for each in effects}
