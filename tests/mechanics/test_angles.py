@@ -92,7 +92,7 @@ def test_of_many_intervals_none_has_one_answer():
 
 def test_contains_refuses_what_is_no_angle():
     for given in ("east", [0.0, np.nan], None):
-        with pytest.raises(pp.InvalidValue, match=r"angle: .* a finite number of radians"):
+        with pytest.raises(pp.InvalidValue, match=r"angle: .* finite radians"):
             pp.AngleInterval(-0.5, 1.0).contains(given)
 
 

@@ -37,7 +37,7 @@ def same(found, place, single):
         values = getattr(found, name)[place]
         assert np.all(np.isnan(values[count:]))
         for value, solution in zip(values, single, strict=False):
-            assert np.array_equal(value, getattr(solution, name))
+            assert np.array_equal(value, getattr(solution, name), equal_nan=True)
 
 
 @pytest.mark.parametrize(("effects", "parameter"), PARAMETERS)

@@ -238,7 +238,7 @@ def test_large_friction_converges_to_infinite_friction():
 
 def test_a_slider_that_lies_down_stops_the_run():
     run = records(problem(EFFECTS["friction"], straight(90), 10.0, 1.0, Coulomb(0.5), 30), 1000)
-    assert run[-1].stopped == "the ring's center comes down to the fence"
+    assert run[-1].stopped == "the slider's center comes down to the fence"
     assert 0 < run[-1].time < 10
 
 

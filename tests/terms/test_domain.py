@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from decimal import Decimal
 
 import numpy as np
@@ -34,13 +35,14 @@ class TestNumbers:
     def test_rod_length(self, given):
         check(
             lambda: pp.Slider(rod_length=given, rod_angle=PSI), "rod_length", given, FINITE,
-            "give the distance from the contact to the ring centre",
+            "give the distance from the contact to the slider's center",
         )  # fmt: skip
 
     def test_rod_angle(self, given):
         check(
             lambda: pp.Slider(rod_length=1.0, rod_angle=given), "rod_angle", given,
-            "radians in the open interval (0, pi)", "keep the slider above the fence",
+            "radians in the open interval (0, pi)",
+            "keep the slider above the fence; turn degrees into radians with np.deg2rad",
         )  # fmt: skip
 
     def test_weight(self, given):
@@ -62,6 +64,8 @@ class TestNumbers:
         )  # fmt: skip
 
     def test_pusher_magnitude(self, given):
+        if given is None:  # the default
+            return
         check(
             lambda: pp.solve(make_scene(1.0), 1.0, given), "pusher_magnitude", given, FINITE,
             "turn the pusher around by its angle, not by a sign",
@@ -75,7 +79,7 @@ NO_RADIUS = [given for given in [*NOT_NUMBERS, -1.0, np.inf, -np.inf] if given i
 def test_radius(given):
     check(
         lambda: pp.Slider(rod_length=1.0, rod_angle=PSI, radius=given), "radius", given,
-        FINITE_POSITIVE, "give the ring's radius in the unit of the rod length",
+        FINITE_POSITIVE, "give it in the unit of the rod length",
     )  # fmt: skip
 
 
@@ -86,12 +90,58 @@ def test_a_slider_without_a_radius_knows_no_ratio():
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("given", [*NOT_NUMBERS, np.inf, -np.inf], ids=repr)
-def test_pusher_angle(given):
+ANGLE = "finite radians, a number in [-4 pi, 4 pi] or an array"
+DEGREES = "turn degrees into radians with np.deg2rad"
+NO_ANGLES = [
+    *(given for given in NOT_NUMBERS if given is not None),
+    *(np.inf, -np.inf, 90, -90, 12.6, 10**400, (0.1, 1.0), (1.0,)),
+]
+
+
+@pytest.mark.parametrize("given", NO_ANGLES, ids=lambda given: repr(given)[:20])
+class TestAngles:
+    def test_pusher_angle(self, given):
+        with pytest.raises(pp.InvalidValue) as caught:
+            pp.solve(make_scene(1.0), given)
+        error = caught.value
+        assert (error.name, error.allowed) == ("pusher_angle", ANGLE)
+        assert error.remedy == f"{DEGREES}; the angle of a velocity is np.arctan2(v_y, v_x)"
+        assert "\n" not in str(error)
+
+    @pytest.mark.parametrize("function", [pp.motion_angle, pp.limit_curve, pp.motion_centers])
+    def test_force_angle(self, given, function):
+        with pytest.raises(pp.InvalidValue) as caught:
+            function(make_scene(1.0), given)
+        error = caught.value
+        assert (error.name, error.allowed, error.remedy) == ("force_angle", ANGLE, DEGREES)
+
+    def test_angle_of_an_interval(self, given):
+        cone = pp.motion_cone(make_scene(1.0))
+        for call in (cone.contains, cone.__contains__):
+            with pytest.raises(pp.InvalidValue, match=r"radians with np\.deg2rad"):
+                call(given)
+
+
+@pytest.mark.parametrize(
+    "given", [4 * np.pi, -4 * np.pi, np.float64(90.0), np.array(90.0), xr.DataArray(90.0)], ids=repr
+)
+def test_angles_that_are_allowed(given):
+    """An array, or a number of numpy, may hold any: it comes from a computation."""
+    turn = np.array([float(given) % (2 * np.pi)])
+    one, other = pp.solve(make_scene(1.0), given), pp.solve(make_scene(1.0), turn)
+    assert int(np.asarray(one.outcome)) == other.outcome[0]
+
+
+def test_without_an_angle_the_push_is_that_of_the_scene():
+    scene = make_scene(1.0)
     check(
-        lambda: pp.solve(make_scene(1.0), given), "pusher_angle", given,
-        "a finite number of radians", "give one angle",
+        lambda: pp.solve(scene), "pusher_angle", None, "radians, for a scene whose file holds no push",
+        "give the angle of the push, np.deg2rad(90) for one into the slider",
     )  # fmt: skip
+    pushed = dataclasses.replace(scene, push=(0.3, 2.0))
+    assert pp.solve(pushed) == pp.solve(scene, 0.3, 2.0)
+    assert pp.solve(pushed, pusher_magnitude=3.0) == pp.solve(scene, 0.3, 3.0)
+    assert pp.solve(pushed, 0.5) == pp.solve(scene, 0.5, 1.0)
 
 
 def test_a_whole_dataset_is_no_number():

@@ -118,8 +118,9 @@ def test_an_array_of_no_numbers_is_refused(name, dtype):
 ])  # fmt: skip
 def test_force_angle(call):
     check(
-        lambda: call(np.inf), "force_angle", np.inf, "a finite number of radians",
-        "give the angle of a force",
+        lambda: call(np.inf), "force_angle", np.inf,
+        "finite radians, a number in [-4 pi, 4 pi] or an array",
+        "turn degrees into radians with np.deg2rad",
     )  # fmt: skip
 
 

@@ -3,39 +3,116 @@
 from __future__ import annotations
 
 import argparse
-from math import radians
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.words.arguments import Commands, add_push, add_scene, command
 from planar_pushing.commands.words.text import numbers
+from planar_pushing.terms.errors import InvalidValue
+
+if TYPE_CHECKING:
+    from planar_pushing.mechanics.scene import Scene
+    from planar_pushing.mechanics.solutions import Solutions
+
+#: Columns of the table of a range, by the numbers of a solution.
+COLUMNS = {
+    "force": ("f_x", "f_y"),
+    "contact_motion": ("u_x", "u_y"),
+    "twist": ("v_x", "v_y", "omega"),
+    "center": ("center_x", "center_y"),
+    "force_end": ("f_end_x", "f_end_y"),
+}
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Print every consistent solution of a pushing problem."
+    about = "Print every consistent solution of a pushing problem, or a table of those of many."
     sub = command(commands, "solve", solutions, about, "scene.yaml --pusher-angle 165")
     add_scene(sub)
-    add_push(sub, required=True)
+    add_push(sub, ranges=True)
 
 
 def solutions(args: argparse.Namespace) -> dict[str, Any]:
-    """Outcome and solutions of the scene under the fence's motion."""
-    from planar_pushing.mechanics.solve import solve
+    """Outcome and solutions of the scene under the pusher's motion, or under each of many."""
     from planar_pushing.study.files.scenes import load_scene
 
-    found = solve(load_scene(args.scene), radians(args.pusher_angle), args.pusher_magnitude)
+    scene, given = load_scene(args.scene), args.pusher_angle
+    if isinstance(given, tuple):
+        found = [push(scene, each, args.pusher_magnitude) for each in given]
+        return {"pushes": found} if args.json else {"": _table(found)}
+    return push(scene, given, args.pusher_magnitude)
+
+
+def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[str, Any]:
+    """The solutions of one push, that of the scene's file where no angle is given."""
+    import numpy as np
+
+    from planar_pushing.mechanics.solve import solve
+
+    if degrees is None and scene.push is None:
+        raise InvalidValue(
+            "pusher_angle", None, "degrees, for a scene file without the section simulate",
+            "give --pusher-angle, 90 for a push into the slider",
+        )  # fmt: skip
+    angle, own = scene.push or (0.0, 1.0)
+    if degrees is not None:
+        angle, own = np.deg2rad(degrees), 1.0
+    magnitude = own if magnitude is None else magnitude
+    found = solve(scene, angle, magnitude)
     return {
         "outcome": found.outcome.name,
-        "solutions": [
-            {
-                "mode": each.mode.name,
-                "force": numbers(each.force),
-                "contact_motion": numbers(each.contact_motion),
-                "twist": numbers(each.twist),
-                "spin_ratio": each.spin_ratio,
-                "center": numbers(each.center),
-                "adhesive": each.adhesive,
-            }
-            for each in found
-        ],
+        "status": found.status.name,
+        "pusher_angle": float(np.rad2deg(angle)) if degrees is None else degrees,
+        "pusher_magnitude": magnitude,
+        "solutions": _solutions(found),
     }
+
+
+def _solutions(found: Solutions) -> list[dict[str, Any]]:
+    """The solutions as plain values without rounding errors; at rest there is no center."""
+    import numpy as np
+
+    from planar_pushing.mechanics.solutions import printed
+
+    listed = []
+    for one, values in zip(found, printed(found), strict=True):
+        ends = not np.array_equal(values["force"], values["force_end"])
+        listed.append({
+            "mode": one.mode.name,
+            "force": numbers(values["force"]),
+            **({"force_end": numbers(values["force_end"])} if ends else {}),
+            "contact_motion": numbers(values["contact_motion"]),
+            "twist": numbers(values["twist"]),
+            "spin_ratio": float(values["spin_ratio"]),
+            "center": None if np.isnan(values["center"]).any() else numbers(values["center"]),
+            "pivot": None if one.pivot < 0 else one.pivot,
+            "continuum": one.continuum,
+            "adhesive": one.adhesive,
+        })  # fmt: skip
+    return listed
+
+
+def _table(pushes: list[dict[str, Any]]) -> str:
+    """A line for each solution of each push, and one for a push without a solution."""
+    import pandas as pd
+
+    rows = [
+        {"angle": f"{each['pusher_angle']:.10g}"} | _row(one)
+        for each in pushes
+        for one in each["solutions"] or [{"mode": each["outcome"]}]
+    ]
+    frame = pd.DataFrame(rows).dropna(axis="columns", how="all").fillna("")
+    return str(frame.to_string(index=False))
+
+
+def _row(one: dict[str, Any]) -> dict[str, Any]:
+    """The columns of a solution."""
+    found: dict[str, Any] = {"mode": one["mode"]}
+    for name, columns in COLUMNS.items():
+        values = one.get(name)
+        words = ["none" if name == "center" and len(one) > 1 else None] * len(columns)
+        found |= zip(
+            columns, words if values is None else (f"{x:.6g}" for x in values), strict=True
+        )
+    continuum = "continuum" if one.get("continuum") else None
+    pivot = one.get("pivot")
+    return found | {"pivot": None if pivot is None else str(pivot), "continuum": continuum}

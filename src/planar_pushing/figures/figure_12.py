@@ -89,8 +89,10 @@ def exact_centers(grid: xr.Dataset, rod_length: float) -> xr.Dataset:
     """
     angle, share = labelled("force_angle", ANGLES), labelled("inertia_share", (0.0, 1.0))
     scene = scene_of(grid, EffectSet.BOTH, rod_length)
-    center = motion_centers(scene, pushing(angle), share).transpose("force_angle", ...)
-    center = center.isel(force_angle=np.isfinite(center).all(("inertia_share", "xy")).values)
+    phi: xr.DataArray = pushing(angle)
+    center = motion_centers(scene, phi, share).transpose("force_angle", ...)
+    finite: xr.DataArray = xr.ufuncs.isfinite(center)
+    center = center.isel(force_angle=finite.all(("inertia_share", "xy")).values)
     parts = {f"center_{xy}": center.isel(xy=i, drop=True) for i, xy in enumerate("xy")}
     return attributed(xr.Dataset(parts)).rename({name: f"exact_{name}" for name in parts})
 

@@ -68,7 +68,8 @@ def feet(data: xr.Dataset) -> Array:
 def _instant(own: Scene, angle: float) -> xr.Dataset:
     """Limit curve with its pivots, and the edges of both cones, at a rod angle in degrees."""
     support, length = own.friction[0].support, float(own.slider.rod_length)
-    here = scene({"": support}, length, angle, own.contact)
+    law: Any = own.contact
+    here = scene({"": support}, length, angle, law)
     forces, pivots = limit_forces(here, ANGLES)
     moved, allowed = motion_cone(here), friction_cone(here)
     edges = np.array([allowed.right, allowed.left], dtype=float)

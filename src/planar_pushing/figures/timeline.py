@@ -67,7 +67,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     for name in ("radius", "rod_length"):
         data[name] = ((), float(slider[name]), described("length", name))
     data["radius"].attrs["long_name"] = "radius of the ring"
-    data["rod_length"].attrs["long_name"] = "rod length, from the contact to the ring center"
+    data["rod_length"].attrs["long_name"] = "rod length, from the contact to the slider's center"
     if log.attrs.get("pusher_shape") == Shape.FINGER:
         data["path_side"] = side_of(log, slider)
     data = data.drop_attrs(deep=False)

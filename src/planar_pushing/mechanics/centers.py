@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from enum import StrEnum
 from math import asin, copysign, inf, nan, pi
-from typing import Any
+from typing import TYPE_CHECKING, Literal, overload
 
-import numpy.typing as npt
-
-from planar_pushing.mechanics.angles import interval
+from planar_pushing.mechanics.angles import AngleInterval, interval
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.cones import (
     direction_in,
@@ -20,6 +18,7 @@ from planar_pushing.mechanics.cones import (
 from planar_pushing.mechanics.effects.base import count_fields
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated
 from planar_pushing.mechanics.plane import (
+    Array,
     center_from,
     contact_motion_angle,
     moment_arm,
@@ -27,8 +26,11 @@ from planar_pushing.mechanics.plane import (
     seen,
 )
 from planar_pushing.mechanics.scene import Scene, required_scene
-from planar_pushing.terms.domain import Number, required_ratio
+from planar_pushing.terms.domain import Number, Numbers, Scalar, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 class Origin(StrEnum):
@@ -38,6 +40,8 @@ class Origin(StrEnum):
     RING_CENTER = "ring-center"
 
 
+#: The same as the enum, or as its value.
+OriginName = Origin | Literal["contact", "ring-center"]
 CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
@@ -59,12 +63,44 @@ def _centers(kinds, rows, centers):
         centers[i, 0], centers[i, 1] = radius * (x + reach * own.x), radius * (y + reach * own.y)
 
 
+@overload
 def motion_centers(
     scene: Scene,
-    force_angle: npt.ArrayLike,
-    inertia_share: npt.ArrayLike | None = None,
-    origin: Origin = Origin.CONTACT,
-    force_ratio: npt.ArrayLike | None = None,
+    force_angle: Scalar | Numbers,
+    inertia_share: Scalar | Numbers | None = None,
+    origin: OriginName = Origin.CONTACT,
+    force_ratio: Scalar | Numbers | None = None,
+) -> Array: ...
+@overload
+def motion_centers(
+    scene: Scene,
+    force_angle: xr.DataArray,
+    inertia_share: Scalar | Numbers | xr.DataArray | None = None,
+    origin: OriginName = Origin.CONTACT,
+    force_ratio: Scalar | Numbers | xr.DataArray | None = None,
+) -> xr.DataArray: ...
+@overload
+def motion_centers(
+    scene: Scene,
+    force_angle: Scalar | Numbers,
+    inertia_share: xr.DataArray,
+    origin: OriginName = Origin.CONTACT,
+) -> xr.DataArray: ...
+@overload
+def motion_centers(
+    scene: Scene,
+    force_angle: Scalar | Numbers,
+    inertia_share: None = None,
+    origin: OriginName = Origin.CONTACT,
+    *,
+    force_ratio: xr.DataArray,
+) -> xr.DataArray: ...
+def motion_centers(
+    scene: Scene,
+    force_angle: Number,
+    inertia_share: Number | None = None,
+    origin: OriginName = Origin.CONTACT,
+    force_ratio: Number | None = None,
 ) -> Number:
     """Motion centers, shape S + (2,), in the unit of the slider's lengths.
 
@@ -79,7 +115,12 @@ def motion_centers(
     inertia_share, force_ratio : float or array, optional
         As in `spin_ratio`, whose errors are those of this function.
     origin : {"contact", "ring-center"}
-        The point to which the centers are relative.
+        The point to which the centers are relative; "ring-center" is the slider's center.
+
+    Returns
+    -------
+    ndarray or DataArray
+        A DataArray where an argument, or a parameter of the scene, is one.
     """
     origin = require_option("origin", origin, Origin, "name one of these points")
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
@@ -143,8 +184,13 @@ def _conservative_cones(kinds, rows, right, left):
         right[i], left[i] = _conservative(own, sight.first, sight.second)
 
 
-def conservative_motion_cone(scene: Scene) -> Any:
+def conservative_motion_cone(scene: Scene) -> AngleInterval:
     """The paper's bound on the contact's motion with both effects, radians (Fig. 12).
+
+    Returns
+    -------
+    AngleInterval
+        Of a labelled scene an xarray.Dataset, as of `friction_cone`.
 
     Raises
     ------
@@ -163,4 +209,5 @@ def conservative_motion_cone(scene: Scene) -> Any:
     columns, rod_columns = unit_columns(scene)
     columns += [*rod_columns, law.right, law.left]
     right, left = evaluated(_conservative_cones, scene.kinds, columns, CONE)
-    return interval(right, left, closed=False)
+    cone: AngleInterval = interval(right, left, closed=False)
+    return cone

@@ -6,7 +6,6 @@ from math import nan
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
@@ -18,6 +17,7 @@ from planar_pushing.mechanics.plane import rod, seen
 from planar_pushing.mechanics.reduced.magnitude import angles_under, direction_at, direction_under
 from planar_pushing.mechanics.reduced.psi import contact_at
 from planar_pushing.mechanics.scene import Scene, required_scene
+from planar_pushing.mechanics.typed import of_force
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
 
@@ -38,16 +38,18 @@ class Sight(NamedTuple):
     second: float
 
 
-def friction_cone(scene: Scene) -> Any:
+def friction_cone(scene: Scene) -> AngleInterval:
     """Force angles that the scene's contact can transmit, radians.
 
     Returns
     -------
-    AngleInterval, or xarray.Dataset
-        A dataset with the variables `right`, `left` and `closed` where an argument is a DataArray.
+    AngleInterval
+        Of a labelled scene, which has a DataArray as a parameter, an xarray.Dataset with the variables
+        `right`, `left` and `closed`.
     """
     law = required_scene(scene).law
-    return interval(law.right, law.left, law.closed)
+    cone: AngleInterval = interval(law.right, law.left, law.closed)
+    return cone
 
 
 def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number], list[Number]]:
@@ -168,11 +170,12 @@ def _motion_angles(kinds, rows, angles):
         angles[i] = found.angle if found.found else nan
 
 
+@of_force
 def spin_ratio(
     scene: Scene,
-    force_angle: npt.ArrayLike,
-    inertia_share: npt.ArrayLike | None = None,
-    force_ratio: npt.ArrayLike | None = None,
+    force_angle: Number,
+    inertia_share: Number | None = None,
+    force_ratio: Number | None = None,
 ) -> Number:
     """Spin ratio k = R omega / v for each force angle.
 
@@ -190,7 +193,7 @@ def spin_ratio(
     Returns
     -------
     float, ndarray or DataArray
-        As the arguments are.
+        As the arguments are; of an array of scenes an array, of a labelled scene a DataArray.
 
     Raises
     ------
@@ -206,11 +209,12 @@ def spin_ratio(
     return evaluated(_spin_ratios, scene.kinds, columns, [Output("spin_ratio")])[0]
 
 
+@of_force
 def motion_angle(
     scene: Scene,
-    force_angle: npt.ArrayLike,
-    inertia_share: npt.ArrayLike | None = None,
-    force_ratio: npt.ArrayLike | None = None,
+    force_angle: Number,
+    inertia_share: Number | None = None,
+    force_ratio: Number | None = None,
 ) -> Number:
     """Angle of the contact's motion for each force angle, radians, unwrapped and increasing.
 
@@ -225,7 +229,7 @@ def motion_angle(
     Returns
     -------
     float, ndarray or DataArray
-        As the arguments are.
+        As the arguments are; of an array of scenes an array, of a labelled scene a DataArray.
     """
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     return evaluated(_motion_angles, scene.kinds, columns, [Output("motion_angle")])[0]
@@ -251,7 +255,7 @@ def _motion_cones(kinds, rows, right, left, closed, status):
             right[i], left[i], closed[i], status[i] = nan, nan, False, UNSOLVED
 
 
-def motion_cone(scene: Scene) -> Any:
+def motion_cone(scene: Scene) -> AngleInterval:
     """Motion cone: directions in which the contact can move without slip, radians.
 
     It is the velocity cone of a scene with friction, the acceleration cone of one with inertia,
@@ -264,7 +268,8 @@ def motion_cone(scene: Scene) -> Any:
     columns, rod_columns = unit_columns(scene)
     given = [*columns, *rod_columns, law.right, law.left]
     right, left, reached, status = evaluated(_motion_cones, scene.kinds, given, CONE)
-    return interval(right, left, law.closed & reached, status)
+    cone: AngleInterval = interval(right, left, law.closed & reached, status)
+    return cone
 
 
 def leaves_the_fence(cone: AngleInterval) -> Any:
@@ -272,9 +277,16 @@ def leaves_the_fence(cone: AngleInterval) -> Any:
     return (cone.right < -RESOLUTION) | (cone.left > np.pi + RESOLUTION)
 
 
-def can_pull(scene: Scene) -> Any:
-    """Whether the contact can stick while the pusher moves away from the slider (Sec. 3.1)."""
-    return named("pulls", leaves_the_fence(motion_cone(scene)))
+def can_pull(scene: Scene) -> bool:
+    """Whether the contact can stick while the pusher moves away from the slider (Sec. 3.1).
+
+    Returns
+    -------
+    bool
+        Of an array of scenes an array, of a labelled scene a DataArray.
+    """
+    pulls: bool = named("pulls", leaves_the_fence(motion_cone(scene)))
+    return pulls
 
 
 def omits_pushes(cone: AngleInterval) -> Any:
@@ -282,7 +294,14 @@ def omits_pushes(cone: AngleInterval) -> Any:
     return (cone.right > RESOLUTION) | (cone.left < np.pi - RESOLUTION)
 
 
-def slips_while_pushing(scene: Scene) -> Any:
-    """Whether some pusher motion into the slider makes the contact slip (Sec. 3.2)."""
+def slips_while_pushing(scene: Scene) -> bool:
+    """Whether some pusher motion into the slider makes the contact slip (Sec. 3.2).
+
+    Returns
+    -------
+    bool
+        Of an array of scenes an array, of a labelled scene a DataArray.
+    """
     omits = omits_pushes(motion_cone(scene))
-    return named("slips_while_pushing", scene.law.slips & omits)
+    slips: bool = named("slips_while_pushing", scene.law.slips & omits)
+    return slips

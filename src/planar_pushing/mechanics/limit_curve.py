@@ -10,10 +10,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import nan, sqrt
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
-import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import kernel, owning
 from planar_pushing.mechanics.cones import CONSISTENT, PIVOTS, UNSOLVED, under_force
@@ -22,7 +21,10 @@ from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated,
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.reduced.magnitude import on_curve, turned
 from planar_pushing.mechanics.scene import Scene, required_scene
-from planar_pushing.terms.domain import Number, required
+from planar_pushing.terms.domain import Number, Numbers, Scalar, required
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 OUTPUTS = (
     *map(Output, ("force_angle", "force_size", "spin_ratio", "motion_angle")),
@@ -82,7 +84,11 @@ def _curve(kinds, rows, angles, magnitudes, ratios, motions, status):
             magnitudes[i], ratios[i], motions[i], status[i] = nan, nan, nan, UNSOLVED
 
 
-def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
+@overload
+def limit_curve(scene: Scene, force_angle: Scalar | Numbers) -> LimitCurve: ...
+@overload
+def limit_curve(scene: Scene, force_angle: xr.DataArray) -> xr.Dataset: ...
+def limit_curve(scene: Scene, force_angle: Number) -> Any:
     """Limit curve of a scene at the given force angles (Eqs. 2-7; the ellipse of Sec. 4).
 
     Parameters
@@ -94,7 +100,7 @@ def limit_curve(scene: Scene, force_angle: npt.ArrayLike) -> Any:
     Returns
     -------
     LimitCurve, or xarray.Dataset
-        A dataset where an argument is a DataArray.
+        A dataset where the angles, or a parameter of the scene, are a DataArray.
     """
     scene, angle = required_scene(scene), required("force_angle", force_angle)
     require_held(scene)

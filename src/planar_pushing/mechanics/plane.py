@@ -4,7 +4,7 @@ r"""Geometry of the plane: frame, signs and the kinematics of a pushed slider.
 
                        ring (radius R, center c)
              y'  y   .-'''-.            psi   rod angle
-               \ |  /   c   \           l     rod length, from the contact to the ring center
+               \ |  /   c   \           l     rod length, from the contact to the slider's center
                 \|  \  /    /           phi   force angle: f points along (cos phi, sin phi)
                  |   `/....'            n     outward normal of the fence = +y
                  |   / rod              theta angle of a velocity or an acceleration
@@ -12,12 +12,11 @@ r"""Geometry of the plane: frame, signs and the kinematics of a pushed slider.
    --------------+-*----------- x
          fence     contact = free end of the rod, origin of all positions; slider above the fence
 
-A twist is ``(v_x, v_y, omega)`` at the ring center, a wrench ``(f_x, f_y, tau)`` at the ring
-center. `f` is the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` is the
-signed distance of the line of force from the ring center, and the spin ratio ``k = R omega / v``
-compares the rotation with the center's speed `v` along `f`. "Motion" is velocity in a quasi-static
-scene and initial acceleration from rest otherwise. Angles are radians. The compiled core has lengths in
-units of R.
+A twist is ``(v_x, v_y, omega)`` and a wrench ``(f_x, f_y, tau)``, both at the slider's center. `f` is
+the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` is the signed distance of
+the line of force from the slider's center, and the spin ratio ``k = R omega / v`` compares the rotation
+with the center's speed `v` along `f`. "Motion" is velocity in a quasi-static scene and initial
+acceleration from rest otherwise. Angles are radians. The compiled core has lengths in units of R.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ ALONG = 1e-15
 
 
 class Rod(NamedTuple):
-    """Length in radii, angle, and unit vector from the contact to the ring center."""
+    """Length in radii, angle, and unit vector from the contact to the slider's center."""
 
     length: float
     angle: float
@@ -117,7 +116,7 @@ def toward(own, angle):
 
 @compiled
 def moment_arm(own, force):
-    """Moment arm of a line of force about the ring center, Eq. (10): ``l sin(psi - phi)``."""
+    """Moment arm of a line of force about the slider's center, Eq. (10): ``l sin(psi - phi)``."""
     return own.length * force.aside
 
 

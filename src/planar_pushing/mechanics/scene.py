@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.contact.laws import as_numbers, is_law
+from planar_pushing.mechanics.contact.laws import ContactLaw, as_numbers, is_law
 from planar_pushing.mechanics.core import Entry, entries, extents, is_own_ring
 from planar_pushing.mechanics.effects import (
     Effect,
@@ -26,6 +26,9 @@ from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
 from planar_pushing.terms.errors import InvalidValue, require_kind
 from planar_pushing.terms.units import Units
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -115,7 +118,7 @@ class Scene:
     """
 
     slider: Slider
-    contact: Any
+    contact: ContactLaw | list[Any] | npt.NDArray[Any] | xr.DataArray
     effects: tuple[Effect, ...]
     placement: Placement | None = None
     units: Units | None = None

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
-from planar_pushing.mechanics.numerics.arrays import same
+from planar_pushing.mechanics.entries import to_json
+from planar_pushing.mechanics.numerics.arrays import dataset, named, same
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.status import BEHIND
 from planar_pushing.terms.errors import InvalidValue
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 #: Numbers of a solution in the table that is printed; vectors by their components.
 NUMBERS = {
@@ -24,11 +30,19 @@ NUMBERS = {
     "spin_ratio": ("spin ratio",),
     "center": ("center x", "center y"),
 }
+#: A number below this fraction of the largest of its kind is a rounding error, and is printed as 0.
+ROUNDING = 1e-12
+#: Values of one problem, and dimension of the parts of a vector; all else is one number for a solution.
+COUNTS = ("solutions", "status")
+PARTS = {
+    **dict.fromkeys(("force", "force_end", "contact_motion", "center"), "xy"),
+    "twist": "twist_component",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Solution:
-    """One consistent solution.
+    """One consistent solution, in the fence's frame: +x along the fence, +y its normal into the slider.
 
     Attributes
     ----------
@@ -40,11 +54,11 @@ class Solution:
     contact_motion : ndarray, shape (2,)
         Velocity or initial acceleration of the slider at the contact.
     twist : ndarray, shape (3,)
-        (v_x, v_y, omega) at the ring center, omega in radians per unit of time.
+        (v_x, v_y, omega) at the slider's center, omega in radians per unit of time.
     spin_ratio : float
         k = R omega / v; 0 at rest.
     center : ndarray, shape (2,)
-        Motion center relative to the contact; infinite for a translation and at rest.
+        Motion center relative to the contact; infinite for a translation, NaN at rest.
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
@@ -70,10 +84,23 @@ class Solution:
         """Whether the fence pulls on the slider, as only a perfectly rough contact can."""
         return bool(self.force[1] < -RESOLUTION * np.hypot(*self.force))
 
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values by name: the mode's name, numbers and lists of them."""
+        found = {each.name: getattr(self, each.name) for each in fields(self)}
+        return {name: _plain(value) for name, value in found.items()} | {"adhesive": self.adhesive}
 
-def _numbers(solution: Solution) -> Array:
-    """The numbers of the table; adding 0 leaves no negative zeros."""
-    return np.hstack([getattr(solution, name) for name in NUMBERS]) + 0.0
+    def to_json(self) -> str:
+        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are words."""
+        return to_json(self.to_dict())
+
+
+def _plain(value: Any) -> Any:
+    """A value without numpy and enumerations, and numbers without negative zeros."""
+    if isinstance(value, IntEnum):
+        return value.name
+    if isinstance(value, (bool, np.bool_)):
+        return bool(value)
+    return (np.asarray(value) + 0).tolist()
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -103,13 +130,33 @@ class Solutions:
     def __len__(self) -> int:
         return len(self.solutions)
 
+    @overload
+    def __getitem__(self, index: SupportsIndex) -> Solution: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Solution, ...]: ...
     def __getitem__(self, index: Any) -> Any:
         if isinstance(index, ContactMode):  # a number too, which would pick some other solution
             raise InvalidValue(
                 "index", index, "the number of a solution, or a slice",
-                "pick a mode with [each for each in solutions if each.mode is mode]",
+                "pick the solutions of a mode with solutions.of(mode)",
             )  # fmt: skip
         return self.solutions[index]
+
+    def of(self, mode: ContactMode) -> tuple[Solution, ...]:
+        """The solutions of a contact mode."""
+        return tuple(each for each in self.solutions if each.mode is mode)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values: the names of outcome and status, and the solutions as `Solution.to_dict`."""
+        return {
+            "outcome": self.outcome.name,
+            "status": self.status.name,
+            "solutions": [each.to_dict() for each in self.solutions],
+        }
+
+    def to_json(self) -> str:
+        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are words."""
+        return to_json(self.to_dict())
 
     def __repr__(self) -> str:
         return f"{self._title}\n{self._table().to_string()}" if self.solutions else self._title
@@ -130,15 +177,66 @@ class Solutions:
         import pandas as pd
 
         words = [word for each in NUMBERS.values() for word in each]
-        columns = [[f"{x:.6g}" for x in _numbers(each)] for each in self.solutions]
+        columns = [
+            [_short(x) for x in np.hstack([each[name] for name in NUMBERS])]
+            for each in printed(self)
+        ]
         return pd.DataFrame(dict(enumerate(columns)), words).set_axis(
             list(map(str, self.modes)), axis=1
         )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+def _short(number: float) -> str:
+    """A number of the table; a slider at rest has no center."""
+    return "none" if np.isnan(number) else f"{number:.6g}"
+
+
+def printed(solutions: Solutions) -> list[dict[str, Array]]:
+    """The numbers of each solution by name, with rounding errors and negative zeros as 0.
+
+    Forces are compared with the largest force of the solutions, motions with the largest motion, rotations
+    with that motion over the slider's reach, and places of the center with the reach or, where it is
+    larger, with the other coordinate.
+    """
+    names = (*NUMBERS, "force_end")
+    found = [{name: np.asarray(getattr(one, name)) for name in names} for one in solutions]
+    force = _largest(each[name] for each in found for name in ("force", "force_end"))
+    motion = _largest(
+        part for each in found for part in (each["contact_motion"], each["twist"][:2])
+    )
+    reach = _reach(solutions.problem)
+    turn = motion / reach if reach else 0.0
+    scales: dict[str, Any] = {
+        "force": force, "force_end": force, "contact_motion": motion, "spin_ratio": 1.0,
+        "twist": np.array([motion, motion, turn]),
+    }  # fmt: skip
+    for each in found:
+        for name, value in each.items():
+            scale = scales.get(name, max(reach, _largest([value])))
+            each[name] = np.where(np.abs(value) < ROUNDING * scale, 0.0, value) + 0.0
+    return found
+
+
+def _largest(vectors: Iterable[Array]) -> float:
+    """The largest finite component."""
+    finite = (np.abs(each[np.isfinite(each)]).max(initial=0.0) for each in vectors)
+    return float(max(finite, default=0.0))
+
+
+def _reach(problem: tuple[Any, float, float] | None) -> float:
+    """Length of a slider, with its rod: 0 where it is not known."""
+    if problem is None:
+        return 0.0
+    slider = problem[0].slider
+    return float(max(slider.rod_length, slider.radius))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class SolutionArrays:
     """All consistent solutions of an array of pushing problems of shape S, padded along one axis.
+
+    An index over S picks problems: ``arrays[i, j]`` of two axes gives `Solutions`, an index that leaves an
+    axis, such as a slice or a mask, gives `SolutionArrays`.
 
     Attributes
     ----------
@@ -179,3 +277,101 @@ class SolutionArrays:
     def outcome(self) -> npt.NDArray[np.int8]:
         """Values of `Outcome`, shape S."""
         return np.minimum(self.solutions, np.int8(Outcome.AMBIGUOUS))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape S."""
+        return self.solutions.shape
+
+    def __len__(self) -> int:
+        return len(self.solutions)
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, ContactMode):  # a number too, which would pick some problem
+            raise InvalidValue(
+                "index", index, "numbers, slices and masks over the problems",
+                "find a mode with arrays.mode == mode",
+            )  # fmt: skip
+        places = np.arange(self.solutions.size).reshape(self.shape)[index]
+        found = {name: self._flat(value)[places] for name, value in self._fields().items()}
+        return SolutionArrays(**found) if np.ndim(places) else listed(found)
+
+    def __repr__(self) -> str:
+        outcomes, modes = _counted(Outcome, self.outcome), _counted(ContactMode, self.mode)
+        status = _counted(Status, self.status)
+        lines = (f"outcomes: {outcomes}", f"modes: {modes}", f"status: {status}")
+        return "\n".join((f"SolutionArrays of shape {self.shape}", *lines))
+
+    def to_dataset(self, dims: Sequence[Hashable] | None = None) -> xr.Dataset:
+        """The same as `solve` gives of labelled arrays, with units and flags.
+
+        Parameters
+        ----------
+        dims : sequence of str, optional
+            Names of the axes of S, by default dim_0, dim_1, ...
+
+        Raises
+        ------
+        InvalidValue
+            Where there are more or fewer names than axes, or one is not unique.
+        """
+        import xarray as xr
+
+        axes = [f"dim_{i}" for i in range(len(self.shape))] if dims is None else list(dims)
+        if (
+            isinstance(dims, str)
+            or len({*axes, "solution", *PARTS.values()}) != len(self.shape) + 3
+        ):
+            raise InvalidValue(
+                "dims", dims, f"{len(self.shape)} names, none of them solution, xy or twist_component",
+                f"name each axis of the shape {self.shape}",
+            )  # fmt: skip
+        return as_dataset(
+            {
+                name: named(name, xr.DataArray(value, dims=[*axes, *_tail(name)]))
+                for name, value in self._fields().items()
+            }
+        )
+
+    def _fields(self) -> dict[str, Any]:
+        return {each.name: getattr(self, each.name) for each in fields(self)}
+
+    def _flat(self, value: Any) -> Any:
+        """An array with the axes of S made one."""
+        return value.reshape(self.solutions.size, *value.shape[len(self.shape) :])
+
+
+def _tail(name: str) -> list[str]:
+    """Dimensions of a variable behind those of the problems."""
+    if name in COUNTS:
+        return []
+    return ["solution", PARTS[name]] if name in PARTS else ["solution"]
+
+
+def _counted(kind: type[IntEnum], values: Any) -> str:
+    """How often each member occurs."""
+    counts = {each.name: int(np.count_nonzero(values == each)) for each in kind}
+    return ", ".join(f"{count} {name}" for name, count in counts.items() if count) or "none"
+
+
+def listed(values: Mapping[str, Any], problem: tuple[Any, float, float] | None = None) -> Solutions:
+    """The solutions of one problem, from the variables of `SolutionArrays` without the axes of S."""
+    own = {name: each for name, each in values.items() if name not in COUNTS}
+    entries = {name: each if each.ndim > 1 else each.tolist() for name, each in own.items()}
+    count = int(values["solutions"])
+    entries["mode"] = list(map(ContactMode, entries["mode"][:count]))
+    return Solutions(
+        tuple(Solution(**{name: each[i] for name, each in entries.items()}) for i in range(count)),
+        Status(int(values["status"])),
+        problem,
+    )
+
+
+def as_dataset(values: Mapping[str, Any]) -> xr.Dataset:
+    """The solutions of labelled problems, from the labelled variables of `SolutionArrays`."""
+    mode, count = values["mode"], values["solutions"]
+    consistent = named("consistent", mode >= 0)
+    outcome = named("outcome", np.minimum(count, Outcome.AMBIGUOUS).astype(np.int8))
+    commented = {**values, "mode": mode.assign_attrs(comment=BEHIND)}
+    merged: xr.Dataset = dataset([*commented.values(), consistent, outcome])
+    return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 from math import hypot, inf, nan
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.compiled import compiled, kernel, owning
-from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
+from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.mechanics.core import Entry
 from planar_pushing.mechanics.effects.base import count_fields, made
@@ -19,18 +19,20 @@ from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.modes import MOST, SOLUTION, Push, contact_modes
 from planar_pushing.mechanics.numerics.arrays import (
     Output,
-    dataset,
     elementwise,
     is_labelled,
     mapped,
-    named,
 )
-from planar_pushing.mechanics.plane import Array, motion_center, rod, toward
+from planar_pushing.mechanics.plane import motion_center, rod, toward
 from planar_pushing.mechanics.reduced.psi import contact_at
 from planar_pushing.mechanics.reduced.slips import ENTRIES, SLIPS
 from planar_pushing.mechanics.scene import Scene, required_scene
-from planar_pushing.mechanics.solutions import Solution, SolutionArrays, Solutions
-from planar_pushing.terms.domain import Number, required, required_ratio
+from planar_pushing.mechanics.solutions import SolutionArrays, Solutions, as_dataset, listed
+from planar_pushing.terms.domain import Number, Numbers, Scalar, required, required_ratio
+from planar_pushing.terms.errors import InvalidValue
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 #: Solutions that fit along the axis `solution`: where all potentials have one degree, and elsewhere.
 SOLUTIONS = {True: 4, False: 8}
@@ -94,7 +96,7 @@ def spin_ratio(speed, spin):
 
 @compiled
 def _write(own, given, found, force, end, twist, contact, center):
-    """Write down one solution in the units of the scene; its spin ratio."""
+    """Write down one solution in the units of the scene; its spin ratio. A slider at rest has no center."""
     size, unit, radius = given.size, given.unit, given.radius
     v_x, v_y, spin = found.twist[0], found.twist[1], found.twist[2]
     for k in range(2):
@@ -103,6 +105,8 @@ def _write(own, given, found, force, end, twist, contact, center):
     twist[0], twist[1], twist[2] = size * v_x, size * v_y, size * spin / radius
     x, y = motion_center(own, v_x, v_y, spin)
     center[0], center[1] = radius * x, radius * y
+    if twist[0] == 0.0 and twist[1] == 0.0 and twist[2] == 0.0:
+        center[0], center[1] = nan, nan
     return spin_ratio(hypot(v_x, v_y), spin)
 
 
@@ -201,7 +205,7 @@ def solve_arrays(entries: Sequence[Entry], *given: npt.ArrayLike) -> list[npt.ND
         The effects.
     *given : array_like
         Columns of the entries; length and angle of the rod, radius; the five entries of `Law`; angle and
-        magnitude of the pusher's motion.
+        magnitude of the pusher's motion, which are in their ranges.
 
     Returns
     -------
@@ -210,8 +214,6 @@ def solve_arrays(entries: Sequence[Entry], *given: npt.ArrayLike) -> list[npt.ND
     """
     count = sum(len(entry.columns) for entry in entries)
     length, angle, radius, *law, towards, size = given[count:]
-    required("pusher_angle", towards)
-    required("pusher_magnitude", size)
     unit, columns = _in_units(entries, given[:count], size)
     ratio = required_ratio("length_ratio", np.divide(length, radius))
     columns += [ratio, angle, *law, towards, size, unit, radius]
@@ -224,61 +226,81 @@ def is_steady(entries: Sequence[Entry]) -> bool:
     return len({entry.degree for entry in entries}) == 1
 
 
-def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) -> Any:
+@overload
+def solve(
+    scene: Scene, pusher_angle: Scalar | None = None, pusher_magnitude: Scalar | None = None
+) -> Solutions: ...
+@overload
+def solve(
+    scene: Scene, pusher_angle: Numbers, pusher_magnitude: Scalar | Numbers | None = None
+) -> SolutionArrays: ...
+@overload
+def solve(
+    scene: Scene, pusher_angle: Scalar | None, pusher_magnitude: Numbers
+) -> SolutionArrays: ...
+@overload
+def solve(
+    scene: Scene, pusher_angle: xr.DataArray,
+    pusher_magnitude: Scalar | Numbers | xr.DataArray | None = None,
+) -> xr.Dataset: ...  # fmt: skip
+@overload
+def solve(
+    scene: Scene, pusher_angle: Scalar | Numbers | None, pusher_magnitude: xr.DataArray
+) -> xr.Dataset: ...
+def solve(
+    scene: Scene, pusher_angle: Number | None = None, pusher_magnitude: Number | None = None
+) -> Any:
     """Every solution of the pushing problem from rest that is consistent (Sec. 2).
 
     Parameters
     ----------
     scene : Scene
         Its parameters may be arrays.
-    pusher_angle : float or array
-        Angle of the pusher's velocity or initial acceleration, radians.
-    pusher_magnitude : float or array
-        Its magnitude, >= 0. It matters to the modes only where the scene has friction and inertia.
+    pusher_angle : float or array, optional
+        Angle of the pusher's velocity or initial acceleration, radians counter-clockwise from the fence
+        (the scene's +x); pi / 2 is into the slider. Without one the push of the scene's file.
+    pusher_magnitude : float or array, optional
+        Its magnitude, >= 0, by default 1. It matters to the modes only where the scene has friction and
+        inertia.
 
     Returns
     -------
     Solutions, SolutionArrays or xarray.Dataset
         For numbers, for arrays, and where an argument is a DataArray: with the variables of
-        `SolutionArrays`, units, `consistent` and `outcome`.
+        `SolutionArrays`, units, `consistent` and `outcome`. An array of scenes counts as an array, and a
+        labelled scene as a DataArray, whatever the angle is.
 
     Raises
     ------
     InvalidValue
-        Where a value is out of its range; with friction and inertia also where m a / W is.
+        Where a value is out of its range; with friction and inertia also where m a / W is. An angle beyond
+        4 pi that is a Python number is most likely one of degrees, and a tuple a velocity.
     """
     entries, slider = required_scene(scene).from_rest, scene.slider
     require_held(scene)
+    push = _push(scene, pusher_angle, pusher_magnitude)
     body = slider.rod_length, slider.rod_angle, slider.radius
     columns = [each for entry in entries for each in entry.columns]
-    given = [*columns, *body, *scene.law, pusher_angle, pusher_magnitude]
-    results = outputs(is_steady(entries))
+    given, results = [*columns, *body, *scene.law, *push], outputs(is_steady(entries))
     found = elementwise(lambda *each: solve_arrays(entries, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}
     if is_labelled(found[0]):
-        return _dataset(**by_name)
+        return as_dataset(by_name)
     if np.ndim(found[0]):
         return SolutionArrays(**by_name)
-    return _solutions((scene, float(pusher_angle), float(pusher_magnitude)), **by_name)
+    angle, magnitude = map(float, push)
+    return listed(by_name, (scene, angle, magnitude))
 
 
-def _solutions(
-    problem: tuple[Scene, float, float], solutions: int, status: int, mode: Any, **values: Array
-) -> Solutions:
-    """The solutions of one problem."""
-    entries = {name: each if each.ndim > 1 else each.tolist() for name, each in values.items()}
-    return Solutions(
-        tuple(
-            Solution(mode=ContactMode(mode[i]), **{name: each[i] for name, each in entries.items()})
-            for i in range(solutions)
-        ),
-        Status(status),
-        problem,
+def _push(scene: Scene, angle: Number | None, magnitude: Number | None) -> tuple[Number, Number]:
+    """Angle and magnitude of a push, those of the scene's file where no angle is given."""
+    own = scene.push if angle is None else (angle, 1.0)
+    if own is None:
+        raise InvalidValue(
+            "pusher_angle", None, "radians, for a scene whose file holds no push",
+            "give the angle of the push, np.deg2rad(90) for one into the slider",
+        )  # fmt: skip
+    return (
+        required("pusher_angle", own[0]),
+        required("pusher_magnitude", own[1] if magnitude is None else magnitude),
     )
-
-
-def _dataset(solutions: Any, status: Any, mode: Any, **values: Any) -> Any:
-    consistent = named("consistent", mode >= 0)
-    outcome = named("outcome", np.minimum(solutions, Outcome.AMBIGUOUS).astype(np.int8))
-    merged = dataset([solutions, status, mode, *values.values(), consistent, outcome])
-    return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])

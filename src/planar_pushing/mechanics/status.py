@@ -1,8 +1,13 @@
-"""The status of solutions, and how the members of enumerations are printed."""
+"""Enumerations of results: contact modes, outcomes and statuses, how they print, and the table of flags."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import IntEnum
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
 
 
 def name_of(member: IntEnum) -> str:
@@ -14,6 +19,29 @@ def formatted(member: IntEnum, format_spec: str) -> str:
     """A member in a formatted text: its name, or its number in the format d."""
     number = format_spec.endswith("d")
     return format(int(member) if number else member.name, format_spec)
+
+
+class ContactMode(IntEnum):
+    """The motion at the contact; the slider slips over the fence to the right or to the left."""
+
+    SEPARATE = 0
+    STICK = 1
+    SLIP_RIGHT = 2
+    SLIP_LEFT = 3
+
+    __str__ = name_of
+    __format__ = formatted
+
+
+class Outcome(IntEnum):
+    """How many solutions are consistent: none, one, or several."""
+
+    INCONSISTENT = 0
+    UNIQUE = 1
+    AMBIGUOUS = 2
+
+    __str__ = name_of
+    __format__ = formatted
 
 
 class Status(IntEnum):
@@ -33,3 +61,21 @@ class Status(IntEnum):
 
     __str__ = name_of
     __format__ = formatted
+
+
+#: Names of the numbers of the variables that hold flags, in datasets of every kind.
+FLAGS: dict[str, Mapping[str, int]] = {
+    "mode": ContactMode.__members__,
+    "outcome": Outcome.__members__,
+    "status": Status.__members__,
+}
+#: The number of a mode behind the last solution, in words.
+BEHIND = "-1 behind the last solution"
+
+
+def flag_attributes(names: Mapping[str, int], dtype: npt.DTypeLike = np.int8) -> dict[str, Any]:
+    """Attributes of a variable of flags, as the CF conventions have them."""
+    return {
+        "flag_values": np.array([int(each) for each in names.values()], dtype),
+        "flag_meanings": " ".join(names),
+    }

@@ -85,7 +85,7 @@ def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None
     ----------
     effect : SupportFriction, RingFriction, Viscous, Inertia or Load
     twist : array_like, shape S + (3,)
-        (v_x, v_y, omega) at the ring center, omega in radians per unit of time.
+        (v_x, v_y, omega) at the slider's center, omega in radians per unit of time.
     slider : Slider, optional
         As in `wrench`.
     """

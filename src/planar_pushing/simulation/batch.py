@@ -22,7 +22,7 @@ from planar_pushing.simulation.rows import in_units
 from planar_pushing.simulation.systems.setup import columns
 from planar_pushing.terms import quantities
 from planar_pushing.terms.errors import InvalidValue, require_kind
-from planar_pushing.terms.options import Policy, Shape
+from planar_pushing.terms.options import Policy, PolicyName, Shape
 
 #: Variables of the dataset that are those of a row.
 SAMPLED = (
@@ -40,7 +40,7 @@ def simulate_batch(
     twist: Sequence[npt.ArrayLike] = (0.0, 0.0, 0.0),
     gap: npt.ArrayLike = 0.0,
     rtol: float = 1e-10,
-    on_ambiguity: str | Sequence[tuple[float, str]] = Policy.KEEP_CONTACT,
+    on_ambiguity: PolicyName | Sequence[tuple[float, PolicyName]] = Policy.KEEP_CONTACT,
     samples: int | None = None,
     progress: bool = False,
 ) -> xr.Dataset:

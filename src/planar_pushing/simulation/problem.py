@@ -2,7 +2,7 @@
 
 The fence is the line ``y = Y(t)`` of a frame whose origin is the contact at time 0, and its
 displacement is ``(X, Y)``. The rod angle is any real number. The contact is the rod's free end alone, so
-the model holds as long as the ring's center is above the fence; where it comes down to it, the rod
+the model holds as long as the slider's center is above the fence; where it comes down to it, the rod
 lies along the fence or under it, and a simulation stops there. A finger is the point ``(X, Y)``, against a
 side of the slider that lies along x at time 0.
 """

@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -85,8 +85,8 @@ class Pusher:
     waypoints: Sequence[tuple[float, Vector]] | None = None
     acceleration: Motion | None = None
     breakpoints: Sequence[float] = ()
-    shape: str = Shape.FENCE
-    frame: str = PusherFrame.FENCE
+    shape: Shape | Literal["fence", "finger"] = Shape.FENCE
+    frame: PusherFrame | Literal["fence", "world"] = PusherFrame.FENCE
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
     arrays: tuple[Any, Any] | None = field(init=False, default=None, repr=False)
 

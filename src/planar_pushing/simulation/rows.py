@@ -86,7 +86,7 @@ class Stop(IntEnum):
 REASONS = {
     Stop.NO: "",
     Stop.INCONSISTENT: "no contact mode is consistent",
-    Stop.LIES: "the ring's center comes down to the fence",
+    Stop.LIES: "the slider's center comes down to the fence",
     Stop.NO_IMPULSE: "no impulse at the contact is consistent",
     Stop.SINGULAR: "the motion is singular in the mode",
     Stop.EVENTS: "without any time between them",

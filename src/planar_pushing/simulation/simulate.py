@@ -31,7 +31,7 @@ from planar_pushing.terms.errors import (
     require_option,
     require_path,
 )
-from planar_pushing.terms.options import Method, Policy
+from planar_pushing.terms.options import Method, MethodName, Policy, PolicyName
 
 
 def simulate(
@@ -39,9 +39,9 @@ def simulate(
     *,
     pusher: Pusher,
     duration: float,
-    method: str = Method.EVENT_DRIVEN,
+    method: MethodName = Method.EVENT_DRIVEN,
     rtol: float = 1e-10,
-    on_ambiguity: str | Sequence[tuple[float, str]] = Policy.KEEP_CONTACT,
+    on_ambiguity: PolicyName | Sequence[tuple[float, PolicyName]] = Policy.KEEP_CONTACT,
     twist: Sequence[float] = (0.0, 0.0, 0.0),
     gap: float = 0.0,
     samples: int = 101,
@@ -73,7 +73,7 @@ def simulate(
         of (start_time, policy), which begins at 0: each policy holds until the next starts, and at these
         times the mode is chosen anew.
     twist : (v_x, v_y, omega)
-        Initial twist at the ring center, omega in radians per time, for a scene with inertia.
+        Initial twist at the slider's center, omega in radians per time, for a scene with inertia.
     gap : float
         Initial height of the contact above the fence.
     samples : int

@@ -6,11 +6,10 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.entries import to_json, versions
+from planar_pushing.mechanics.status import BEHIND, FLAGS, flag_attributes
 from planar_pushing.study.catalog import DATASETS, EVIDENCE, TIMES
 from planar_pushing.study.files.study_model import Part
 from planar_pushing.terms.quantities import (
@@ -23,10 +22,6 @@ from planar_pushing.terms.quantities import (
     Quantities,
     attributes,
 )
-
-FLAGS = {"mode": ContactMode, "outcome": Outcome, "status": Status}
-#: Meaning of an entry of the axis `solution` behind the last solution.
-BEHIND = {"mode": "-1 behind the last solution"}
 
 
 def describe(
@@ -43,10 +38,9 @@ def describe(
         variable.attrs = dict(attributes(quantities, str(name)))
         flags = FLAGS.get(str(name))
         if flags and variable.dtype.kind == "i":
-            variable.attrs["flag_values"] = np.array(flags, variable.dtype)
-            variable.attrs["flag_meanings"] = " ".join(flag.name for flag in flags)
+            variable.attrs |= flag_attributes(flags, variable.dtype)
             if "solution" in variable.dims and "solutions" in dataset:
-                variable.attrs |= {"comment": BEHIND[str(name)]}
+                variable.attrs["comment"] = BEHIND
     dataset.attrs = {
         "title": title,
         "source": f"{PAPER}, {source}",

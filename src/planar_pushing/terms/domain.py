@@ -11,12 +11,16 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import SPEED
 
 #: A number, a numpy array or a DataArray.
 Number = Any
+#: One number, and many without labels, in the types of functions whose results follow their arguments.
+Scalar = float | np.floating[Any] | np.integer[Any]
+Numbers = npt.NDArray[Any] | list[Any]
 
 #: Longest rod, and range of the radius of gyration, in radii of the slider.
 LONGEST, GYRATION = 1e6, (1e-4, 1e4)
@@ -24,6 +28,8 @@ LONGEST, GYRATION = 1e6, (1e-4, 1e4)
 ROUGHEST = 1e9
 #: Range of s = m |a| / W for a push from rest with friction and inertia.
 SHARES = (1e-12, 1e12)
+#: Largest angle that a Python number gives, radians: a larger one is most likely one of degrees.
+TURNS = 4 * math.pi
 #: Range of speeds over time.
 SPEEDS = SPEED.least, SPEED.most
 
@@ -40,18 +46,22 @@ def _positive(remedy: str) -> Range:
     return Range(lambda x: (x > 0) & (x < math.inf), "a finite number > 0", remedy)
 
 
+def _angle(remedy: str) -> Range:
+    return Range(np.isfinite, "finite radians, a number in [-4 pi, 4 pi] or an array", remedy)
+
+
 RANGES = {
     "rod_length": Range(
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
-        "give the distance from the contact to the ring centre",
+        "give the distance from the contact to the slider's center",
     ),
     "rod_angle": Range(
         lambda x: (x > 0) & (x < math.pi), "radians in the open interval (0, pi)",
-        "keep the slider above the fence",
+        "keep the slider above the fence; turn degrees into radians with np.deg2rad",
     ),
-    "radius": _positive("give the ring's radius in the unit of the rod length"),
+    "radius": _positive("give it in the unit of the rod length"),
     "mass_center": Range(
-        np.isfinite, "a finite number", "give x and y of the centre of mass in the body frame",
+        np.isfinite, "a finite number", "give x and y of the center of mass in the body frame",
     ),
     "friction_coefficient": Range(
         lambda x: (x >= 0) & (x <= ROUGHEST), f"a number in [0, {ROUGHEST:g}]",
@@ -65,9 +75,11 @@ RANGES = {
     "support_friction": _positive("leave the effect out of the scene if the support is frictionless"),
     "gravity": _positive("give the acceleration of gravity, 9.80665 on Earth"),
     "gyration_radius": _positive("leave the effect out of the scene if the slider has no inertia"),
-    "force_angle": Range(np.isfinite, "a finite number of radians", "give the angle of a force"),
-    "angle": Range(np.isfinite, "a finite number of radians", "give the angle of a direction"),
-    "pusher_angle": Range(np.isfinite, "a finite number of radians", "give one angle"),
+    "force_angle": _angle("turn degrees into radians with np.deg2rad"),
+    "angle": _angle("turn degrees into radians with np.deg2rad"),
+    "pusher_angle": _angle(
+        "turn degrees into radians with np.deg2rad; the angle of a velocity is np.arctan2(v_y, v_x)"
+    ),
     "pusher_magnitude": Range(
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
         "turn the pusher around by its angle, not by a sign",
@@ -76,7 +88,7 @@ RANGES = {
         lambda x: (x >= 0) & (x <= 1), "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
     ),
     "force_ratio": _positive("give |f| / W"),
-    "twist": Range(np.isfinite, "finite numbers", "give (v_x, v_y, omega) at the ring centre"),
+    "twist": Range(np.isfinite, "finite numbers", "give (v_x, v_y, omega) at the slider's center"),
     "velocity": Range(
         lambda speed: (speed == 0) | ((speed >= SPEEDS[0]) & (speed <= SPEEDS[1])),
         f"a speed of {SPEED.allowed}", "choose another unit of length or time",
@@ -86,6 +98,8 @@ RANGES = {
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0", "start on the fence or above it",
     ),
 }  # fmt: skip
+#: Angles of directions; of more than one of them arrays are given, and a tuple is the parts of a vector.
+ANGLES = ("force_angle", "angle", "pusher_angle")
 #: What the ends of a side may be, and what to do where they are not.
 SIDE = (
     "(start, end) with start < 0 < end, infinite for a side without an end",
@@ -127,7 +141,16 @@ def required(name: str, given: Number) -> Number:
     InvalidValue
         Where a number is outside the range, with the name, the first number outside and the range.
     """
+    if name in ANGLES and _is_no_angle(given):
+        raise InvalidValue(name, given, RANGES[name].allowed, RANGES[name].remedy)
     return _required(name, given, RANGES[name])
+
+
+def _is_no_angle(given: object) -> bool:
+    """Whether a value is taken for a vector or, a Python number, for degrees; arrays may hold any angle."""
+    if isinstance(given, (int, float)) and not isinstance(given, np.generic):
+        return abs(given) > TURNS
+    return isinstance(given, tuple)
 
 
 def required_ratio(ratio: str, values: Number) -> Number:

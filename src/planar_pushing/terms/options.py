@@ -6,7 +6,7 @@ An option is given as the enum or as its value.
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 
 class Policy(StrEnum):
@@ -24,11 +24,21 @@ class Policy(StrEnum):
     SLIP_LEFT = "slip-left"
 
 
+#: The same as the enum, or as its value.
+PolicyName = (
+    Policy | Literal["keep-contact", "separate", "stay-in-mode", "stick", "slip-right", "slip-left"]
+)
+
+
 class Method(StrEnum):
     """How a motion is integrated over time."""
 
     EVENT_DRIVEN = "event-driven"
     TIME_STEPPING = "time-stepping"
+
+
+#: The same as the enum, or as its value.
+MethodName = Method | Literal["event-driven", "time-stepping"]
 
 
 class Shape(StrEnum):

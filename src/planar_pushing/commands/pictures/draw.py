@@ -24,7 +24,7 @@ def add(commands: Commands) -> None:
     about = "Draw a pushing problem and one of its solutions, the one that sticks if there is one."
     sub = command(commands, "draw", drawn, about, "scene.yaml --pusher-angle 170 -o scene.svg")
     add_scene(sub)
-    add_push(sub, required=False)
+    add_push(sub, ranges=False)
     sub.add_argument(
         "--force-angle", type=float, metavar="DEGREES",
         help="instead of --pusher-angle: direction of the force, whose motion the fence then follows; "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NoReturn
@@ -25,6 +26,8 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
+        # Words that begin like a negative number are values: of a range, -90:90:5.
+        self._negative_number_matcher = re.compile(r"-\.?\d")
         self.register("type", float, _number)
         self.register("type", int, _whole_number)
 
@@ -44,6 +47,28 @@ def _whole_number(text: str) -> int:
         return int(text)
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r} given; allowed: a whole number") from None
+
+
+#: Most angles of a range: a minute of work.
+MOST_ANGLES = 100_000
+
+
+def angles(text: str) -> float | tuple[float, ...]:
+    """An angle, or the angles of START:STOP:STEP, STOP included where the steps meet it."""
+    try:
+        given = tuple(map(float, text.split(":")))
+        if len(given) == 1:
+            return given[0]
+        start, stop, step = given
+        count = math.floor((stop - start) / step + 1e-9) + 1
+        if not 0 < count <= MOST_ANGLES:
+            raise ValueError
+    except (ValueError, OverflowError, ZeroDivisionError):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} given; allowed: a number, or START:STOP:STEP with a step towards STOP and at most "
+            f"{MOST_ANGLES} angles"
+        ) from None
+    return tuple(start + i * step for i in range(count))
 
 
 def command(
@@ -71,18 +96,20 @@ def add_output(sub: argparse.ArgumentParser, example: str, about: str) -> None:
     sub.add_argument("-o", "--output", type=Path, required=True, metavar=example, help=about)
 
 
-def add_push(sub: argparse.ArgumentParser, required: bool) -> None:
-    """Add the fence's motion."""
-    default = "required" if required else "default: that of the scene file, or 90"
-    magnitude = 1.0 if required else None
+def add_push(sub: argparse.ArgumentParser, ranges: bool) -> None:
+    """Add the pusher's motion; its angle may be a range."""
+    metavar = "DEGREES|START:STOP:STEP" if ranges else "DEGREES"
+    default = "that of the scene file" if ranges else "that of the scene file, or 90"
+    size = "1, or with the file's angle that of the file" if ranges else "that of the file, or 1"
     sub.add_argument(
-        "--pusher-angle", type=float, required=required, metavar="DEGREES",
-        help=f"direction of the fence's motion, {DIRECTION} ({default})",
+        "--pusher-angle", type=angles if ranges else float, metavar=metavar,
+        help=f"direction of the fence's motion, {DIRECTION} (default: {default})"
+        + ("; of a range, with STOP, a table is printed" if ranges else ""),
     )  # fmt: skip
     sub.add_argument(
-        "--pusher-magnitude", type=float, default=magnitude, metavar="NUMBER",
+        "--pusher-magnitude", type=float, metavar="NUMBER",
         help="magnitude of the fence's velocity, or with inertia of its acceleration from rest, in the "
-        f"scene's units, a finite number > 0 (default: {'1' if required else 'that of the file, or 1'})",
+        f"scene's units, a finite number > 0 (default: {size})",
     )  # fmt: skip
 
 
@@ -90,7 +117,7 @@ def check_push(args: argparse.Namespace) -> None:
     """Refuse angles and magnitudes that the fence cannot have."""
     for name in ("pusher_angle", "force_angle"):
         given = getattr(args, name, None)
-        if given is not None:
+        if given is not None and not isinstance(given, tuple):
             allowed = "a finite number of degrees"
             require_number(name, given, math.isfinite, allowed, "give one angle")
     magnitude = getattr(args, "pusher_magnitude", None)

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from math import isfinite
 from typing import Any
 
-#: Parts of a vector below this, relative to the largest, are rounding.
-ROUNDING = 1e-15
+#: Parts of a vector below this, relative to the largest, are rounding errors.
+ROUNDING = 1e-12
 
 
 def numbers(values: Iterable[Any]) -> list[float]:
@@ -27,12 +27,16 @@ def text(value: Any, indent: int = 0) -> str:
     entries = value if isinstance(value, list) else [value]
     finite = [abs(v) for v in entries if isinstance(v, float) and isfinite(v)]
     least = ROUNDING * max(finite, default=0.0)
-    return " ".join(_number(v, least) if isinstance(v, float) else str(v) for v in entries)
+    return " ".join(_word(v, least) for v in entries)
 
 
-def _number(value: float, least: float) -> str:
-    """Twelve digits; a part of a vector that is rounding beside the others is 0."""
-    return f"{value if abs(value) >= least else 0.0:.12g}"
+def _word(value: Any, least: float) -> str:
+    """Twelve digits of a number; a part of a vector that is a rounding error beside the others is 0."""
+    if value is None:
+        return "none"
+    return (
+        f"{0.0 if abs(value) < least else value:.12g}" if isinstance(value, float) else str(value)
+    )
 
 
 def _nested(value: Any) -> bool:

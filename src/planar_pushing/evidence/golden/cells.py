@@ -122,6 +122,7 @@ def solutions(
         for mode, motions in found.items()
         for motion in motions
     ]
+    leave_out_centers(listed)
     for each in listed:
         v_x, v_y, spin = each["twist"]
         each |= {"twist": [v_x, v_y, spin / size], "force_end": each["force"], "pivot": -1}
@@ -146,6 +147,13 @@ def columns(listed: list[Record]) -> Record:
     found = {name: [each[name] for each in listed] for name in ENTRIES}
     counts = {"solutions": len(listed), "status": status, "outcome": min(len(listed), 2)}
     return counts | found | {"consistent": [True] * len(listed)}
+
+
+def leave_out_centers(listed: list[Record]) -> None:
+    """Leave out the motion centers of sliders at rest, which have none."""
+    for each in listed:
+        if all(part == 0 for part in each["twist"]):
+            each["center"] = [arb.nan(), arb.nan()]
 
 
 def solution(

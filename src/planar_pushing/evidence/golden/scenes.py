@@ -15,7 +15,13 @@ from planar_pushing.certified.contact.sticking import Motion
 from planar_pushing.certified.effects.given import law as law_of
 from planar_pushing.certified.line_of_force import motion_angle, motion_degrees, spin_ratio
 from planar_pushing.certified.setting import Effects, Heading, Slider, direction, heading
-from planar_pushing.evidence.golden.cells import Record, center, columns, solution
+from planar_pushing.evidence.golden.cells import (
+    Record,
+    center,
+    columns,
+    leave_out_centers,
+    solution,
+)
 
 CONE_SAMPLES = 181
 SUPPORT_ANGLES = tuple(range(0, 360, 15))
@@ -60,6 +66,7 @@ def scene_values(values: Mapping[str, Any]) -> Record:
         for mode, motions in found.items()
         for motion in motions
     ]
+    leave_out_centers(listed)
     rubbing = [_support(own, effects, each["twist"]) for each in listed]
     for each in listed:
         v_x, v_y, spin = each["twist"]

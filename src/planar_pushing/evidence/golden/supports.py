@@ -156,8 +156,8 @@ def _center(motion: Vector, own: Vector, v: Vector, spin: arb) -> list[arb]:
     """Motion center from the contact; of a translation the limit of slow rotations to the left."""
     if not spin.is_zero() and abs(spin) * FAR > norm(*v):
         return [-motion[1] / spin, motion[0] / spin]
-    if all(each.is_zero() for each in v):  # at rest
-        return [own[0], arb.pos_inf()]
+    if all(each.is_zero() for each in v):  # a slider at rest has none
+        return [arb.nan(), arb.nan()]
     across, speed = (-v[1], v[0]), norm(*v)
     return [
         arb.pos_inf() * part.sgn() if abs(part) * FAR > speed else place

@@ -6,8 +6,7 @@ from planar_pushing.mechanics.contact.laws import (
     InfiniteFriction,
     PerfectlyRough,
 )
-from planar_pushing.mechanics.contact.modes import ContactMode, Outcome
-from planar_pushing.mechanics.status import Status
+from planar_pushing.mechanics.status import ContactMode, Outcome, Status
 
 __all__ = [
     "ContactLaw",

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol, runtime_checkable
+from typing import Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.options import AtZeroNormal
 
 
 @runtime_checkable
@@ -65,7 +66,7 @@ class InfiniteFriction:
         under which the contact slips with f_n = 0; "none" is definition 2, under which it cannot.
     """
 
-    at_zero_normal: str = "free"
+    at_zero_normal: AtZeroNormal | Literal["free", "none"] = "free"
 
     def __post_init__(self) -> None:
         if self.at_zero_normal not in ("free", "none"):

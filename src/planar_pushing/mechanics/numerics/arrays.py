@@ -19,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.status import FLAGS, flag_attributes
 from planar_pushing.terms.quantities import MECHANICS, attributes
 
 #: Rows of a block: a millisecond to a hundred of work, so that Ctrl-C is heard and threads cost little.
@@ -143,10 +144,11 @@ def evaluated(
 
 
 def named(name: str, value: Any) -> Any:
-    """A result with its name and units where it is labelled."""
+    """A result with its name, units and flags where it is labelled."""
     if not is_labelled(value):
         return value
-    return value.rename(name).assign_attrs(attributes(MECHANICS, name))
+    flags = flag_attributes(FLAGS[name]) if name in FLAGS else {}
+    return value.rename(name).assign_attrs(attributes(MECHANICS, name) | flags)
 
 
 def same(one: Any, other: Any) -> Any:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.contact import ContactMode, Outcome
+from planar_pushing.mechanics.contact import Outcome
 from planar_pushing.mechanics.effects import Inertia, Load, Viscous
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.status import FLAGS as RESULTS
+from planar_pushing.mechanics.status import flag_attributes
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import NO_MODE, Event, Stop
 from planar_pushing.simulation.systems.setup import order_of
@@ -53,11 +56,11 @@ PLACED: dict[str, tuple[tuple[str, ...], str]] = {
 #: And of a slider with loads.
 LOADED: dict[str, tuple[tuple[str, ...], str]] = {"load_work": ((), "f8")}
 #: Names of the numbers of flags, in logs and in batches.
-FLAGS = {
-    "mode": {"NONE": NO_MODE} | {mode.name: int(mode) for mode in ContactMode},
-    "outcome": {outcome.name: int(outcome) for outcome in Outcome},
-    "event": {event.name: int(event) for event in Event},
-    "stopped": {stop.name: int(stop) for stop in Stop},
+FLAGS: dict[str, Mapping[str, int]] = {
+    "mode": {"NONE": NO_MODE, **RESULTS["mode"]},
+    "outcome": RESULTS["outcome"],
+    "event": Event.__members__,
+    "stopped": Stop.__members__,
 }
 
 
@@ -139,8 +142,7 @@ def described(table: quantities.Quantities, name: str) -> dict[str, Any]:
     """Unit, long name and flags of a variable or a coordinate."""
     attributes: dict[str, Any] = dict(quantities.attributes(table, name))
     if name in FLAGS:
-        attributes["flag_values"] = np.array(list(FLAGS[name].values()), np.int8)
-        attributes["flag_meanings"] = " ".join(FLAGS[name])
+        attributes |= flag_attributes(FLAGS[name])
     return attributes
 
 

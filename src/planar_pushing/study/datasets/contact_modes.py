@@ -42,7 +42,7 @@ def build(part: Part) -> xr.Dataset:
     def solutions(effects: tuple[Any, ...]) -> xr.Dataset:
         contact = objects("contact", labels, laws)
         scene = Scene(slider=slider, contact=contact, effects=effects)
-        found: xr.Dataset = solve(scene, angle, magnitude)
+        found = solve(scene, angle, magnitude)
         numbered = found.assign_coords(solution=np.arange(found.sizes["solution"]))
         return numbered.reindex(solution=PLACES, fill_value=FILL).drop_vars("solution")
 

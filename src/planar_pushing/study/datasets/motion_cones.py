@@ -28,14 +28,16 @@ def build(part: Part) -> xr.Dataset:
         scene = Scene(slider=slider, contact=laws, effects=effects)
         force, cone = friction_cone(scene), motion_cone(scene)
         whole = xr.zeros_like(cone.right)
+        right: xr.DataArray = force.right
+        left: xr.DataArray = force.left
         return xr.Dataset(
             {
-                "friction_cone_right": np.rad2deg(force.right) + whole,
-                "friction_cone_left": np.rad2deg(force.left) + whole,
+                "friction_cone_right": np.rad2deg(right) + whole,
+                "friction_cone_left": np.rad2deg(left) + whole,
                 "motion_cone_right": np.rad2deg(cone.right),
                 "motion_cone_left": np.rad2deg(cone.left),
-                "limit_force_right": limit_curve(scene, force.right).force_size,
-                "limit_force_left": limit_curve(scene, force.left).force_size,
+                "limit_force_right": limit_curve(scene, right).force_size,
+                "limit_force_left": limit_curve(scene, left).force_size,
                 "pulls": leaves_the_fence(cone),
                 "slips_while_pushing": scene.law.slips & omits_pushes(cone),
             }

@@ -27,7 +27,8 @@ def build(part: Part) -> xr.Dataset:
     """Build the dataset of a part of a study."""
     scene = supported(part, friction_axis(part))
     cone = motion_cone(scene)
-    edges = xr.concat([cone.right, cone.left], xr.Variable("edge", EDGES))
+    both: list[xr.DataArray] = [cone.right, cone.left]
+    edges = xr.concat(both, xr.Variable("edge", EDGES))
     angle = friction_angle(part.grid["friction_coefficient"])
     return xr.Dataset(
         {

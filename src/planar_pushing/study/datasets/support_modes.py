@@ -17,8 +17,7 @@ from planar_pushing.study.files.study_model import Part
 
 def build(part: Part) -> xr.Dataset:
     """Build the dataset of a part of a study: `solve` of labelled arrays."""
-    found: xr.Dataset = solve(
-        supported(part, friction_axis(part)), pushing(axis(part, "pusher_angle"))
-    )
+    angles: xr.DataArray = pushing(axis(part, "pusher_angle"))
+    found = solve(supported(part, friction_axis(part)), angles)
     angle = friction_angle(part.grid["friction_coefficient"])
     return found.assign_coords(friction_angle=("friction_coefficient", angle))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -216,7 +217,7 @@ class SceneFile(FileModel):
             effects=tuple(effect.build() for effect in self.effects),
             placement=None if self.placement is None else self.placement.build(),
             units=None if self.units is None else self.units.build(),
-            push=None if self.simulate is None else _push(self.simulate),
+            push=None if self.simulate is None else _push(self.simulate, self.effects),
         )
 
 
@@ -228,7 +229,11 @@ def require_inertia(given: SimulateEntry | None, info: ValidationInfo) -> Simula
     return given
 
 
-def _push(given: SimulateEntry) -> tuple[float, float]:
-    """Direction in radians and speed of the pusher as it starts."""
+def _push(given: SimulateEntry, effects: Sequence[Any]) -> tuple[float, float]:
+    """Direction in radians and speed of the pusher as it starts.
+
+    A slider with inertia is pushed from rest, by an acceleration, for which a file has no number: it is 1.
+    """
     first = given.pieces[0]
-    return float(np.deg2rad(first.angle)), first.speed
+    inert = EffectKind.INERTIA in {EFFECT_TYPES[each.type] for each in effects}
+    return np.deg2rad(first.angle), 1.0 if inert else first.speed

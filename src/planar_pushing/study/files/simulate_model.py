@@ -88,7 +88,7 @@ class UntilEntry(FileModel):
 
 
 class TwistEntry(FileModel):
-    """Velocity of the ring center, and rotation in degrees per time."""
+    """Velocity of the slider's center, and rotation in degrees per time."""
 
     v_x: FiniteNumber = 0.0
     v_y: FiniteNumber = 0.0
