@@ -23,7 +23,9 @@ from .mechanics.contact import (
     PerfectlyRough,
     Status,
 )
+from .mechanics.derivatives import Derivatives, ForceDerivatives, Smoothness
 from .mechanics.effects import Inertia, Load, RingFriction, SupportFriction, Viscous
+from .mechanics.force_motion import ForceMotion, motion_of_force
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solutions import Solution, SolutionArrays, Solutions
@@ -60,8 +62,11 @@ __all__ = [
     "Composite",
     "ContactMode",
     "Coulomb",
+    "Derivatives",
     "Disc",
     "EllipsoidFit",
+    "ForceDerivatives",
+    "ForceMotion",
     "Inertia",
     "InfiniteFriction",
     "InvalidFile",
@@ -80,6 +85,7 @@ __all__ = [
     "Scene",
     "Segment",
     "Slider",
+    "Smoothness",
     "Solution",
     "SolutionArrays",
     "Solutions",
@@ -97,6 +103,7 @@ __all__ = [
     "motion_angle",
     "motion_centers",
     "motion_cone",
+    "motion_of_force",
     "open_dataset",
     "plot_log",
     "potential",

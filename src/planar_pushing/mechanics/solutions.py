@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
+from planar_pushing.mechanics.derivatives import Derivatives
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
@@ -50,6 +51,8 @@ class Solution:
     continuum : bool
         Whether each motion from this one to the other end of a continuum is a solution too: to another
         slip, to the sticking motion, or to rest.
+    derivatives : Derivatives, optional
+        Those of twist and force, where `solve` was asked for them.
     """
 
     mode: ContactMode
@@ -61,6 +64,7 @@ class Solution:
     center: Array
     pivot: int
     continuum: bool
+    derivatives: Derivatives | None = None
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
@@ -153,6 +157,8 @@ class SolutionArrays:
         Values of `Status`.
     spin_ratio, pivot, continuum : ndarray, shape S + (solutions,)
         As in `Solution`.
+    derivatives : Derivatives, optional
+        Of shape S + (solutions,).
     """
 
     solutions: npt.NDArray[np.int8]
@@ -166,6 +172,7 @@ class SolutionArrays:
     center: Array
     pivot: npt.NDArray[np.int32]
     continuum: npt.NDArray[np.bool_]
+    derivatives: Derivatives | None = None
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)

@@ -14,6 +14,11 @@ from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.mechanics.core import Entry
+from planar_pushing.mechanics.derivatives import (
+    Derivatives,
+    require_unlabelled,
+    solution_derivatives,
+)
 from planar_pushing.mechanics.effects.base import count_fields, made
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.modes import MOST, SOLUTION, Push, contact_modes
@@ -224,7 +229,9 @@ def is_steady(entries: Sequence[Entry]) -> bool:
     return len({entry.degree for entry in entries}) == 1
 
 
-def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) -> Any:
+def solve(
+    scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0, *, derivatives: bool = False
+) -> Any:
     """Every solution of the pushing problem from rest that is consistent (Sec. 2).
 
     Parameters
@@ -235,6 +242,9 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
         Angle of the pusher's velocity or initial acceleration, radians.
     pusher_magnitude : float or array
         Its magnitude, >= 0. It matters to the modes only where the scene has friction and inertia.
+    derivatives : bool
+        Whether each solution has its `Derivatives`: of twist and force by the pusher's motion, the contact
+        point, mu, and the strengths of the effects.
 
     Returns
     -------
@@ -245,31 +255,41 @@ def solve(scene: Scene, pusher_angle: Number, pusher_magnitude: Number = 1.0) ->
     Raises
     ------
     InvalidValue
-        Where a value is out of its range; with friction and inertia also where m a / W is.
+        Where a value is out of its range; with friction and inertia also where m a / W is; where
+        derivatives of a problem with a DataArray are asked for.
     """
     entries, slider = required_scene(scene).from_rest, scene.slider
     require_held(scene)
     body = slider.rod_length, slider.rod_angle, slider.radius
     columns = [each for entry in entries for each in entry.columns]
     given = [*columns, *body, *scene.law, pusher_angle, pusher_magnitude]
+    if derivatives:
+        require_unlabelled(given)
     results = outputs(is_steady(entries))
     found = elementwise(lambda *each: solve_arrays(entries, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}
     if is_labelled(found[0]):
         return _dataset(**by_name)
+    by = solution_derivatives(scene, given, by_name) if derivatives else None
     if np.ndim(found[0]):
-        return SolutionArrays(**by_name)
-    return _solutions((scene, float(pusher_angle), float(pusher_magnitude)), **by_name)
+        return SolutionArrays(**by_name, derivatives=by)
+    problem = scene, float(pusher_angle), float(pusher_magnitude)
+    return _solutions(problem, **by_name, derivatives=by)
 
 
 def _solutions(
-    problem: tuple[Scene, float, float], solutions: int, status: int, mode: Any, **values: Array
-) -> Solutions:
+    problem: tuple[Scene, float, float], solutions: int, status: int, mode: Any,
+    derivatives: Derivatives | None, **values: Array,
+) -> Solutions:  # fmt: skip
     """The solutions of one problem."""
     entries = {name: each if each.ndim > 1 else each.tolist() for name, each in values.items()}
     return Solutions(
         tuple(
-            Solution(mode=ContactMode(mode[i]), **{name: each[i] for name, each in entries.items()})
+            Solution(
+                mode=ContactMode(mode[i]),
+                derivatives=derivatives and derivatives[i],
+                **{name: each[i] for name, each in entries.items()},
+            )
             for i in range(solutions)
         ),
         Status(status),
