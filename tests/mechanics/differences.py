@@ -153,3 +153,24 @@ def random_problem(rng, kind):
         strengths=strengths, feet=loads, make=make, angle=float(rng.uniform(0, np.pi)),
         ratio=float(rng.uniform(1.5, 4)) if open_magnitude else None,
     )  # fmt: skip
+
+
+def assert_differences(problem, by, names, numbers_of, here):
+    """Derivatives are the limits of differences, to their estimated error and the rounding of the steps."""
+    for name, i, found in given_columns(problem, by, names):
+        limit, error = differences(problem, name, i, numbers_of)
+        size = 1.0 + np.abs(limit).max() + np.abs(here).max()
+        assert np.abs(found - limit).max() <= 4.0 * error.max() + 1e-9 * size, (
+            name,
+            i,
+            found,
+            limit,
+        )
+
+
+def assert_same(problem, each):
+    """The derivatives of a solution are the limits of differences of the solutions of its mode."""
+    names = "motion", "contact", "mu", "strengths", "feet"
+    assert_differences(
+        problem, each.derivatives, names, lambda p: same_solution(p, each), numbers(each)
+    )
