@@ -326,6 +326,32 @@ def _assert_limits(problem):
     return {each.derivatives.status for each in found}
 
 
+@pytest.mark.parametrize("kind", ["polygon", "points", "points+inertia"])
+@pytest.mark.parametrize("off", [0.1, 3e-3, 5e-4, 1e-6, 0.0])
+def test_derivatives_of_pushes_that_nearly_translate(kind, off):
+    """The force of a translation is through the center of pressure; pushes beside it turn slowly."""
+    problem = random_problem(np.random.default_rng(5), kind)
+    problem = replace(problem, mu=None, law=pp.PerfectlyRough(), contact=(0.3, -1.0))
+    friction = problem.scene.friction[0]
+    arm = np.array(_center_of_pressure(problem, friction)) - problem.contact
+    x, y = pp.motion_of_force(
+        problem.scene, np.arctan2(arm[1], arm[0]), problem.ratio
+    ).contact_motion
+    angle = np.arctan2(y, x) + off
+    problem = replace(problem, motion=(np.cos(angle), np.sin(angle)))
+    stick = problem.solutions[-1]
+    assert stick.derivatives.status is pp.Smoothness.SMOOTH
+    assert_same(problem, stick)
+
+
+def _center_of_pressure(problem, friction):
+    """The center of pressure along the fence."""
+    psi = problem.scene.slider.rod_angle
+    x, y = friction.support.center_of_pressure
+    return x * np.cos(psi) - y * np.sin(psi), x * np.sin(psi) + y * np.cos(psi)
+
+
+@pytest.mark.slow
 def test_a_slider_that_a_load_carries_away_changes_with_mass_and_load():
     """A separate slider that slides down a tilted table: its acceleration is the free one."""
 

@@ -9,7 +9,14 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, generic, kernel, owning
-from planar_pushing.mechanics.effects.base import count_fields, count_points, made, place
+from planar_pushing.mechanics.effects.base import (
+    Resistance,
+    count_fields,
+    count_points,
+    made,
+    place,
+)
+from planar_pushing.mechanics.effects.far import far_terms
 from planar_pushing.mechanics.plane import rod, toward
 from planar_pushing.mechanics.reduced.implicit import (
     FORCE,
@@ -113,6 +120,17 @@ def _response(of, at, pivots, k, t_x, t_y, wrenches):
 
 
 @compiled
+def _with_far_terms(effects, at, x, y, spin, blur):
+    """`Resistance` about the contact, with exact second derivatives of sliders that nearly translate."""
+    now, (xs, ys, ss) = about(effects, at, x, y, spin, blur), far_terms(effects, x, y, spin)
+    whole = now.ss + ss + 2.0 * (at.y * xs - at.x * ys)
+    return Resistance(
+        now.f_x, now.f_y, now.torque, now.xx, now.xy, now.yy, now.xs + xs, now.ys + ys, whole,
+        now.most, now.point, now.gross,
+    )  # fmt: skip
+
+
+@compiled
 def _state(effects, at, own, row, i, pivot):
     """The solution in the columns of a row from i on, and the twist of the origin."""
     t_x, t_y, condition = own.x, -own.y, int(row[i + 6])
@@ -125,7 +143,7 @@ def _state(effects, at, own, row, i, pivot):
     u_x, u_y = x - spin * at.y, y + spin * at.x
     edge = toward(own, row[i + 5])
     m_x, m_y = (u_x, u_y) if condition == LINE else (-t_y, t_x)
-    now = about(effects, at, x, y, spin, SLOW * (sqrt(x * x + y * y) + abs(spin)))
+    now = _with_far_terms(effects, at, x, y, spin, SLOW * (sqrt(x * x + y * y) + abs(spin)))
     return State(
         condition, now, u_x, u_y, spin, f_x, f_y, edge.along, -edge.aside, m_x, m_y, r_x, r_y
     ), x, y  # fmt: skip
