@@ -98,14 +98,14 @@ def test_a_table_that_is_pushed_in_its_middle():
     """By hand: four equal feet, in translation each foot resists motions across by its load."""
     (stick,) = pp.solve(scene_of(TABLE, 1.0, UPRIGHT, pp.Coulomb(0.5)), UPRIGHT, derivatives=True)
     by = stick.derivatives
-    assert by.twist_by_motion == pytest.approx(np.array([[0.5, 0], [0, 1], [0.5, 0]]), abs=1e-15)
-    assert by.force_by_motion == pytest.approx(np.array([[0.5, 0], [0, 0]]), abs=1e-15)
-    assert by.twist_by_point == pytest.approx(np.array([[-0.5, 0], [0, 0], [0.5, 0]]), abs=1e-15)
+    assert by.twist_by_motion == pytest.approx(np.array([[0.5, 0], [0, 1], [0.5, 0]]), abs=1e-11)
+    assert by.force_by_motion == pytest.approx(np.array([[0.5, 0], [0, 0]]), abs=1e-11)
+    assert by.twist_by_point == pytest.approx(np.array([[-0.5, 0], [0, 0], [0.5, 0]]), abs=1e-11)
     # Feet in the body frame, x along the rod: two on the left, two on the right of the push.
     left = np.array([1, 1, -1, -1])
     expected = np.array([-left / 2, 0 * left, left / 2])
-    assert by.twist_by_foot == pytest.approx(expected, abs=1e-15)
-    assert by.force_by_foot == pytest.approx(np.array([-left / 2, left * left]), abs=1e-15)
+    assert by.twist_by_foot == pytest.approx(expected, abs=1e-11)
+    assert by.force_by_foot == pytest.approx(np.array([-left / 2, left * left]), abs=1e-11)
 
 
 @pytest.mark.parametrize("support", [BOX, pp.Ring(1.0), TABLE, pp.Disc(1.0)], ids=str)
@@ -199,8 +199,8 @@ def test_a_frictionless_contact_slips_and_has_a_derivative_by_mu():
     scene = scene_of(TABLE, 1.0, UPRIGHT, pp.Coulomb(0.0))
     (slip,) = pp.solve(scene, math.pi / 3, derivatives=True)
     speed = math.sin(math.pi / 3)
-    assert slip.derivatives.twist_by_mu == pytest.approx([speed, 0, speed], abs=1e-14)
-    assert slip.derivatives.force_by_mu == pytest.approx([1, 0], abs=1e-14)
+    assert slip.derivatives.twist_by_mu == pytest.approx([speed, 0, speed], abs=1e-11)
+    assert slip.derivatives.force_by_mu == pytest.approx([1, 0], abs=1e-11)
     (stick,) = pp.solve(scene, UPRIGHT, derivatives=True)
     assert is_all_nan(stick.derivatives)
 
