@@ -55,7 +55,7 @@ class Smoothness(IntEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Common:
-    """What the derivatives of every problem share."""
+    """Fields of the derivatives of every problem."""
 
     status: Any
     twist_by_point: Array
@@ -108,6 +108,8 @@ class Derivatives(_Common):
     Notes
     -----
     By the implicit function theorem from the balance of wrenches, with the Hessian of the total potential.
+    Where the center of rotation is exactly on a ring or a segment, this Hessian is infinite like a
+    logarithm, and the derivatives are those at the distance of a rounding error.
     """
 
     twist_by_motion: Array
@@ -123,12 +125,16 @@ class ForceDerivatives(_Common):
     Attributes
     ----------
     status : Smoothness, or ndarray of int of shape S
-    twist_by_angle, twist_by_ratio : ndarray, shape S + (3,)
-        By the force angle, per radian, and by `force_ratio`; zero by a ratio that is not given.
+    twist_by_angle : ndarray, shape S + (3,)
+        By the force angle, in radians.
+    twist_by_ratio : ndarray, shape S + (3,)
+        By `force_ratio`; zero where none is given.
     twist_by_point : ndarray, shape S + (3, 2)
     twist_by_strength : ndarray, shape S + (3, effects)
     twist_by_foot : ndarray, shape S + (3, feet)
-    force_by_angle, force_by_ratio : ndarray, shape S + (2,)
+    force_by_angle : ndarray, shape S + (2,)
+        By the force angle, in radians.
+    force_by_ratio : ndarray, shape S + (2,)
     force_by_point : ndarray, shape S + (2, 2)
     force_by_strength : ndarray, shape S + (2, effects)
     force_by_foot : ndarray, shape S + (2, feet)

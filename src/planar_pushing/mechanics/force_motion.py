@@ -95,7 +95,7 @@ def _of_size(effects, at, e_x, e_y, size):
 
 @generic
 def _factors(kinds: Any) -> Callable[..., Any]:
-    """What takes motion and force to those of a unit motion of the contact: effects, motion."""
+    """Factors that take motion and force to those of a unit motion of the contact: effects, motion."""
     if not is_steady(kinds):
         return _as_they_are
     return _both if all(KINDS[kind].DEGREE == 2 for kind in kinds) else _motion_alone

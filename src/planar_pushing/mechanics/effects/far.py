@@ -1,8 +1,8 @@
 """Second derivatives of support friction where the slider nearly translates.
 
-Far from the support's center of rotation, `resistance` has second derivatives by the rotation that serve
-Newton's method, to a part of a thousandth; their exact sums cancel there. The wrench itself is exact and
-smooth, so that differences of it over small rotations have them to ten digits.
+Where the center of rotation is far away, the sums of the second derivatives by the rotation cancel, and
+those of `resistance` serve Newton's method alone, with relative errors up to 1e-3. The wrench itself is
+exact and smooth there; its differences over small rotations give these derivatives to ten digits.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def _all(effects, x, y, spin):
 
 @generic
 def far_terms(kinds: Any) -> Callable[..., Any]:
-    """What the second derivatives xs, ys and ss of `resistance` lack: effect or effects, x, y, spin."""
+    """Corrections of xs, ys and ss of `resistance`: effect or effects, x, y, spin."""
     if isinstance(kinds, tuple):
         return _first if len(kinds) == 1 else _all
     return _of_support if kinds is Support else _none
