@@ -23,6 +23,7 @@ from .mechanics.contact import (
     PerfectlyRough,
     Status,
 )
+from .mechanics.derivatives import Derivatives, ForceDerivatives, Smoothness
 from .mechanics.effects import (
     Inertia,
     Load,
@@ -31,6 +32,7 @@ from .mechanics.effects import (
     Viscous,
     weight,
 )
+from .mechanics.force_motion import ForceMotion, motion_of_force
 from .mechanics.frames import Placement
 from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
@@ -75,9 +77,12 @@ __all__ = [
     "Composite",
     "ContactMode",
     "Coulomb",
+    "Derivatives",
     "Disc",
     "EllipsoidFit",
     "Event",
+    "ForceDerivatives",
+    "ForceMotion",
     "Inertia",
     "InfiniteFriction",
     "InvalidFile",
@@ -98,6 +103,7 @@ __all__ = [
     "Scene",
     "Segment",
     "Slider",
+    "Smoothness",
     "Solution",
     "SolutionArrays",
     "Solutions",
@@ -118,6 +124,7 @@ __all__ = [
     "motion_angle",
     "motion_centers",
     "motion_cone",
+    "motion_of_force",
     "open_dataset",
     "plot_log",
     "potential",

@@ -30,12 +30,15 @@ class Entry(NamedTuple):
         Its columns that are forces, or forces over motions.
     others : list
         Its columns that are none, behind them: lengths in radii of the slider.
+    number : int
+        Its place in the list of the effects.
     """
 
     kind: Any
     degree: int
     forces: list[Number]
     others: list[Number]
+    number: int = 0
 
     @property
     def columns(self) -> list[Number]:
@@ -45,7 +48,7 @@ class Entry(NamedTuple):
 
 def entries(effects: Any, scene: Any) -> list[Entry]:
     """The entries of effects of a scene, those of one kind side by side."""
-    found = [_entry(effect, scene) for effect in effects]
+    found = [_entry(effect, scene)._replace(number=i) for i, effect in enumerate(effects)]
     return sorted(found, key=lambda entry: type(entry.kind).__name__, reverse=True)
 
 

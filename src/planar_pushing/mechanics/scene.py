@@ -227,13 +227,18 @@ class Scene:
         return all(is_own_ring(each.support, self.slider.radius) for each in self.friction)
 
     @property
-    def from_rest(self) -> list[Entry]:
-        """The effects of a push from rest as the compiled core has them.
+    def resisting(self) -> list[int]:
+        """Numbers of the effects of a push from rest.
 
         A slider with inertia has no velocity then, and so no viscous friction.
         """
         absent = Viscous if self.stores_energy else ()
-        return entries([each for each in self.effects if not isinstance(each, absent)], self)
+        return [i for i, each in enumerate(self.effects) if not isinstance(each, absent)]
+
+    @property
+    def from_rest(self) -> list[Entry]:
+        """The effects of a push from rest as the compiled core has them."""
+        return entries([self.effects[i] for i in self.resisting], self)
 
     @property
     def kinds(self) -> tuple[Any, ...]:

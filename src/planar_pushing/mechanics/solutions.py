@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
+from planar_pushing.mechanics.derivatives import Derivatives
 from planar_pushing.mechanics.entries import to_json
 from planar_pushing.mechanics.numerics.arrays import dataset, named, same
 from planar_pushing.mechanics.pictures import picture
@@ -64,6 +65,8 @@ class Solution:
     continuum : bool
         Whether each motion from this one to the other end of a continuum is a solution too: to another
         slip, to the sticking motion, or to rest.
+    derivatives : Derivatives, optional
+        Those of twist and force, where `solve` was asked for them.
     """
 
     mode: ContactMode
@@ -75,6 +78,7 @@ class Solution:
     center: Array
     pivot: int
     continuum: bool
+    derivatives: Derivatives | None = None
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
@@ -85,17 +89,23 @@ class Solution:
         return bool(self.force[1] < -RESOLUTION * np.hypot(*self.force))
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values by name: the mode's name, numbers and lists of them."""
-        found = {each.name: getattr(self, each.name) for each in fields(self)}
-        return {name: _plain(value) for name, value in found.items()} | {"adhesive": self.adhesive}
+        """Plain values by name: the mode's name, numbers and lists of them; derivatives where it has them."""
+        found = {name: _plain(value) for name, value in _values(self).items() if value is not None}
+        return found | {"adhesive": self.adhesive}
 
     def to_json(self) -> str:
         """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are words."""
         return to_json(self.to_dict())
 
 
+def _values(one: Any) -> dict[str, Any]:
+    return {each.name: getattr(one, each.name) for each in fields(one)}
+
+
 def _plain(value: Any) -> Any:
     """A value without numpy and enumerations, and numbers without negative zeros."""
+    if isinstance(value, Derivatives):
+        return {name: _plain(each) for name, each in _values(value).items()}
     if isinstance(value, IntEnum):
         return value.name
     if isinstance(value, (bool, np.bool_)):
@@ -251,6 +261,8 @@ class SolutionArrays:
         Values of `Status`.
     spin_ratio, pivot, continuum : ndarray, shape S + (solutions,)
         As in `Solution`.
+    derivatives : Derivatives, optional
+        Of shape S + (solutions,).
     """
 
     solutions: npt.NDArray[np.int8]
@@ -264,6 +276,7 @@ class SolutionArrays:
     center: Array
     pivot: npt.NDArray[np.int32]
     continuum: npt.NDArray[np.bool_]
+    derivatives: Derivatives | None = None
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
@@ -294,7 +307,10 @@ class SolutionArrays:
             )  # fmt: skip
         places = np.arange(self.solutions.size).reshape(self.shape)[index]
         found = {name: self._flat(value)[places] for name, value in self._fields().items()}
-        return SolutionArrays(**found) if np.ndim(places) else listed(found)
+        by = self.derivatives and self.derivatives[np.unravel_index(places, self.shape)]
+        return (
+            SolutionArrays(**found, derivatives=by) if np.ndim(places) else listed(found, None, by)
+        )
 
     def __repr__(self) -> str:
         outcomes, modes = _counted(Outcome, self.outcome), _counted(ContactMode, self.mode)
@@ -334,7 +350,8 @@ class SolutionArrays:
         )
 
     def _fields(self) -> dict[str, Any]:
-        return {each.name: getattr(self, each.name) for each in fields(self)}
+        names = [each.name for each in fields(self) if each.name != "derivatives"]
+        return {name: getattr(self, name) for name in names}
 
     def _flat(self, value: Any) -> Any:
         """An array with the axes of S made one."""
@@ -354,14 +371,24 @@ def _counted(kind: type[IntEnum], values: Any) -> str:
     return ", ".join(f"{count} {name}" for name, count in counts.items() if count) or "none"
 
 
-def listed(values: Mapping[str, Any], problem: tuple[Any, float, float] | None = None) -> Solutions:
+def listed(
+    values: Mapping[str, Any],
+    problem: tuple[Any, float, float] | None = None,
+    derivatives: Derivatives | None = None,
+) -> Solutions:
     """The solutions of one problem, from the variables of `SolutionArrays` without the axes of S."""
     own = {name: each for name, each in values.items() if name not in COUNTS}
     entries = {name: each if each.ndim > 1 else each.tolist() for name, each in own.items()}
     count = int(values["solutions"])
     entries["mode"] = list(map(ContactMode, entries["mode"][:count]))
     return Solutions(
-        tuple(Solution(**{name: each[i] for name, each in entries.items()}) for i in range(count)),
+        tuple(
+            Solution(
+                **{name: each[i] for name, each in entries.items()},
+                derivatives=derivatives and derivatives[i],
+            )
+            for i in range(count)
+        ),
         Status(int(values["status"])),
         problem,
     )

@@ -14,6 +14,10 @@ from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.mechanics.core import Entry
+from planar_pushing.mechanics.derivatives import (
+    require_unlabelled,
+    solution_derivatives,
+)
 from planar_pushing.mechanics.effects.base import count_fields, made
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.modes import MOST, SOLUTION, Push, contact_modes
@@ -228,15 +232,27 @@ def is_steady(entries: Sequence[Entry]) -> bool:
 
 @overload
 def solve(
-    scene: Scene, pusher_angle: Scalar | None = None, pusher_magnitude: Scalar | None = None
+    scene: Scene,
+    pusher_angle: Scalar | None = None,
+    pusher_magnitude: Scalar | None = None,
+    *,
+    derivatives: bool = False,
 ) -> Solutions: ...
 @overload
 def solve(
-    scene: Scene, pusher_angle: Numbers, pusher_magnitude: Scalar | Numbers | None = None
+    scene: Scene,
+    pusher_angle: Numbers,
+    pusher_magnitude: Scalar | Numbers | None = None,
+    *,
+    derivatives: bool = False,
 ) -> SolutionArrays: ...
 @overload
 def solve(
-    scene: Scene, pusher_angle: Scalar | None, pusher_magnitude: Numbers
+    scene: Scene,
+    pusher_angle: Scalar | None,
+    pusher_magnitude: Numbers,
+    *,
+    derivatives: bool = False,
 ) -> SolutionArrays: ...
 @overload
 def solve(
@@ -248,7 +264,11 @@ def solve(
     scene: Scene, pusher_angle: Scalar | Numbers | None, pusher_magnitude: xr.DataArray
 ) -> xr.Dataset: ...
 def solve(
-    scene: Scene, pusher_angle: Number | None = None, pusher_magnitude: Number | None = None
+    scene: Scene,
+    pusher_angle: Number | None = None,
+    pusher_magnitude: Number | None = None,
+    *,
+    derivatives: bool = False,
 ) -> Any:
     """Every solution of the pushing problem from rest that is consistent (Sec. 2).
 
@@ -262,6 +282,9 @@ def solve(
     pusher_magnitude : float or array, optional
         Its magnitude, >= 0, by default 1. It matters to the modes only where the scene has friction and
         inertia.
+    derivatives : bool
+        Whether each solution has its `Derivatives`: of twist and force by the pusher's motion, the contact
+        point, mu, and the strengths of the effects.
 
     Returns
     -------
@@ -273,8 +296,9 @@ def solve(
     Raises
     ------
     InvalidValue
-        Where a value is out of its range; with friction and inertia also where m a / W is. An angle beyond
-        4 pi that is a Python number is most likely one of degrees, and a tuple a velocity.
+        Where a value is out of its range; with friction and inertia also where m a / W is; where
+        derivatives of a problem with a DataArray are asked for. An angle beyond 4 pi that is a Python
+        number is most likely one of degrees, and a tuple a velocity.
     """
     entries, slider = required_scene(scene).from_rest, scene.slider
     require_held(scene)
@@ -282,14 +306,17 @@ def solve(
     body = slider.rod_length, slider.rod_angle, slider.radius
     columns = [each for entry in entries for each in entry.columns]
     given, results = [*columns, *body, *scene.law, *push], outputs(is_steady(entries))
+    if derivatives:
+        require_unlabelled(given)
     found = elementwise(lambda *each: solve_arrays(entries, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}
     if is_labelled(found[0]):
         return as_dataset(by_name)
+    by = solution_derivatives(scene, given, by_name) if derivatives else None
     if np.ndim(found[0]):
-        return SolutionArrays(**by_name)
+        return SolutionArrays(**by_name, derivatives=by)
     angle, magnitude = map(float, push)
-    return listed(by_name, (scene, angle, magnitude))
+    return listed(by_name, (scene, angle, magnitude), by)
 
 
 def _push(scene: Scene, angle: Number | None, magnitude: Number | None) -> tuple[Number, Number]:
