@@ -23,8 +23,8 @@ from planar_pushing.terms.errors import (
 )
 from planar_pushing.terms.options import Shape
 
-#: Lengths in radii: rounding of the outline and of the finger, feet, height of the outline, thickness of the
-#: fence. A turning slider rolls on the rounding, which moves the contact by that much a radian.
+#: Lengths in radii: rounding of outline and finger, feet, height of the outline, thickness of the fence.
+#: A turning slider rolls on the rounding, which moves the contact by that much a radian.
 ROUNDING, FOOT, HEIGHT, THICKNESS = 0.002, 0.02, 0.1, 0.05
 #: Half the length of the fence, in extents of the outline.
 FENCE = 10.0
@@ -33,16 +33,18 @@ LIGHT = 0.05
 #: Coefficient of friction of the feet. MuJoCo lifts a sliding contact in proportion to its coefficient, so
 #: that feet with a large one hop; friction itself depends on coefficient times load only.
 COEFFICIENT = 0.03
-#: How far the springs that load the feet are compressed, in radii: the loads stay the same within 1e-5.
+#: Compression of the springs that load the feet, in radii: the loads stay the same within 1e-5.
 COMPRESSED = 100.0
-#: Time step in units of sqrt(m R / W), in which friction changes the slider's speed; time constant of the
-#: contacts in steps, of which MuJoCo takes no fewer than two; impedance of the contacts.
-STEP, STEPS, IMPEDANCE = 0.002, 2.5, 0.9
-#: Ratio of the impedances of friction and of normal force. A contact that sticks creeps; by less, the larger
-#: this is.
+#: Time step in units of sqrt(m R / W), in which friction changes the slider's speed; and time constant of
+#: the contacts in steps, of which MuJoCo takes no fewer than two.
+STEP, STEPS = 0.002, 2.5
+#: Impedances of the feet and of the pusher's contact. Of 0.5 to 0.9, and of constants of 2.5 to 50 steps,
+#: these were the nearest to `simulate` in five slow pushes of a box.
+FEET, PUSHER = 0.9, 0.5
+#: Ratio of the impedances of friction and of normal force: the larger, the less a sticking contact creeps.
 IMPRATIO = 1e4
-#: Mass of the pusher over the slider's, and the gain of its velocity control over the slider's mass per step:
-#: a pusher as light as the slider yields in the impacts of soft contact.
+#: Mass of the pusher over the slider's, and gain of its velocity control over the slider's mass per step.
+#: A pusher as light as the slider yields in the impacts of soft contact.
 HEAVY, GAIN = 1e3, 1e5
 
 
@@ -129,7 +131,10 @@ def _required(scene: Scene) -> tuple[Coulomb, Array]:
     required_single(required_scene(scene))
     if not isinstance(scene.contact, Coulomb):
         raise InvalidValue(
-            "contact", scene.contact, "Coulomb", "give a finite coefficient: MuJoCo has no other law"
+            "contact",
+            scene.contact,
+            "Coulomb",
+            "give a finite coefficient: MuJoCo has no other law",
         )
     if not scene.friction or not scene.masses or scene.viscous or scene.loads:
         raise InvalidValue(
@@ -149,8 +154,8 @@ def _comment(feet: Feet, errors: tuple[float, float]) -> str:
     return (
         f" Units are those of the scene. {len(feet.places)} feet carry its friction: for the same motion "
         f"their wrenches differ from the scene's by {mean:.2g} degrees on average and by at most "
-        f"{worst:.2g}, torques over the radius. Contact is soft: push slowly, and halve the timestep to see "
-        "how much it matters. "
+        f"{worst:.2g}, torques over the radius. Contact is soft: push slowly, and halve the timestep to "
+        "see by how much it matters. "
     )
 
 
@@ -225,13 +230,13 @@ def _pusher(world: Element, scene: Scene, shape: Shape, size: float) -> None:
 
 def _contacts(root: Element, law: Coulomb, step: float, sides: int, feet: int) -> None:
     mu = law.friction_coefficient
-    pairs = [("floor", f"foot_{i}", COEFFICIENT) for i in range(feet)]
-    pairs += [("pusher", f"side_{i}", mu) for i in range(sides)]
-    for one, other, friction in pairs:
+    pairs = [("floor", f"foot_{i}", COEFFICIENT, FEET) for i in range(feet)]
+    pairs += [("pusher", f"side_{i}", mu, PUSHER) for i in range(sides)]
+    for one, other, friction, impedance in pairs:
         _add(
             _child(root, "contact"), "pair", geom1=one, geom2=other, condim=3,
             friction=(friction, friction, 0, 0, 0), solref=(STEPS * step, 1),
-            solimp=(IMPEDANCE, IMPEDANCE, 1, 0.5, 2),
+            solimp=(impedance, impedance, 1, 0.5, 2),
         )  # fmt: skip
 
 
