@@ -141,7 +141,8 @@ def test_errors_of_four_feet_for_a_ring_are_those_of_the_sums():
     errors = np.arctan2(sines, (one * other).sum(axis=1))
     mean, worst = force_errors(scene(pp.Ring(1.0)), feet_of(scene(pp.Ring(1.0)), 4))
     assert mean == pytest.approx(errors.mean(), rel=0.03)
-    assert errors.max() <= worst < 1.2 * errors.max()
+    # The maximum is at rotations about points beside a foot, which few random motions are.
+    assert errors.max() <= worst < 1.3 * errors.max()
 
 
 @pytest.mark.parametrize("size", [1e-3, 1e4])

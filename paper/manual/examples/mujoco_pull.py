@@ -39,18 +39,22 @@ def run(first, last, **options):
     return data.qpos[:3], data.qvel[:3] / SPEED
 
 
-def sticking(rod_angle, angle):
-    """The twist of the slider that sticks to the fence, for unit speed, and all consistent modes."""
+def consistent(rod_angle, angle):
+    """Twists of all consistent modes by their names, for a fence of unit speed."""
     found = pp.solve(scene(rod_angle, pp.RingFriction()), np.deg2rad(angle))
-    twists = {each.mode.name: each.twist for each in found}
-    return twists.get("STICK", np.full(3, np.nan)), ", ".join(twists).lower()
+    return {each.mode.name.lower(): each.twist for each in found}
+
+
+def shown(twist):
+    """A twist as three numbers."""
+    return " ".join(f"{each:7.4f}" for each in np.round(twist, 4) + 0.0)
 
 
 if __name__ == "__main__":
     for angle in ANGLES:
-        for start, first in (("at rest", angle), ("pushed before", 45.0)):
+        for start, first in (("at rest", angle), ("pushed", 45.0)):
             moved, twist = run(first, angle)
-            expected, modes = sticking(np.pi / 4 + moved[2], angle)
-            answer = "pulled " if np.linalg.norm(twist) > 0.01 else "stays  "
-            print(f"{angle:4} {start:13} {answer} twist", *(f"{each + 0.0:7.4f}" for each in twist),
-                  "  stick", *(f"{each:7.4f}" for each in expected), " ", modes)  # fmt: skip
+            answer = "is pulled" if np.linalg.norm(twist) > 0.01 else "stays"
+            print(f"{angle:4} {start:8} {answer:10} {shown(twist)}")
+            for mode, expected in consistent(np.pi / 4 + moved[2], angle).items():
+                print(f"{'':14}{mode:10} {shown(expected)}")
