@@ -52,6 +52,7 @@ from .mechanics.supports import (
 )
 from .mechanics.wrench import potential, wrench
 from .objects.inverse import Push, pushes_for
+from .objects.mjcf import to_mjcf
 from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
 from .simulation.batch import simulate_batch
@@ -136,6 +137,7 @@ __all__ = [
     "slips_while_pushing",
     "solve",
     "spin_ratio",
+    "to_mjcf",
     "to_pandas",
     "weight",
     "wrench",

@@ -89,7 +89,7 @@ class Solution:
         return bool(self.force[1] < -RESOLUTION * np.hypot(*self.force))
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values by name: the mode's name, numbers and lists of them; derivatives where it has them."""
+        """Plain values by name: the mode's name, numbers, lists of them, and derivatives if it has them."""
         found = {name: _plain(value) for name, value in _values(self).items() if value is not None}
         return found | {"adhesive": self.adhesive}
 

@@ -15,6 +15,7 @@ EXTRAS = {
     "report": ("typst", "PIL"),
     "golden": ("flint",),
     "explore": ("panel", "matplotlib", "PIL"),
+    "mujoco": ("mujoco",),
     "manual": ("sphinx", "furo", "myst_nb", "numpydoc", "ipykernel"),
 }
 

@@ -1,0 +1,198 @@
+"""Feet in the place of a support, for tools whose friction acts at points, and their error."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi, sqrt
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from planar_pushing.mechanics.effects import SupportFriction
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.supports import Composite, Points, Ring
+from planar_pushing.mechanics.supports.pressure.record import Pieces
+from planar_pushing.mechanics.wrench import wrench
+
+#: Places at which a line, and an area along x and along y, is sampled before it is divided among feet.
+#: Multiples of powers of two: halves of a symmetric support are halves of its samples.
+LINE, AREA = 1920, 240
+#: Pressure below this fraction of the largest is rounding, where a hole is taken out of a disc.
+ROUNDING = 1e-9
+#: Motions at which feet and support are compared; twice as many move the mean error by less than 1 percent.
+MOTIONS = 2_000
+#: Directions around each foot, and the distance in radii, at which rotations about points beside it are.
+AROUND, BESIDE = 16, 1e-6
+
+
+class Feet(NamedTuple):
+    """Points that carry a support's weight.
+
+    Attributes
+    ----------
+    places : ndarray, shape (n, 2)
+        In the body frame.
+    weights : ndarray, shape (n,)
+        Forces of friction: shares of W.
+    """
+
+    places: Array
+    weights: Array
+
+
+def feet_of(scene: Scene, count: int) -> Feet:
+    """Feet of the friction of a scene: its own points, and `count` for the rest of each support.
+
+    The pressure that is not on points is halved along its longer extent, and so are the halves, until each
+    part has its foot, at the part's center of pressure. The feet are then moved away from their common
+    center by one factor, so that the torque of spinning about it is that of the support.
+    """
+    found = [_feet(_of_scene(each.support, scene), each.weight, count) for each in scene.friction]
+    return Feet(*map(np.concatenate, zip(*found, strict=True)))
+
+
+def force_errors(scene: Scene, feet: Feet) -> tuple[float, float]:
+    """Mean and maximum angle between the wrenches of the scene's friction and of the feet, in radians.
+
+    They are wrenches (f_x, f_y, tau / R) about the center of pressure for the same motion, over motions
+    spread evenly over the sphere of (v_x, v_y, R omega). The maximum includes rotations about points
+    beside each foot.
+    """
+    radius = scene.slider.radius
+    center = feet.weights @ feet.places / feet.weights.sum()
+    given = SupportFriction(support=Points(*feet), weight=feet.weights.sum())
+
+    def loads(effect: Any, motions: Array) -> Array:
+        v_x, v_y, spin = motions[:, 0], motions[:, 1], motions[:, 2] / radius
+        twists = np.column_stack([v_x + spin * center[1], v_y - spin * center[0], spin])
+        f_x, f_y, torque = wrench(effect, twists, scene.slider).T
+        torque = torque - center[0] * f_y + center[1] * f_x
+        return np.column_stack([f_x, f_y, torque / radius])
+
+    def errors(motions: Array) -> Array:
+        exact = sum(loads(each, motions) for each in scene.friction)
+        own = loads(given, motions)
+        apart = np.linalg.norm(np.cross(exact, own), axis=1)
+        return np.asarray(np.arctan2(apart, np.einsum("ij,ij->i", exact, own)))
+
+    spread = errors(_spread(MOTIONS))
+    beside = errors(_beside((feet.places - center) / radius))
+    return float(spread.mean()), float(max(spread.max(), beside.max()))
+
+
+def _of_scene(support: Any, scene: Scene) -> Any:
+    """The support; a ring without a radius has the slider's."""
+    own = isinstance(support, Ring) and support.radius is None
+    return replace(support, radius=scene.slider.radius) if own else support
+
+
+def _feet(support: Any, weight: float, count: int) -> Feet:
+    points, rest = _sampled(support)
+    if len(rest):
+        points = np.concatenate([points, _divided(rest, count)])
+    return Feet(points[:, :2], weight * points[:, 2] / points[:, 2].sum())
+
+
+def _sampled(support: Any) -> tuple[Array, Array]:
+    """Points of a support, and samples of what is not on points; rows of x, y and share."""
+    if isinstance(support, Composite):
+        shares = [share for share, _ in support.members]
+        parts = [_sampled(member) for _, member in support.members]
+        scaled = [
+            [rows * (1.0, 1.0, share) for rows in part]
+            for share, part in zip(shares, parts, strict=True)
+        ]
+        points, rest = map(np.concatenate, zip(*scaled, strict=True))
+        return points, rest
+    pieces: Pieces = support.pieces()
+    spread = [_on_segment(row) for row in pieces.segments]
+    spread += [_on_ring(row) for row in pieces.rings]
+    if len(pieces.discs) or pieces.plates:
+        spread.append(_on_area(pieces))
+    return pieces.atoms, np.concatenate([np.empty((0, 3)), *spread])
+
+
+def _on_segment(row: Array) -> Array:
+    along = (np.arange(LINE)[:, None] + 0.5) / LINE
+    places = row[:2] + along * (row[2:4] - row[:2])
+    return np.column_stack([places, np.full(LINE, row[4] / LINE)])
+
+
+def _on_ring(row: Array) -> Array:
+    turn = 2.0 * pi * (np.arange(LINE) + 0.5) / LINE
+    places = row[:2] + row[2] * np.column_stack([np.cos(turn), np.sin(turn)])
+    return np.column_stack([places, np.full(LINE, row[3] / LINE)])
+
+
+def _on_area(pieces: Pieces) -> Array:
+    """Samples of discs and plates on a grid over all of them; the share is their pressure's."""
+    discs, edges = pieces.discs, np.concatenate([np.empty((0, 5)), *pieces.plates])
+    reach = discs[:, 2:3]
+    ends = np.concatenate([discs[:, :2] - reach, discs[:, :2] + reach, edges[:, :2], edges[:, 2:4]])
+    low, size = ends.min(axis=0), np.ptp(ends, axis=0)
+    x, y = (low[:, None] + size[:, None] * (np.arange(AREA) + 0.5) / AREA)[:2]
+    pressure = np.array([_along_column(edges, each, y) for each in x])
+    for c_x, c_y, radius, share in discs:
+        inside = np.hypot(x[:, None] - c_x, y - c_y) < radius
+        pressure += share / (pi * radius**2) * inside
+    i, j = np.nonzero(pressure > ROUNDING * pressure.max())
+    loads = pressure[i, j]
+    shares = discs[:, 3].sum() + (edges[:, 4] * _doubled_areas(edges)).sum() / 2.0
+    return np.column_stack([x[i], y[j], shares * loads / loads.sum()])
+
+
+def _doubled_areas(edges: Array) -> Array:
+    """Twice the signed areas between edges and the origin."""
+    return np.asarray(edges[:, 0] * edges[:, 3] - edges[:, 1] * edges[:, 2])
+
+
+def _along_column(edges: Array, x: float, y: Array) -> Array:
+    """Pressure of plates at places of one x: the jumps of the edges that are below add up."""
+    start, end, low, high, jump = edges[:, 0], edges[:, 2], edges[:, 1], edges[:, 3], edges[:, 4]
+    way = np.sign(end - start) * ((start > x) != (end > x))
+    met = way != 0.0
+    height = low[met] + (x - start[met]) / (end - start)[met] * (high - low)[met]
+    return np.asarray((way * jump)[met] @ (height[:, None] < y))
+
+
+def _divided(samples: Array, count: int) -> Array:
+    """Feet of samples, which carry equal shares; rows of x, y and share."""
+    feet = np.array(_halved(samples, count))
+    center = _center(samples)
+    exact, own = (rows[:, 2] @ np.hypot(*(rows[:, :2] - center).T) for rows in (samples, feet))
+    feet[:, :2] = center + (feet[:, :2] - center) * exact / own
+    return feet
+
+
+def _halved(samples: Array, count: int) -> list[Array]:
+    shares = samples[:, 2]
+    if count == 1:
+        return [np.append(_center(samples), shares.sum())]
+    spread = shares @ (samples[:, :2] - _center(samples)) ** 2
+    along = int(spread[1] > spread[0] * (1.0 + ROUNDING))
+    rows = samples[np.lexsort((samples[:, 1 - along], samples[:, along]))]
+    carried = rows[:, 2].cumsum()
+    first = count // 2
+    cut = int(np.searchsorted(carried, carried[-1] * first / count * (1.0 + ROUNDING)))
+    return _halved(rows[:cut], first) + _halved(rows[cut:], count - first)
+
+
+def _center(rows: Array) -> Array:
+    return np.asarray(rows[:, 2] @ rows[:, :2] / rows[:, 2].sum())
+
+
+def _spread(count: int) -> Array:
+    """Motions spread evenly over half a sphere; the opposite motions have the opposite wrenches."""
+    index = np.arange(count)
+    spin, turn = (index + 0.5) / count, index * pi * (3.0 - sqrt(5.0))
+    speed = np.sqrt(1.0 - spin * spin)
+    return np.column_stack([speed * np.cos(turn), speed * np.sin(turn), spin])
+
+
+def _beside(feet: Array) -> Array:
+    """Rotations about points beside each foot, whose places are from the center of pressure, in radii."""
+    turn = 2.0 * pi * (np.arange(AROUND) + 0.5) / AROUND
+    around = BESIDE * np.column_stack([np.cos(turn), np.sin(turn)])
+    x, y = (feet[:, None] + around).reshape(-1, 2).T
+    return np.column_stack([y, -x, np.ones(len(x))])

@@ -1,0 +1,257 @@
+"""`to_mjcf`: a scene as a model of MuJoCo, in its XML."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import cos, degrees, sin, sqrt
+from typing import Any
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element, SubElement
+
+import numpy as np
+
+from planar_pushing.mechanics.contact import Coulomb
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.objects.feet import Feet, feet_of, force_errors
+from planar_pushing.terms.domain import Number
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    require_number,
+    require_option,
+    require_positive,
+)
+from planar_pushing.terms.options import Shape
+
+#: Lengths in radii: rounding of outline and finger, feet, height of the outline, thickness of the fence.
+#: A turning slider rolls on the rounding, which moves the contact by that much a radian.
+ROUNDING, FOOT, HEIGHT, THICKNESS = 0.002, 0.02, 0.1, 0.05
+#: Half the length of the fence, in extents of the outline.
+FENCE = 10.0
+#: Share of the slider's mass in its feet, at most. Vertical motion is theirs alone.
+LIGHT = 0.05
+#: Coefficient of friction of the feet. MuJoCo lifts a sliding contact in proportion to its coefficient, so
+#: that feet with a large one hop; friction itself depends on coefficient times load only.
+COEFFICIENT = 0.03
+#: Compression of the springs that load the feet, in radii: the loads stay the same within 1e-5.
+COMPRESSED = 100.0
+#: Time step in units of sqrt(m R / W), in which friction changes the slider's speed; and time constant of
+#: the contacts in steps, of which MuJoCo takes no fewer than two.
+STEP, STEPS = 0.002, 2.5
+#: Impedances of the feet and of the pusher's contact. Of 0.5 to 0.9, and of constants of 2.5 to 50 steps,
+#: these were the nearest to `simulate` in five slow pushes of a box.
+FEET, PUSHER = 0.9, 0.5
+#: Ratio of the impedances of friction and of normal force: the larger, the less a sticking contact creeps.
+IMPRATIO = 1e4
+#: Mass of the pusher over the slider's, and gain of its velocity control over the slider's mass per step.
+#: A pusher as light as the slider yields in the impacts of soft contact.
+HEAVY, GAIN = 1e3, 1e5
+
+
+def to_mjcf(
+    scene: Scene,
+    *,
+    pusher: str = Shape.FENCE,
+    feet: int = 16,
+    timestep: float | None = None,
+    gravity: float = 9.80665,
+) -> str:
+    """Model of a scene in MJCF, the XML of MuJoCo.
+
+    Parameters
+    ----------
+    scene : Scene
+        One scene, whose slider has an outline, under Coulomb's law, with friction on supports and inertia.
+    pusher : {"fence", "finger"}
+        What pushes, as in `Pusher`: a fence meets a corner of the outline, a finger a side. It moves in the
+        plane; two velocity actuators, `pusher_x` and `pusher_y`, drive it.
+    feet : int
+        Number of feet, 3 to 1000, in the place of the pressure of each support that is not on points.
+    timestep : float, optional
+        In the scene's unit of time, by default ``sqrt(m R / W) / 500``. The stiffness of the contacts
+        follows it.
+    gravity : float
+        Acceleration for what is added to the model, by default in m/s^2. Nothing in the model feels it.
+
+    Returns
+    -------
+    str
+        MJCF. The world is the fence frame: x along the fence, y its outward normal, z up; lengths, forces
+        and times are the scene's. Joints `slider_x`, `slider_y` and `slider_turn` are the displacement of
+        the slider's center and its turn, their velocities its twist as in `Solution`. The numeric fields
+        `mean_force_error` and `worst_force_error` say by how many radians the wrenches of the feet differ
+        from those of the supports for the same motion (torques over R): 0 for supports on points.
+
+    Raises
+    ------
+    InvalidValue
+        Where the scene has no outline, another law, another effect, or lacks friction or inertia, or an
+        option is out of range.
+
+    Notes
+    -----
+    Each foot is a light body on a vertical joint, pressed to the floor by a spring, so that its load is
+    that of the scene, however many feet there are and however high the pusher touches. MuJoCo's elliptic
+    cone then limits the friction at each foot to its share of W.
+    """
+    law, outline = _required(scene)
+    shape = require_option("pusher", pusher, Shape, "name one of these shapes")
+    count = int(require_number(
+        "feet", feet, lambda n: 3 <= n <= 1000 and n == int(n), "an integer from 3 to 1000",
+        "take more feet for a smaller error",
+    ))  # fmt: skip
+    require_number("gravity", gravity, np.isfinite, "a finite number", "give an acceleration")
+    default = STEP * sqrt(scene.inertia[0] * scene.slider.radius / scene.weight)
+    given = default if timestep is None else timestep
+    step = require_positive("timestep", given, "leave it out for the default")
+    standing = feet_of(scene, count)
+    errors = force_errors(scene, standing)
+    root = Element("mujoco", model="planar_pushing")
+    root.append(ElementTree.Comment(_comment(standing, errors)))
+    _settings(root, step, gravity)
+    world = SubElement(root, "worldbody")
+    size = FENCE * float(np.ptp(outline, axis=0).max())
+    _add(world, "geom", name="floor", type="plane", size=(size, size, 1.0))
+    _slider(world, scene, outline, standing)
+    _pusher(world, scene, shape, size)
+    _contacts(root, law, step, len(outline), len(standing.places))
+    for axis in "xy":
+        joint = f"pusher_{axis}"
+        _add(_child(root, "actuator"), "velocity", name=joint, joint=joint,
+             kv=GAIN * scene.inertia[0] / step)  # fmt: skip
+    fields = _child(root, "custom")
+    for name, error in zip(("mean", "worst"), errors, strict=True):
+        _add(fields, "numeric", name=f"{name}_force_error", data=error)
+    ElementTree.indent(root)
+    return ElementTree.tostring(root, encoding="unicode") + "\n"
+
+
+def _required(scene: Scene) -> tuple[Coulomb, Array]:
+    """The law and the outline of a scene that MuJoCo can have, or `InvalidValue`."""
+    required_single(required_scene(scene))
+    if not isinstance(scene.contact, Coulomb):
+        raise InvalidValue(
+            "contact",
+            scene.contact,
+            "Coulomb",
+            "give a finite coefficient: MuJoCo has no other law",
+        )
+    if not scene.friction or not scene.masses or scene.viscous or scene.loads:
+        raise InvalidValue(
+            "effects", scene.effects, "friction on supports and Inertia",
+            "list one of each at least: MuJoCo needs a mass, and the feet have friction only",
+        )  # fmt: skip
+    if scene.slider.outline is None:
+        raise InvalidValue(
+            "outline", None, "the corners of the slider in order",
+            "give Slider(outline=...): MuJoCo needs a shape to push",
+        )  # fmt: skip
+    return scene.contact, np.array(scene.slider.outline, dtype=float)
+
+
+def _comment(feet: Feet, errors: tuple[float, float]) -> str:
+    mean, worst = map(degrees, errors)
+    return (
+        f" Units are those of the scene. {len(feet.places)} feet carry its friction: for the same motion "
+        f"their wrenches differ from the scene's by {mean:.2g} degrees on average and by at most "
+        f"{worst:.2g}, torques over the radius. Contact is soft: push slowly, and halve the timestep to "
+        "see by how much it matters. "
+    )
+
+
+def _settings(root: Element, step: float, gravity: float) -> None:
+    _add(root, "compiler", angle="radian")
+    _add(
+        root, "option", timestep=step, gravity=(0.0, 0.0, -gravity), cone="elliptic", impratio=IMPRATIO,
+        integrator="implicitfast", solver="Newton", tolerance=1e-12,
+    )  # fmt: skip
+    # Only the pairs that are listed touch.
+    _add(_child(root, "default"), "geom", contype=0, conaffinity=0)
+
+
+def _slider(world: Element, scene: Scene, outline: Array, feet: Feet) -> None:
+    slider, radius = scene.slider, scene.slider.radius
+    psi = slider.rod_angle
+    c, s = cos(psi), sin(psi)
+    length = slider.rod_length
+    body = _add(world, "body", name="slider", pos=(length * c, length * s, 0.0), euler=(0, 0, psi))
+    for name, kind, axis in (
+        ("x", "slide", (c, -s, 0.0)), ("y", "slide", (s, c, 0.0)), ("turn", "hinge", (0, 0, 1)),
+    ):  # fmt: skip
+        _add(body, "joint", name=f"slider_{name}", type=kind, axis=axis)
+    masses = _masses(scene, feet)
+    _inertial(body, scene, feet, masses)
+    ends = zip(outline, np.roll(outline, -1, axis=0), strict=True)
+    for i, (start, end) in enumerate(ends):
+        line = (*start, HEIGHT * radius, *end, HEIGHT * radius)
+        _add(body, "geom", name=f"side_{i}", type="capsule", size=ROUNDING * radius, fromto=line)
+    for i, (place, weight) in enumerate(zip(*feet, strict=True)):
+        foot = _add(body, "body", name=f"foot_{i}", pos=(*place, FOOT * radius), gravcomp=1)
+        stiffness = weight / COEFFICIENT / (COMPRESSED * radius)
+        _add(
+            foot, "joint", name=f"foot_{i}", type="slide", axis=(0, 0, 1), stiffness=stiffness,
+            springref=-COMPRESSED * radius,
+        )  # fmt: skip
+        _add(foot, "geom", name=f"foot_{i}", size=FOOT * radius, mass=masses[i])
+
+
+def _masses(scene: Scene, feet: Feet) -> Array:
+    """Masses of the feet; together with their moment of inertia a small share of the slider's."""
+    mass, square = scene.inertia
+    shares = feet.weights / feet.weights.sum()
+    away = feet.places / scene.slider.radius - scene.mass_center
+    spread = float(shares @ (away**2).sum(axis=1))
+    return np.asarray(LIGHT * min(1.0, square / spread) * mass * shares)
+
+
+def _inertial(body: Element, scene: Scene, feet: Feet, masses: Array) -> None:
+    """The slider without its feet, so that both together have the scene's inertia."""
+    (mass, square), radius = scene.inertia, scene.slider.radius
+    center = radius * np.array(scene.mass_center)
+    rest = mass - masses.sum()
+    own = (mass * center - masses @ feet.places) / rest
+    moment = mass * (square * radius**2 + center @ center) - rest * own @ own
+    moment -= masses @ (feet.places**2).sum(axis=1)
+    _add(body, "inertial", pos=(*own, 0.0), mass=rest, diaginertia=(moment, moment, moment))
+
+
+def _pusher(world: Element, scene: Scene, shape: Shape, size: float) -> None:
+    """The pusher, touching the slider's contact point."""
+    mass, radius = HEAVY * scene.inertia[0], scene.slider.radius
+    body = _add(world, "body", name="pusher", pos=(0.0, -ROUNDING * radius, HEIGHT * radius))
+    for axis, along in (("x", (1, 0, 0)), ("y", (0, 1, 0))):
+        _add(body, "joint", name=f"pusher_{axis}", type="slide", axis=along)
+    fence = shape == Shape.FENCE
+    half = (THICKNESS if fence else ROUNDING) * radius
+    sizes = (size, half, half) if fence else half
+    kind = "box" if fence else "sphere"
+    _add(body, "geom", name="pusher", type=kind, pos=(0, -half, 0), size=sizes, mass=mass)
+
+
+def _contacts(root: Element, law: Coulomb, step: float, sides: int, feet: int) -> None:
+    mu = law.friction_coefficient
+    pairs = [("floor", f"foot_{i}", COEFFICIENT, FEET) for i in range(feet)]
+    pairs += [("pusher", f"side_{i}", mu, PUSHER) for i in range(sides)]
+    for one, other, friction, impedance in pairs:
+        _add(
+            _child(root, "contact"), "pair", geom1=one, geom2=other, condim=3,
+            friction=(friction, friction, 0, 0, 0), solref=(STEPS * step, 1),
+            solimp=(impedance, impedance, 1, 0.5, 2),
+        )  # fmt: skip
+
+
+def _child(root: Element, tag: str) -> Element:
+    """The child of this name, made where it is missing."""
+    found = root.find(tag)
+    return SubElement(root, tag) if found is None else found
+
+
+def _add(parent: Element, tag: str, **attributes: Any) -> Element:
+    """A child with attributes: texts, numbers, or sequences of numbers."""
+    return SubElement(parent, tag, {name: _text(value) for name, value in attributes.items()})
+
+
+def _text(value: str | Number | Sequence[Number]) -> str:
+    if isinstance(value, str):
+        return value
+    return " ".join(f"{each:.12g}" for each in np.ravel(value))
