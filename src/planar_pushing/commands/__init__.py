@@ -19,6 +19,7 @@ from planar_pushing.commands import (
     init,
     plan,
     query,
+    run,
     simulate,
     solve,
 )
@@ -29,7 +30,8 @@ from planar_pushing.terms.errors import PlanarPushingError
 
 #: Help, version and completion import these modules, so none imports numpy before its command runs.
 COMMANDS = (
-    solve, cone, query, draw, explore, simulate, animate, check, plan, init, compilation, completion,
+    solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, compilation,
+    completion,
 )  # fmt: skip
 #: Exit codes besides 0: input that cannot be used, Ctrl-C, and a reader that has gone, as shells count.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141
