@@ -1,5 +1,7 @@
 """The command `run` builds a study with the workflow that the package has."""
 
+import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -69,6 +71,17 @@ def test_a_job_that_fails_is_said(run, folder, called):
     code, out, _ = run("run", "tiny.yaml")
     assert code == 1
     assert out == "results: results/studies/tiny\nbuilt: not all; the lines above say why\n"
+
+
+def test_ctrl_c_is_snakemakes_and_ends_the_command(run, folder, monkeypatch):
+    def interrupted(words, **options):
+        os.kill(os.getpid(), signal.SIGINT)  # as the terminal does to both
+        return subprocess.CompletedProcess(words, 1)
+
+    before = signal.getsignal(signal.SIGINT)
+    monkeypatch.setattr(subprocess, "run", interrupted)
+    assert run("run", "tiny.yaml") == (130, "", "planar-pushing: interrupted\n")
+    assert signal.getsignal(signal.SIGINT) is before
 
 
 @pytest.mark.parametrize(("arguments", "said"), [

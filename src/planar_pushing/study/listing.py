@@ -15,7 +15,8 @@ def built_datasets(results: PathLike, study: str | None = None) -> dict[str, str
 
     Errors as in `open_dataset`; a damaged file is said in the place of its title.
     """
-    folder, found = built_results(results, study), {}
+    folder = built_results(results, study)
+    found: dict[str, str] = {}
     for stem in WHOLE:
         found |= _named(folder / f"data/{stem}.nc", stem)
     for stem, place in FOLDERS.items():
