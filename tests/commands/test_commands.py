@@ -60,7 +60,7 @@ def test_every_option_says_what_it_does_its_range_and_its_default(name, action):
     assert len(said) >= len("bash or zsh")
     if action.type in (int, float):
         assert re.search(
-            r"degrees|units|unit |per time|pictures|instants|tolerance|points|\bport\b", said
+            r"degrees|units|unit |per time|pictures|instants|tolerance|points|cores|\bport\b", said
         )
         assert re.search(
             r"> 0|\[|\(0, 50\]|finite number|whole number|within the friction cone", said
@@ -97,9 +97,22 @@ def test_arguments_that_are_none_are_refused_in_one_line(capsys, arguments, said
     assert err.count("\n") == 1
 
 
-def test_installed_command():
+@pytest.mark.parametrize("module", ["planar_pushing", "planar_pushing.commands"])
+def test_the_package_runs_as_the_command(module):
     done = subprocess.run(
-        [sys.executable, "-m", "planar_pushing.commands", "--help"],
-        capture_output=True, text=True, check=True,
-    )  # fmt: skip
+        [sys.executable, "-m", module, "--help"], capture_output=True, text=True, check=True
+    )
     assert all(name in done.stdout for name in COMMANDS)
+
+
+@pytest.mark.parametrize("command", [
+    ["draw", SCENE], ["simulate", SCENE], ["animate", "log.nc"],
+], ids=str)  # fmt: skip
+def test_a_folder_that_is_not_there_is_named_and_not_made(refused, tmp_path, command):
+    place = tmp_path / "none" / "below"
+    said = (
+        f"output: '{place}/file.svg' given; allowed: a file in a folder that is there; make the folder "
+        f"{place}, or name another file"
+    )
+    refused([*command, "-o", f"{place}/file.svg"], said)
+    assert not place.parent.exists()

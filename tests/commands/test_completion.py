@@ -38,10 +38,30 @@ def completed(run):
      ["separate", "stay-in-mode", "stick", "slip-right", "slip-left"]),
     (["query", "motion_cones", "--rod"], ["--rod-angle", "--rod-length"]),
     (["query", "mot"], ["motion_cones"]),
+    (["query", "hard"], ["hard_cases"]),
+    (["query", "acc"], ["acceleration_centers", "accuracy_errors/cone", "accuracy_errors/wrench",
+     "accuracy_time", "accuracy/cone", "accuracy/motion", "accuracy/wrench"]),
+    (["query", "scen"], []),
+    (["simulate", "scene.yaml", "--pusher-shape", ""], ["fence", "finger"]),
+    (["query", "motion_cones", "--effects", "in"], ["inertia"]),
+    (["query", "motion_cones", "--rod-length", ""], []),
+    (["draw", "scene.yaml", "-o", ""], []),
+    (["check", "--study", ""], []),
+    (["run", "study.yaml", "--"], ["--help", "--json", "--results", "--cores", "--dry-run"]),
     (["solve", "scene"], []),
 ], ids=str)  # fmt: skip
 def test_bash(completed, words, expected):
     assert completed("planar-pushing", *words) == expected
+
+
+@pytest.mark.skipif(BASH is None, reason="needs bash")
+def test_studies_that_are_built_are_offered(completed, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    asked = ("planar-pushing", "query", "motion_cones", "--study", "")
+    assert completed(*asked) == ["paper"]
+    for name in ("mine", "yours"):
+        (tmp_path / "results/studies" / name).mkdir(parents=True)
+    assert completed(*asked) == ["paper", "mine", "yours"]
 
 
 def test_zsh_runs_the_function_of_bash(run):

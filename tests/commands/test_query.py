@@ -4,9 +4,11 @@ import json
 import shutil
 
 import pytest
+import xarray as xr
 
 from planar_pushing.commands import main
 from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.store import write_dataset
 
 
 def test_query(run, results):
@@ -99,11 +101,13 @@ def test_help_lists_the_axes_of_every_dataset(capsys):
     [
         (
             "nowhere",
-            "nowhere: no such folder; name the folder of the results, or build them with make",
+            "nowhere: no such folder; name the folder of the results, or build them with make, or with "
+            "planar-pushing run STUDY.yaml",
         ),
         (
             "src",
-            "src: holds no folder data; name the folder of the results, or build them with make",
+            "src: holds no folder data; name the folder of the results, or build them with make, or with "
+            "planar-pushing run STUDY.yaml",
         ),
     ],
 )
@@ -114,8 +118,48 @@ def test_a_wrong_folder_is_named(refused, folder, said):
 def test_a_dataset_that_is_not_built(refused, results):
     refused(
         ["query", "limit_curves", "--results", results],
-        f"{results}/data/limit_curves.nc: no such dataset; build it with make or snakemake",
+        f"{results}/data/limit_curves.nc: no such dataset; build it with planar-pushing run, from a study "
+        "that gives effects, rod_length, rod_angle, force_angle; make builds it for the study paper",
     )
+
+
+def test_without_a_name_the_datasets_are_listed(run, results):
+    code, out, _ = run("query", "--results", results)
+    lines = out.splitlines()
+    assert code == 0
+    assert lines[:3] == [
+        "motion_cones   friction cones, and the motion cones to which they map",
+        "contact_modes  consistent solutions for each motion of the pusher: none, one or several",
+        "not built here:",
+    ]
+    assert lines[-1].startswith(
+        "  figures/NAME: build it with planar-pushing run, from a study that "
+    )
+    assert any(
+        "accuracy/wrench, effects: measure it with snakemake accuracy" in each for each in lines
+    )
+    code, out, _ = run("query", "--results", results, "--json")
+    listed = json.loads(out)
+    assert list(listed["datasets"]) == ["motion_cones", "contact_modes"]
+    assert "limit_curves" in listed["not_built"]
+    assert listed["studies"] == []
+
+
+def test_groups_files_and_studies_are_listed(run, results, tmp_path):
+    data = tmp_path / "results/studies/mine/data"
+    shutil.copytree(results, data.parent)
+    grouped = {"figure_02": xr.Dataset(), "figure_03": xr.Dataset()}
+    write_dataset({"/": xr.Dataset(attrs={"title": "Scenes"}), **grouped}, data / "scenes.nc")
+    (data / "simulations").mkdir()
+    (data / "simulations/push.nc").write_bytes(b"no data")
+    _, out, _ = run("query", "--results", str(tmp_path / "results"))
+    assert out.splitlines()[0].endswith("results: holds no datasets of the paper's study")
+    assert out.splitlines()[-1] == "other studies, for --study: mine"
+    _, out, _ = run("query", "--results", str(tmp_path / "results"), "--study", "mine")
+    listed = dict(line.split(maxsplit=1) for line in out.splitlines()[:5])
+    assert listed["scenes/figure_02"] == listed["scenes/figure_03"] == "scenes"
+    assert listed["simulations/push"].endswith("is not a netCDF4 file; remove it and build it anew")
+    assert "scenes/NAME" not in out
 
 
 def test_query_of_another_study(run, results, tmp_path):
@@ -134,6 +178,8 @@ def test_query_of_another_study(run, results, tmp_path):
          "query: '--rod-length=2 --rod-length 3' given; allowed: pairs"),
         (["query", "cones"],
          "name: 'cones' given; allowed: limit_curves"),
+        (["query", "motion_cone"],
+         "name: 'motion_cone' given; allowed: limit_curves, motion_cones"),
         (["query", "motion_cones", "--rod-lenght", "2"],
          "rod_lenght: '2' given; allowed: the axes effects"),
         (["query", "motion_cones", "--rod-length", "7"],

@@ -11,9 +11,11 @@ import planar_pushing as pp
 from planar_pushing.study.catalog import (
     CONTACT_LAWS,
     DATASETS,
+    building,
     contact_labels,
     dataset_file,
     number_label,
+    opened,
 )
 from planar_pushing.study.files.study_model import Grid
 from planar_pushing.terms.quantities import DATASET, SLIDERS
@@ -47,12 +49,33 @@ def test_scenes_share_a_file_and_simulations_have_one_each():
 @pytest.mark.parametrize(
     ("name", "said"),
     [("contact_mode", "did you mean contact_modes?"), ("limit_curve/x", "did you mean limit_curves?"),
-     ("suport_modes", "did you mean support_modes?"), ("zzz", "name one of these datasets")],
+     ("motion_cone", "did you mean motion_cones?"), ("suport_modes", "did you mean support_modes?"),
+     ("zzz", "name one of these datasets")],
 )  # fmt: skip
 def test_a_name_that_is_none_is_answered_with_the_closest(name, said):
     with pytest.raises(pp.InvalidValue, match=r"given; allowed: limit_curves, ") as caught:
         dataset_file(name)
     assert str(caught.value).endswith(said)
+
+
+@pytest.mark.parametrize(("name", "said"), [
+    ("accuracy/cone", "measure it with snakemake accuracy, in the project's folder"),
+    ("hard_cases", "build it with make, in the project's folder"),
+    ("supports", "build it with planar-pushing run, from a study that gives supports, center_x, center_y;"
+     " make builds it for the study sliders"),
+    ("center_regions", "build it with planar-pushing run, from a study that gives rod_length, rod_angle, "
+     "force_angle, and the effects support_friction+inertia; make builds it for the study paper"),
+    ("simulations/mine", "build it with planar-pushing run, from a study that lists it under simulations; "
+     "make builds it for the study paper"),
+])  # fmt: skip
+def test_what_is_not_there_is_built_by_a_command(name, said):
+    assert building(name) == said
+
+
+def test_every_name_that_is_listed_is_taken():
+    for name in opened():
+        assert dataset_file(name)
+    assert {"scenes", "accuracy", "accuracy_errors"}.isdisjoint(opened())
 
 
 @pytest.mark.parametrize(

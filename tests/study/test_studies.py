@@ -8,8 +8,10 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.study.store import write_dataset
 from planar_pushing.study.studies import (
+    chosen_results,
     chosen_studies,
     chosen_study,
+    file_name,
     study_folder,
     study_name,
 )
@@ -33,8 +35,11 @@ def test_the_papers_study_is_the_default():
 @pytest.mark.parametrize(
     ("config", "said"),
     [
-        ({"studdy": "x"}, "config: 'studdy' given; allowed: the key study; did you mean study?"),
-        ({"golden": 3}, "config: 'golden' given; allowed: the key study; leave it out"),
+        ({"studdy": "x"}, "config: 'studdy' given; allowed: the keys study and results; did you"),
+        (
+            {"golden": 3},
+            "config: 'golden' given; allowed: the keys study and results; leave it out",
+        ),
         ({"study": 5}, "study: 5 given; allowed: the path of a study file, without braces"),
         ({"study": ""}, "study: '' given; allowed: the path of a study file"),
         ({"study": None}, "study: None given; allowed: the path of a study file"),
@@ -45,6 +50,21 @@ def test_a_wrong_configuration_is_refused(config, said):
     with pytest.raises(pp.InvalidValue) as caught:
         chosen_study(config)
     assert str(caught.value).startswith(said)
+
+
+def test_the_folder_of_all_results_is_chosen_too():
+    assert chosen_results({}) == "results"
+    assert chosen_results({"study": "a.yaml", "results": "out"}) == "out"
+    with pytest.raises(pp.InvalidValue, match="results: 5 given; allowed: the path of a folder"):
+        chosen_results({"results": 5})
+
+
+def test_the_papers_study_is_built_in_the_projects_folder_alone(tmp_path):
+    with pytest.raises(
+        pp.InvalidFile, match=r"names the paper's study, workflow/config/paper\.yaml"
+    ):
+        study_name(tmp_path / "paper.yaml")
+    assert file_name(tmp_path / "paper.yaml") == "paper"
 
 
 def test_a_study_is_named_by_its_file():

@@ -266,7 +266,9 @@ def test_a_wrong_study_stops_before_any_job(fresh, file, old, new, message):
 @pytest.mark.slow
 def test_a_wrong_configuration_stops_before_any_job(fresh):
     said = fresh.dry("--config", "studdy=x", code=1)
-    assert "config: 'studdy' given; allowed: the key study; did you mean study?" in said
+    assert (
+        "config: 'studdy' given; allowed: the keys study and results; did you mean study?" in said
+    )
     assert "Traceback" not in said
 
 

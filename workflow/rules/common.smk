@@ -1,5 +1,6 @@
 # The studies, validated before any job starts, and what the rules look up in them.
 import fcntl
+import re
 import sys
 from pathlib import Path
 
@@ -19,19 +20,25 @@ from planar_pushing.study.provenance import provenance, whole_digest
 from planar_pushing.study.running.code import builder, code_of
 from planar_pushing.study.running.jobs import failure_text
 from planar_pushing.study.slices import computes, points, sizes, study_slice
-from planar_pushing.study.studies import chosen_studies, study_folder, study_name
+from planar_pushing.study.studies import (
+    chosen_results,
+    chosen_studies,
+    study_folder,
+    study_name,
+)
 from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.extras import require_extra
 
 if any(" " in path for path in (sys.executable, workflow.basedir)):
     raise WorkflowError(
-        f"{workflow.basedir}: Snakemake runs in no folder with a space; move the project"
+        f"{Path(workflow.basedir).parent}: Snakemake runs in no folder with a space; move the project"
     )
 
 # Each study by the folder that its results fill, its file, and the attributes that name it in a result.
 try:
     FILES = {
-        str(study_folder(study_name(file))): file for file in chosen_studies(config)
+        str(study_folder(study_name(file), chosen_results(config))): file
+        for file in chosen_studies(config)
     }
     STUDIES = {folder: load_drawn_study(file) for folder, file in FILES.items()}
     if any(study.chunks for study in STUDIES.values()):
@@ -63,7 +70,7 @@ DRAWN = numbered()
 
 def one_of(names):
     """Pattern of a wildcard that is one of these names; of none, one that nothing matches."""
-    return "|".join(names) or "(?!)"
+    return "|".join(map(re.escape, names)) or "(?!)"
 
 
 def computed(folder):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import signal
@@ -19,17 +20,19 @@ from planar_pushing.commands import (
     init,
     plan,
     query,
+    run,
     simulate,
     solve,
 )
 from planar_pushing.commands.pictures import animate, draw, explore
 from planar_pushing.commands.words.arguments import Parser, check_push
 from planar_pushing.commands.words.text import text
-from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
 
 #: Help, version and completion import these modules, so none imports numpy before its command runs.
 COMMANDS = (
-    solve, cone, query, draw, explore, simulate, animate, check, plan, init, compilation, completion,
+    solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, compilation,
+    completion,
 )  # fmt: skip
 #: Exit codes besides 0: input that cannot be used, Ctrl-C, and a reader that has gone, as shells count.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141
@@ -74,11 +77,20 @@ def _run(arguments: Sequence[str] | None) -> int:
     args.where, args.status = rest, 0  # which a command may set, as one that finds differences
     try:
         check_push(args)
+        _check_output(args)
         _print(args.action(args), args.json)
     except PlanarPushingError as error:
         print(f"planar-pushing {args.command}: {error}", file=sys.stderr)
         return INVALID
     return int(args.status)
+
+
+def _check_output(args: argparse.Namespace) -> None:
+    """Refuse a file in a folder that is not there: it is as likely mistyped as meant."""
+    output = getattr(args, "output", None)
+    if output is not None and not output.parent.exists():
+        remedy = f"make the folder {output.parent}, or name another file"
+        raise InvalidValue("output", str(output), "a file in a folder that is there", remedy)
 
 
 def _print(result: dict[str, object], as_json: bool) -> None:

@@ -6,35 +6,43 @@ The script is static, so that pressing the tab key starts no Python and needs no
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterable
 from typing import Any
 
 from planar_pushing.commands import query
 from planar_pushing.commands.words.arguments import Commands, command
-from planar_pushing.study.catalog import DATASETS
+from planar_pushing.study.catalog import DATASETS, opened
+from planar_pushing.study.studies import PAPER
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.options import Method, Policy
+from planar_pushing.terms.options import EffectSet, Method, Policy, Shape
 
 #: Lines that a shell needs before the function of bash; zsh runs such functions too.
 SHELLS = {"bash": "", "zsh": "autoload -U +X compinit bashcompinit && compinit && bashcompinit\n"}
-#: Values of options that take one of a few, and words of commands besides their options.
-VALUES = {"--method": tuple(Method), "--on-ambiguity": tuple(Policy)}
+AXES = sorted({query.option(axis) for entry in DATASETS.values() for axis in entry.dims})
+#: Values of options that take one of a few, by command and option; the studies are those that are built.
+VALUES = {
+    "* --method": tuple(Method),
+    "* --on-ambiguity": tuple(Policy),
+    "* --pusher-shape": tuple(Shape),
+    "query --effects": tuple(EffectSet),
+    "query --study": (PAPER, "$(ls results/studies 2>/dev/null)"),
+}
+#: Words of commands besides their options.
 WORDS = {
-    "query": (
-        *DATASETS,
-        *sorted({query.option(axis) for entry in DATASETS.values() for axis in entry.dims}),
-    ),
+    "query": (*(name for name in opened() if not name.endswith("/NAME")), *AXES),
     "completion": tuple(SHELLS),
 }
-#: Files are completed where nothing else fits.
+#: Files are completed where nothing else fits, and after an option that takes any other value.
 SCRIPT = """{start}_planar_pushing() {{
   local words=""
-  case "${{COMP_WORDS[COMP_CWORD-1]}}" in
+  case "${{COMP_WORDS[1]}} ${{COMP_WORDS[COMP_CWORD-1]}}" in
 {values}
-  esac
-  if [ -z "$words" ]; then case "${{COMP_WORDS[1]}}" in
+    {others}) COMPREPLY=(); return ;;
+    *) case "${{COMP_WORDS[1]}}" in
 {commands}
     *) words="{first}" ;;
-  esac; fi
+    esac ;;
+  esac
   COMPREPLY=($(compgen -W "$words" -- "${{COMP_WORDS[COMP_CWORD]}}"))
 }}
 complete -o default -F _planar_pushing planar-pushing"""
@@ -56,7 +64,8 @@ def script(args: argparse.Namespace) -> dict[str, Any]:
     return {
         "": SCRIPT.format(
             start=SHELLS[args.shell],
-            values=_cases(VALUES),
+            values=_cases({_pattern(name): each for name, each in VALUES.items()}),
+            others="|".join(f'*" {name}"' for name in sorted({*AXES, *_taking(known.values())})),
             commands=_cases(
                 {name: (*WORDS.get(name, ()), *_options(known[name])) for name in known}
             ),
@@ -69,6 +78,18 @@ def _options(parser: argparse.ArgumentParser) -> list[str]:
     """The options of a command."""
     # argparse has no public list of them.
     return [each for each in parser._option_string_actions if each.startswith("--")]
+
+
+def _taking(parsers: Iterable[argparse.ArgumentParser]) -> set[str]:
+    """The options of all commands that a value follows."""
+    actions = [each for parser in parsers for each in parser._option_string_actions.items()]
+    return {name for name, action in actions if action.nargs != 0}
+
+
+def _pattern(name: str) -> str:
+    """A pattern of the shell for a command and an option, `*` being any command."""
+    command, option = name.split()
+    return f'*" {option}"' if command == "*" else f'"{name}"'
 
 
 def _cases(words: dict[str, Any]) -> str:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 from planar_pushing.commands.words.arguments import Commands, command
-from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile, MissingExtra
+from planar_pushing.terms.extras import require_extra
 
 #: The files to start from, in planar_pushing/study/templates.
 STUDY, SCENE = "my_study.yaml", "scene.yaml"
@@ -38,8 +40,15 @@ def start(args: argparse.Namespace) -> dict[str, Any]:
         text = (files("planar_pushing.study") / "templates" / name).read_text(encoding="utf-8")
         with replacing(folder / name) as temporary:
             temporary.write_text(text, encoding="utf-8")
-    return {
-        "study": str(folder / STUDY),
-        "scene": str(folder / SCENE),
-        "to build it, in the project's folder": f"snakemake --config study={folder / STUDY}",
-    }
+    written = {"study": str(folder / STUDY), "scene": str(folder / SCENE)}
+    return written | _next(shlex.join(["planar-pushing", "run", str(args.folder / STUDY)]))
+
+
+def _next(build: str) -> dict[str, str]:
+    """How to build the study, which needs an extra that may not be there."""
+    try:
+        for extra in ("workflow", "figures"):
+            require_extra(extra)
+    except MissingExtra:
+        return {"to build it": f"pip install 'planar-pushing[workflow,figures]'; {build}"}
+    return {"to build it": build}

@@ -26,8 +26,8 @@ COLUMNS = {
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = (
-        "Print what a study takes before anything runs: points, chunks, jobs, memory, disk, CPU hours. "
-        "Rates are measured on this machine, in some seconds."
+        "Print what the datasets of a study take before anything runs: points, chunks, jobs, memory, disk, "
+        "CPU hours. Rates are measured on this machine, in some seconds."
     )
     sub = command(commands, "plan", planned, about, "workflow/config/paper.yaml")
     sub.add_argument(
@@ -42,13 +42,15 @@ def planned(args: argparse.Namespace) -> dict[str, Any]:
     """The plan of each dataset, as a table."""
     from dataclasses import asdict
 
-    from planar_pushing.study.plan import study_plan
+    from planar_pushing.study.plan import study_plan, uncounted
     from planar_pushing.study.study_file import load_study
 
-    found = study_plan(load_study(args.study))
+    study = load_study(args.study)
+    found, others = study_plan(study), uncounted(study)
     if args.json:
-        return {"datasets": [asdict(each) for each in found]}
-    return {"": _table(found)}
+        return {"datasets": [asdict(each) for each in found], "not_counted": others}
+    listed = ", ".join(_counted(count, name[:-1]) for name, count in others.items() if count)
+    return {"": _table(found) + (f"\nnot counted: {listed}" if listed else "")}
 
 
 def _table(found: list[Plan]) -> str:
@@ -60,5 +62,9 @@ def _table(found: list[Plan]) -> str:
     ]
     hours, disk = sum(each.cpu_hours for each in found), sum(each.disk for each in found)
     jobs = sum(each.jobs for each in found)
-    total = f"together: {jobs:,} jobs, {hours:,.3f} CPU hours, {disk / 1e3:,.3f} GB of disk"
-    return "\n".join([*lines, total])
+    total = f"{_counted(jobs, 'job')}, {hours:,.3f} CPU hours, {disk / 1e3:,.3f} GB of disk"
+    return "\n".join([*lines, f"together: {total}"])
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number:,} {noun}{'s' * (number != 1)}"

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.words.arguments import Commands, command
-from planar_pushing.study.catalog import DATASETS, EVIDENCE
+from planar_pushing.study.catalog import DATASETS, opened
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.quantities import unit_of
 
@@ -19,20 +19,19 @@ if TYPE_CHECKING:
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = (
-        "Print a part of a dataset: --AXIS VALUE picks a value along an axis, angles in degrees."
+        "Print a part of a dataset: --AXIS VALUE picks a value along an axis, angles in degrees. Without "
+        "DATASET, list the datasets that are built, and the commands that build the others."
     )
     example = "motion_cones --effects inertia --rod-length 2"
     sub = command(commands, "query", part, about, example)
     sub.usage = (
-        "planar-pushing query DATASET [--AXIS VALUE ...] [--axes] [--study NAME] "
+        "planar-pushing query [DATASET] [--AXIS VALUE ...] [--axes] [--study NAME] "
         "[--results FOLDER] [--json]"
     )
     sub.epilog = f"{_axes_of_datasets()}\n\n{sub.epilog}"
-    known = ", ".join([*DATASETS, *EVIDENCE])
     sub.add_argument(
-        "dataset", metavar="DATASET",
-        help=f"{known}; a scene as scenes/NAME, a log as simulations/NAME, "
-        "what a figure plots as figures/NAME",
+        "dataset", metavar="DATASET", nargs="?",
+        help=f"{', '.join(opened())}; NAME is a scene, a simulation, or a figure of the study",
     )  # fmt: skip
     sub.add_argument(
         "--axes", action="store_true", help="list the axes of the dataset and their values instead"
@@ -62,15 +61,54 @@ def option(axis: str) -> str:
 
 
 def part(args: argparse.Namespace) -> dict[str, Any]:
-    """Part of the dataset where its axes have the given values, or its axes."""
+    """Part of the dataset where its axes have the given values, its axes, or the datasets there are."""
     from planar_pushing.study.query import axis_names, listed, select
     from planar_pushing.study.store import open_dataset
 
+    if args.dataset is None:
+        return _listing(args)
     found = open_dataset(args.dataset, args.results, study=args.study)
     found = select(found, _pairs(args.where))
     if args.axes:
         return {option(name): listed(found.coords[name]) for name in axis_names(found)}
     return dict(found.to_dict()) if args.json else {"": _table(found)}
+
+
+def _listing(args: argparse.Namespace) -> dict[str, Any]:
+    """The datasets that are built, what builds the others, and the other studies."""
+    from planar_pushing.study.listing import built_datasets, other_datasets
+    from planar_pushing.study.studies import built_studies
+
+    if args.where:
+        words = " ".join(args.where)
+        raise InvalidValue("query", words, "a dataset, then its axes", "name a dataset first")
+    if args.study is None and not (args.results / "data").is_dir():
+        built = {}  # perhaps beside other studies
+    else:
+        built = built_datasets(args.results, args.study)
+    others, studies = other_datasets(built), built_studies(args.results)
+    if args.json:
+        return {"datasets": built, "not_built": others, "studies": studies}
+    return {"": "\n".join([*_built(built, args.results), *_others(others), *_studies(studies)])}
+
+
+def _built(titles: dict[str, str], results: Path) -> list[str]:
+    width = max(map(len, titles), default=0)
+    lines = [f"{name:<{width}}  {title}" for name, title in titles.items()]
+    return lines or [f"{results}: holds no datasets of the paper's study"]
+
+
+def _others(ways: dict[str, str]) -> list[str]:
+    """A line for each command, with the datasets that it builds."""
+    names: dict[str, list[str]] = {}
+    for name, way in ways.items():
+        names.setdefault(way, []).append(name)
+    lines = [f"  {', '.join(each)}: {way}" for way, each in names.items()]
+    return ["not built here:", *lines] if lines else []
+
+
+def _studies(names: list[str]) -> list[str]:
+    return [f"other studies, for --study: {', '.join(names)}"] if names else []
 
 
 def _pairs(words: Sequence[str]) -> dict[str, str]:

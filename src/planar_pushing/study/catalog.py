@@ -159,6 +159,16 @@ TIMES = {
     "accuracy": "what accuracy costs: errors, evaluations and times, a group for each quantity",
     "effects": "times of each set of effects",
 }
+#: Keys of a study that give an axis of another name.
+KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
+#: The files of datasets.
+WHOLE = (*DATASETS, *EVIDENCE, *TIMES)
+#: Groups of the datasets that are opened by the group alone; those of `scenes` are the study's.
+GROUPS = {
+    "scenes": ("NAME",),
+    "accuracy_errors": ("cone", "wrench"),
+    "accuracy": ("cone", "motion", "wrench"),
+}
 
 #: The tables beside them: what each file holds.
 TABLES = {
@@ -202,15 +212,38 @@ def dataset_place(name: str) -> tuple[str, str | None]:
         Where there is no dataset of this name.
     """
     stem, slash, part = name.partition("/") if isinstance(name, str) else ("", "", "")
-    whole = [*DATASETS, *EVIDENCE, *TIMES]
     named = NAME.fullmatch(part) is not None
     if stem in FOLDERS and named:
         return f"{FOLDERS[stem]}/{part}.nc", None
-    if stem in whole and (named or not slash):
+    if stem in WHOLE and (named or not slash):
         return f"data/{stem}.nc", part or None
-    allowed = ", ".join([*whole, *(f"{folder}/NAME" for folder in FOLDERS)])
-    remedy = suggestion(stem, whole, "name one of these datasets")
-    raise InvalidValue("name", name, allowed, remedy)
+    remedy = suggestion(stem, WHOLE, "name one of these datasets")
+    raise InvalidValue("name", name, ", ".join(opened()), remedy)
+
+
+def opened() -> list[str]:
+    """The names that `open_dataset` takes, NAME standing for one that a study chooses."""
+    parts = [
+        f"{stem}/{part}" if part else stem for stem in WHOLE for part in GROUPS.get(stem, ("",))
+    ]
+    return [*parts, *(f"{folder}/NAME" for folder in FOLDERS)]
+
+
+def building(name: str) -> str:
+    """The command that builds a dataset which is not there."""
+    stem = name.partition("/")[0]
+    if stem in TIMES:
+        return "measure it with snakemake accuracy, in the project's folder"
+    if stem in EVIDENCE:
+        return "build it with make, in the project's folder"
+    entry = DATASETS.get(stem)
+    needs = f"lists it under {stem}"
+    if entry and entry.axes:
+        effects = f", and the effects {entry.effects}" if entry.effects else ""
+        needs = f"gives {', '.join(KEYS.get(axis, axis) for axis in entry.axes)}{effects}"
+    ours = "sliders" if entry and "support" in entry.dims else "paper"
+    run = f"build it with planar-pushing run, from a study that {needs}"
+    return f"{run}; make builds it for the study {ours}"
 
 
 def dataset_file(name: str) -> str:

@@ -44,6 +44,15 @@ def study_plan(study: StudyFile) -> list[Plan]:
     ]
 
 
+def uncounted(study: StudyFile) -> dict[str, int]:
+    """Numbers of what a study builds beside its grids: what each takes is known once it has run."""
+    return {
+        "scenes": len(study.scenes),
+        "simulations": len(study.simulations),
+        "figures": len(study.figures),
+    }
+
+
 def _plan(study: StudyFile, name: str) -> Plan:
     values = study_slice(study, name)
     count = points(name, values)

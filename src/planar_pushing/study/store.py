@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 import xarray as xr
 
-from planar_pushing.study.catalog import DATASETS, dataset_place
+from planar_pushing.study.catalog import DATASETS, FOLDERS, building, dataset_place
 from planar_pushing.study.chunks import joined, shape
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.study.studies import built_folder
@@ -168,7 +168,8 @@ def _filled(folder: Path) -> Path:
         place = (
             f"{folder}: holds no folder data" if folder.is_dir() else f"{folder}: no such folder"
         )
-        raise InvalidFile(f"{place}; name the folder of the results, or build them with make")
+        remedy = "build them with make, or with planar-pushing run STUDY.yaml"
+        raise InvalidFile(f"{place}; name the folder of the results, or {remedy}")
     return folder
 
 
@@ -183,7 +184,8 @@ def open_dataset(
         limit_curves, motion_cones, contact_modes, acceleration_centers, center_regions, a scene as
         "scenes/figure_08", a simulation as "simulations/figure_15", the numbers that a figure plots as
         "figures/figure_06", or one on how this work computes, such as "accuracy_errors/cone"; of a study
-        with supports also supports, support_cones and support_modes.
+        with supports also supports, support_cones and support_modes. `planar-pushing query` lists those
+        that are built.
     results : path
         The folder that the pipeline filled.
     study : str, optional
@@ -200,13 +202,31 @@ def open_dataset(
     InvalidValue
         Where there is no dataset of this name, or no study.
     InvalidFile
-        Where the folder is not one of results, or the dataset has not been built.
+        Where the folder is not one of results, or the dataset has not been built: the message says which
+        command builds it.
     """
     file, group = dataset_place(name)
-    path = _filled(built_folder(study, require_path("results", results))) / file
-    if path.is_file():
-        _require_part(name, group, path)
+    folder = built_results(results, study)
+    path = folder / file
+    if not path.exists():
+        raise _not_built(name, path)
+    _require_part(name, group, path)
     return read_dataset(path, group)
+
+
+def built_results(results: PathLike, study: str | None = None) -> Path:
+    """The folder of a study's results; errors as in `open_dataset`."""
+    return _filled(built_folder(study, require_path("results", results)))
+
+
+def _not_built(name: str, path: Path) -> PlanarPushingError:
+    """The error that says what builds a dataset, or which simulations and figures there are."""
+    stem = name.partition("/")[0]
+    others = [f"{stem}/{each.stem}" for each in sorted(path.parent.glob("*.nc"))]
+    if stem in FOLDERS and others:
+        remedy = f"name one of these, or list it under {stem} in the study and build that anew"
+        return InvalidValue("name", name, ", ".join(others), remedy)
+    return InvalidFile(f"{path}: no such dataset; {building(name)}")
 
 
 def _require_part(name: str, group: str | None, path: Path) -> None:

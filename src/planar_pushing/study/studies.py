@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from pathlib import Path
 
 from planar_pushing.study.catalog import NAME
 from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.terms.errors import InvalidFile, InvalidValue
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, suggestion
 
 #: The study of the paper: its file, and its name, whose results are not in a folder of their own.
 PAPER_FILE, PAPER = "workflow/config/paper.yaml", "paper"
 #: The study of sliders that is built beside it.
 SLIDERS_FILE = "workflow/config/sliders.yaml"
-#: The one key of the workflow's configuration.
-KEY = "study"
+#: The keys of the workflow's configuration: the study's file, and the folder of all results.
+KEY, RESULTS = "study", "results"
 
 
 def chosen_studies(config: Mapping[str, object]) -> tuple[str, ...]:
@@ -25,8 +24,7 @@ def chosen_studies(config: Mapping[str, object]) -> tuple[str, ...]:
     """
     chosen = chosen_study(config)
     # The report of the paper's study shows that of sliders as well.
-    paper = Path(chosen).resolve() == Path(PAPER_FILE).resolve()
-    return (chosen, SLIDERS_FILE) if paper else (chosen,)
+    return (chosen, SLIDERS_FILE) if _is_papers(chosen) else (chosen,)
 
 
 def chosen_study(config: Mapping[str, object]) -> str:
@@ -38,32 +36,66 @@ def chosen_study(config: Mapping[str, object]) -> str:
         Where the configuration has another key, or no path as study.
     """
     for key in config:
-        if key != KEY:
-            near = difflib.get_close_matches(str(key), [KEY], n=1)
-            remedy = f"did you mean {KEY}?" if near else "leave it out"
-            raise InvalidValue("config", key, f"the key {KEY}", remedy)
-    file = config.get(KEY, PAPER_FILE)
-    if not isinstance(file, str) or not file.isprintable() or set(file) & {"{", "}"} or not file:
-        allowed = "the path of a study file, without braces"
-        raise InvalidValue(KEY, file, allowed, f"give it as --config {KEY}=PATH")
-    return file
+        if key not in (KEY, RESULTS):
+            remedy = suggestion(key, (KEY, RESULTS), "leave it out")
+            raise InvalidValue("config", key, f"the keys {KEY} and {RESULTS}", remedy)
+    return _path(config, KEY, PAPER_FILE, "a study file")
+
+
+def chosen_results(config: Mapping[str, object]) -> str:
+    """Folder of all results that the workflow's configuration chooses; `InvalidValue` as for the study."""
+    return _path(config, RESULTS, RESULTS, "a folder")
+
+
+def _path(config: Mapping[str, object], key: str, default: str, kind: str) -> str:
+    """The path that a configuration gives under a key; Snakemake reads braces as wildcards."""
+    path = config.get(key, default)
+    if not isinstance(path, str) or not path.isprintable() or set(path) & {"{", "}"} or not path:
+        allowed = f"the path of {kind}, without braces"
+        raise InvalidValue(key, path, allowed, "give another path")
+    return path
 
 
 def study_name(file: PathLike) -> str:
-    """Name of a study, that of its file.
+    """Name under which a study is built, that of its file.
 
     Raises
     ------
     InvalidFile
         Where it cannot name a folder, or is the name of the paper's study.
     """
+    name = file_name(file)
+    if name == PAPER and not _is_papers(file):
+        remedy = "go there to build it, or rename the file to build a study of your own"
+        raise InvalidFile(
+            f"{file}: {PAPER!r} names the paper's study, {PAPER_FILE} in the project's folder; {remedy}"
+        )
+    return name
+
+
+def file_name(file: PathLike) -> str:
+    """Name of a study wherever its file is; `InvalidFile` where it cannot name a folder."""
     name = Path(file).stem
     if not NAME.fullmatch(name):
         allowed = "names of letters, digits and underscores, which become a folder's name"
         raise InvalidFile(f"{file}: {name!r} names the study; allowed: {allowed}; rename the file")
-    if name == PAPER and Path(file).resolve() != Path(PAPER_FILE).resolve():
-        raise InvalidFile(f"{file}: {PAPER!r} is the paper's own study; rename the file")
     return name
+
+
+def _is_papers(file: PathLike) -> bool:
+    return Path(file).resolve() == Path(PAPER_FILE).resolve()
+
+
+def paper_file() -> Path | None:
+    """File of the paper's study: in the current folder, else in the checkout that holds this package."""
+    checkout = Path(__file__).parents[3]
+    found = (folder / PAPER_FILE for folder in (Path(), checkout))
+    return next((file for file in found if file.is_file()), None)
+
+
+def built_studies(results: PathLike = RESULTS) -> list[str]:
+    """Names of the studies besides the paper's that a folder of results holds."""
+    return sorted(path.name for path in (Path(results) / "studies").glob("*") if path.is_dir())
 
 
 def study_folder(name: str | None, results: PathLike = "results") -> Path:
@@ -97,6 +129,5 @@ def built_folder(name: str | None, results: PathLike = "results") -> Path:
 
 def _unknown(name: object, results: PathLike) -> InvalidValue:
     """The error that lists the studies that were built."""
-    built = sorted(path.name for path in (Path(results) / "studies").glob("*"))
-    allowed = ", ".join([PAPER, *built])
+    allowed = ", ".join([PAPER, *built_studies(results)])
     return InvalidValue("study", name, allowed, "name a study that was built")

@@ -78,7 +78,9 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
 def require_results(folder: Path) -> None:
     """Refuse a folder without datasets."""
     if not any(folder.glob("data/*.nc")):
-        raise InvalidFile(f"{folder}: holds no datasets; build them with make or snakemake")
+        place = "holds no datasets" if folder.is_dir() else "no such folder"
+        remedy = "build them with make, or with planar-pushing run STUDY.yaml"
+        raise InvalidFile(f"{folder}: {place}; name the folder of the results, or {remedy}")
 
 
 def _surplus(golden: Path, names: list[str]) -> Iterator[Check]:

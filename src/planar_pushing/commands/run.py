@@ -1,0 +1,114 @@
+"""The command `run`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shlex
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import planar_pushing
+from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
+
+#: Where the package has the workflow: an installed one in itself, one in a checkout at its top.
+PLACES = ("workflow", "../../workflow")
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = (
+        "Build a study with Snakemake into RESULTS/studies/NAME, NAME being that of its file: what is "
+        "missing or out of date, in the current folder, with the extra workflow."
+    )
+    sub = command(commands, "run", built, about, "my_folder/my_study.yaml --cores 2")
+    about = "study file: what is computed and drawn"
+    sub.add_argument("study", type=Path, metavar="STUDY.yaml", help=about)
+    sub.add_argument(
+        "--results", type=Path, default=Path("results"), metavar="FOLDER",
+        help="folder of all results (default: results)",
+    )  # fmt: skip
+    sub.add_argument(
+        "--cores", type=int, metavar="NUMBER",
+        help="cores that jobs may use, a whole number >= 1 (default: all)",
+    )  # fmt: skip
+    sub.add_argument("--dry-run", action="store_true", help="print the jobs, and run none")
+
+
+def built(args: argparse.Namespace) -> dict[str, Any]:
+    """Where the results are; it sets `args.status` to 1 where a job fails."""
+    if args.cores is not None and args.cores < 1:
+        raise InvalidValue("cores", args.cores, "a whole number >= 1", "leave it out for all cores")
+    name, folder = _checked(args)
+    args.status = _snakemake(args)
+    if args.status:
+        return {"results": str(folder), "built": "not all; the lines above say why"}
+    if args.dry_run:
+        return {"results": str(folder), "built": "nothing, as in every dry run"}
+    elsewhere = [] if args.results == Path("results") else ["--results", str(args.results)]
+    listing = shlex.join(["planar-pushing", "query", "--study", name, *elsewhere])
+    return {"results": str(folder), "to list its datasets": listing}
+
+
+def _checked(args: argparse.Namespace) -> tuple[str, Path]:
+    """Name and folder of a study that can be built; Snakemake would say a mistake in many lines."""
+    from planar_pushing.study.studies import (
+        KEY,
+        RESULTS,
+        chosen_results,
+        chosen_study,
+        study_folder,
+        study_name,
+    )
+    from planar_pushing.terms.extras import require_extra
+
+    given = {KEY: str(args.study), RESULTS: str(args.results)}
+    chosen_study(given)
+    name, folder = study_name(args.study), Path(chosen_results(given))
+    for extra in ("workflow", "figures"):
+        require_extra(extra)
+    from planar_pushing.figures.studies import load_drawn_study
+
+    if load_drawn_study(args.study).chunks:
+        require_extra("chunks")
+    return name, study_folder(name, folder)
+
+
+def snakefile() -> Path:
+    """The workflow of this package."""
+    package = Path(planar_pushing.__path__[0])
+    found = [(package / place / "Snakefile").resolve() for place in PLACES]
+    if existing := [path for path in found if path.is_file()]:
+        return existing[0]
+    raise InvalidFile(f"{found[0]}: no such file; install planar-pushing anew")
+
+
+def _snakemake(args: argparse.Namespace) -> int:
+    """Run Snakemake, which hears Ctrl-C itself and ends its jobs; its exit code."""
+    file = snakefile()
+    words = [
+        *("--snakefile", str(file), "--workflow-profile", str(file.parent / "profiles/default")),
+        *(("--cores", str(args.cores)) if args.cores else ()),
+        *(("--dry-run",) if args.dry_run else ()),
+        "--config",
+        # In quotes, as Snakemake takes a path such as 2026 for a number.
+        *(f"{key}={json.dumps(str(getattr(args, key)))}" for key in ("study", "results")),
+    ]
+    environment = {key: each for key, each in os.environ.items() if key != "SNAKEMAKE_PROFILE"}
+    heard: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    try:
+        status = subprocess.run(
+            [sys.executable, "-m", "snakemake", *words], env=environment, check=False,
+            stdout=2 if args.json else None,
+        ).returncode  # fmt: skip
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if heard:
+        raise KeyboardInterrupt
+    return int(bool(status))
