@@ -76,7 +76,7 @@ test-drags: $(COMPILED) ## drag parts of the explorer's page 20,000 times in Chr
 lint: $(INSTALLED)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual
 	$(BIN)/ruff format --check src tests workflow/scripts paper/manual
-	$(BIN)/snakefmt --check --diff workflow
+	$(BIN)/snakefmt --check --diff Snakefile workflow
 	$(BIN)/mypy --num-workers=auto
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml

@@ -36,7 +36,7 @@ READ = {
     ),
 }
 #: What a page finds beside it, as in the project's folder.
-BESIDE = ("profiles", "workflow", "src", "tests", "pyproject.toml")
+BESIDE = ("Snakefile", "profiles", "workflow", "src", "tests", "pyproject.toml")
 #: Lines of a file of which a page shows some.
 LINES = 20
 #: Cells that did not run have no language yet.

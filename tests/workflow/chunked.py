@@ -20,7 +20,8 @@ ENVIRONMENT = os.environ | {"PYTHONPATH": str(PROJECT / "src"), "PYTHONDONTWRITE
 def copy_workflow(root: Path, *lines: str) -> Path:
     """Copy the workflow, with the smoke study and these lines as the study; the folder."""
     shutil.copytree(PROJECT / "workflow", root / "workflow", dirs_exist_ok=True)
-    shutil.copy(PROJECT / "profiles", root / "profiles", follow_symlinks=False)
+    for name in ("Snakefile", "profiles"):
+        shutil.copy(PROJECT / name, root / name, follow_symlinks=False)
     smoke = (PROJECT / "workflow/config/smoke.yaml").read_text(encoding="utf-8")
     (root / STUDY).write_text("".join([smoke, *lines]), encoding="utf-8")
     return root

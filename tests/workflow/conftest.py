@@ -21,6 +21,7 @@ PROJECT = Path(__file__).parents[2]
 #: What takes most of a build of the smoke study.
 MANY = "supports: 100000,"
 PARTS = (
+    "Snakefile",
     "profiles",
     "workflow",
     "src",

@@ -31,7 +31,7 @@ from planar_pushing.terms.extras import require_extra
 
 if any(" " in path for path in (sys.executable, workflow.basedir)):
     raise WorkflowError(
-        f"{Path(workflow.basedir).parent}: Snakemake runs in no folder with a space; move the project"
+        f"{workflow.basedir}: Snakemake runs in no folder with a space; move the project"
     )
 
 # Each study by the folder that its results fill, its file, and the attributes that name it in a result.

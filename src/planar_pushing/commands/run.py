@@ -17,7 +17,7 @@ from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
 #: Where the package has the workflow: an installed one in itself, one in a checkout at its top.
-PLACES = ("workflow", "../../workflow")
+PLACES = (".", "../..")
 
 
 def add(commands: Commands) -> None:
@@ -92,7 +92,7 @@ def _snakemake(args: argparse.Namespace) -> int:
     """Run Snakemake, which hears Ctrl-C itself and ends its jobs; its exit code."""
     file = snakefile()
     words = [
-        *("--snakefile", str(file), "--workflow-profile", str(file.parent / "profiles/default")),
+        *("--snakefile", str(file), "--workflow-profile", str(file.parent / "workflow/profiles/default")),
         *(("--cores", str(args.cores)) if args.cores else ()),
         *(("--dry-run",) if args.dry_run else ()),
         "--config",

@@ -5,14 +5,14 @@
 # has these files in the package too, and runs them in the folder where it is called.
 
 
-report: "report/workflow.rst"
+report: "workflow/report/workflow.rst"
 
 
-include: "rules/common.smk"
-include: "rules/data.smk"
-include: "rules/figures.smk"
-include: "rules/evidence.smk"
-include: "rules/report.smk"
+include: "workflow/rules/common.smk"
+include: "workflow/rules/data.smk"
+include: "workflow/rules/figures.smk"
+include: "workflow/rules/evidence.smk"
+include: "workflow/rules/report.smk"
 
 
 localrules:
