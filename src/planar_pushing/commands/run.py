@@ -92,7 +92,12 @@ def _snakemake(args: argparse.Namespace) -> int:
     """Run Snakemake, which hears Ctrl-C itself and ends its jobs; its exit code."""
     file = snakefile()
     words = [
-        *("--snakefile", str(file), "--workflow-profile", str(file.parent / "workflow/profiles/default")),
+        *(
+            "--snakefile",
+            str(file),
+            "--workflow-profile",
+            str(file.parent / "workflow/profiles/default"),
+        ),
         *(("--cores", str(args.cores)) if args.cores else ()),
         *(("--dry-run",) if args.dry_run else ()),
         "--config",
