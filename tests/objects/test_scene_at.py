@@ -313,3 +313,39 @@ class TestHooks:
             (1, 1), effects=[weight, pp.Load(force=(0.3, 0.4), center=(3.5, 2.5))], **given
         )
         assert one == other
+
+
+class TestUnits:
+    def scene(self, *more):
+        effects = [pp.SupportFriction(support=SQUARE), *more]
+        return pp.scene_at(
+            (0.5, -1), (0, 1), effects=effects, contact=pp.Coulomb(1.0), units=pp.Units(length="mm")
+        )
+
+    def test_labelled_results_have_the_units_of_the_scene(self):
+        xr = pytest.importorskip("xarray")
+        angles = xr.DataArray([1.0, 1.5], dims="push")
+        found = pp.solve(self.scene(), angles)
+        assert found.force.units == "N"
+        assert found.twist.units == "mm s-1"
+        assert found.center.units == "mm"
+        assert "quantity" not in found.force.attrs
+        assert pp.solve(self.scene(pp.Inertia()), angles).contact_motion.units == "mm s-2"
+        assert pp.limit_curve(self.scene(), angles).force_size.units == "N"
+        assert pp.motion_centers(self.scene(), angles).units == "mm"
+
+    def test_logs_and_batches_have_them_too(self, tmp_path):
+        pusher = pp.Pusher(velocity=(0.0, 1.0), shape="finger")
+        log = pp.simulate(self.scene(), pusher=pusher, duration=0.1)
+        streamed = pp.simulate(self.scene(), pusher=pusher, duration=0.1, path=tmp_path / "log.nc")
+        batch = pp.simulate_batch(self.scene(), pusher, duration=np.array([0.1, 0.2]))
+        for found in (log, streamed, batch):
+            assert found.slip.attrs["units"] == "mm"
+            assert found.time.attrs["units"] == "s"
+        assert log.force.attrs["units"] == "N"
+        assert log.work.attrs["units"] == "N mm"
+
+    @pytest.mark.parametrize("given", [3, "", " "])
+    def test_a_name_is_text(self, given):
+        with pytest.raises(pp.InvalidValue, match="the name of a unit"):
+            pp.Units(force=given)

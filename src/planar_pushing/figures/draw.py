@@ -117,7 +117,7 @@ def _drawn(sketch: Sketch, cones: bool, ax: Axes | None) -> Axes:
         own = schematic(_new_figure(SCENE), (0.0, 0.0, 1.0, 0.9)) if ax is None else ax
         own.set_axis_off()
         picture, frame = scene_picture(sketch, cones=cones), sketch.box
-        add_scale(picture, frame, 0.3 * float(np.ptp(frame[:, 0])))
+        add_scale(picture, frame, 0.3 * float(np.ptp(frame[:, 0])), sketch.unit)
         to_axes(picture, own, frame, PAD)
         own.set_title(wrapped(said(sketch)), fontsize=NOTE + 0.5, color=GUIDE)
     return own

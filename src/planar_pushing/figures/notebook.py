@@ -21,13 +21,13 @@ WIDTH, HEIGHT, POINT, PAD = 420.0, 420.0, 1.35, 16.0
 def scene_svg(scene: Scene) -> str:
     """A slider with its cones."""
     sketch = Sketch.of(required_single(scene))
-    return _svg(scene_picture(sketch), sketch.box)
+    return _svg(scene_picture(sketch), sketch.box, sketch.unit)
 
 
 def push_svg(scene: Scene, angle: float, magnitude: float, found: Any) -> str:
     """A scene under a push with the solutions that were found."""
     sketch = Sketch.of(scene, angle, magnitude, found=found)
-    return _svg(scene_picture(sketch), sketch.box)
+    return _svg(scene_picture(sketch), sketch.box, sketch.unit)
 
 
 def support_svg(support: Any) -> str:
@@ -39,10 +39,10 @@ def support_svg(support: Any) -> str:
     return _svg(picture, np.array([below, high]))
 
 
-def _svg(picture: Picture, box: Array) -> str:
+def _svg(picture: Picture, box: Array, unit: str = "") -> str:
     """Picture with its scale, as high as it needs."""
     wide, high = np.ptp(box, axis=0)
-    add_scale(picture, box, 0.3 * float(max(wide, high)))
+    add_scale(picture, box, 0.3 * float(max(wide, high)), unit)
     room = WIDTH - 2 * PAD * POINT
     needed = room * high / max(wide, 1e-12 * high) + 2.6 * PAD * POINT
     return to_svg(picture, box, (WIDTH, min(HEIGHT, needed)), PAD, POINT)

@@ -220,9 +220,9 @@ def limit_line(
         picture.line(curve[part], FORCE, width=2.6, order=order + 0.1)
 
 
-def add_scale(picture: Picture, box: Array, length: float) -> None:
-    """A bar of a round length of the scene in the lower right corner of a box."""
+def add_scale(picture: Picture, box: Array, length: float, unit: str = "") -> None:
+    """A bar of a round length of the scene in the lower right corner of a box, with its unit."""
     power = 10.0 ** np.floor(np.log10(length))
     whole = power * max(part for part in (1.0, 2.0, 5.0) if part * power <= length)
     (_, low), (right, _) = box
-    picture.scale_bar((right - whole, low), whole, f"{whole:g}")
+    picture.scale_bar((right - whole, low), whole, f"{whole:g} {unit}".strip())

@@ -66,6 +66,8 @@ class Sketch:
     drawn : float, optional
         Drawn length of the pusher's motion, in units of the reach, which is that of the longest motion by
         default.
+    unit : str
+        Unit of length, where the scene names it.
     """
 
     body: Body
@@ -81,6 +83,7 @@ class Sketch:
     curve: Array = field(default_factory=lambda: NOWHERE[0])
     flats: Sequence[slice] = ()
     drawn: float | None = None
+    unit: str = ""
 
     @classmethod
     def of(
@@ -102,6 +105,7 @@ class Sketch:
             "friction": (friction.right, friction.left),
             "motion": (motion.right, motion.left),
             "symbol": "a" if scene.stores_energy else "v",
+            "unit": scene.units.length if scene.units else "",
         }
         if pusher_angle is not None:
             solutions = tuple(solve(scene, pusher_angle, magnitude) if found is None else found)

@@ -16,7 +16,7 @@ from planar_pushing.mechanics.cones import (
     unit_columns,
 )
 from planar_pushing.mechanics.effects.base import count_fields
-from planar_pushing.mechanics.numerics.arrays import Output, evaluated
+from planar_pushing.mechanics.numerics.arrays import Output, evaluated, is_labelled
 from planar_pushing.mechanics.plane import (
     Array,
     center_from,
@@ -28,6 +28,7 @@ from planar_pushing.mechanics.plane import (
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
+from planar_pushing.terms.units import named_units
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -125,7 +126,8 @@ def motion_centers(
     origin = require_option("origin", origin, Origin, "name one of these points")
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
-    return evaluated(_centers, scene.kinds, [*columns, scene.slider.radius, reach], CENTER)[0]
+    found = evaluated(_centers, scene.kinds, [*columns, scene.slider.radius, reach], CENTER)[0]
+    return named_units(found, scene.units) if is_labelled(found) else found
 
 
 @compiled

@@ -32,6 +32,7 @@ from planar_pushing.mechanics.response import FIRST, FORCE, LINE
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.units import named_units
 
 NONE, CONSISTENT, PIVOTS = int(Status.NONE), int(Status.CONSISTENT), int(Status.PIVOTS)
 CONTINUUM, UNSOLVED = int(Status.CONTINUUM), int(Status.UNSOLVED)
@@ -191,7 +192,8 @@ def motion_of_force(
     results = evaluated(_motions, scene.kinds, given, OUTPUTS)
     if is_labelled(results[0]):
         labels = {"xy": ["x", "y"], "twist_component": ["v_x", "v_y", "omega"]}
-        return dataset(results).assign_coords(labels)
+        found = dataset(results).assign_coords(labels)
+        return named_units(found, scene.units, inertia=scene.stores_energy)
     found = {each.name: result for each, result in zip(OUTPUTS, results, strict=True)}
     by = _derivatives(scene, angle, ratio, found) if derivatives else None
     if np.ndim(found["status"]) == 0:

@@ -22,6 +22,7 @@ from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.reduced.magnitude import on_curve, turned
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required
+from planar_pushing.terms.units import named_units
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -108,5 +109,5 @@ def limit_curve(scene: Scene, force_angle: Number) -> Any:
     columns = [*scene.numbers, slider.length_ratio, slider.rod_angle, angle, 0.0]
     found = evaluated(_curve, scene.kinds, columns, OUTPUTS)
     if is_labelled(found[0]):
-        return dataset(found[1:])
+        return named_units(dataset(found[1:]), scene.units, inertia=scene.stores_energy)
     return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))

@@ -34,6 +34,7 @@ from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.mechanics.solutions import SolutionArrays, Solutions, as_dataset, listed
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required, required_ratio
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.units import named_units
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -311,7 +312,7 @@ def solve(
     found = elementwise(lambda *each: solve_arrays(entries, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}
     if is_labelled(found[0]):
-        return as_dataset(by_name)
+        return named_units(as_dataset(by_name), scene.units, inertia=scene.stores_energy)
     by = solution_derivatives(scene, given, by_name) if derivatives else None
     if np.ndim(found[0]):
         return SolutionArrays(**by_name, derivatives=by)

@@ -94,8 +94,9 @@ def simulate_batch(
     coordinates = _coordinates(problem, given) | ({"part": ("part", parts)} if samples else {})
     dataset = xr.Dataset(found, coordinates)
     for label, variable in dataset.variables.items():
-        described_as = described(quantities.BATCH, str(label)) if label not in given.own else {}
-        variable.attrs = described_as or variable.attrs
+        if label not in given.own:
+            about = described(quantities.BATCH, str(label), problem.scene.units)
+            variable.attrs = about or variable.attrs
     return dataset
 
 

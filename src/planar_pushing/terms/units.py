@@ -52,6 +52,15 @@ class Units:
         return units.get(quantity, quantity)
 
 
+def named_units(found: Any, units: Units | None, *, inertia: bool = False) -> Any:
+    """A DataArray or a dataset, its variables with the units of a scene; both names as in `with_units`."""
+    if units is None:
+        return found
+    for each in (found, *getattr(found, "variables", {}).values()):
+        each.attrs = with_units(dict(each.attrs), units, inertia=inertia)
+    return found
+
+
 def with_units(
     attributes: dict[str, Any], units: Units | None, *, inertia: bool = False
 ) -> dict[str, Any]:

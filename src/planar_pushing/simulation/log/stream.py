@@ -72,17 +72,18 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     coordinates, table = log.coordinates(problem), log.table_of(problem.shape)
+    units = problem.scene.units
     file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
     file.attrs.update(log.attributes(problem, method) | {"finished": 0})
     time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
-    time.attrs.update(log.described(table, "time"))
+    time.attrs.update(log.described(table, "time", units))
     for name, labels in coordinates.items():
         label = file.create_variable(name, (name,), h5py.string_dtype())
         label[:] = labels
-        label.attrs.update(log.described(table, name))
+        label.attrs.update(log.described(table, name, units))
     for name, (dims, dtype) in log.variables(problem).items():
         chunks = CHUNK, *(len(coordinates[dim]) for dim in dims)
         # netCDF has no truth values: xarray stores them as bytes with this attribute, and so do we.
         stored, truth = ("i1", {"dtype": "bool"}) if dtype == "?" else (dtype, {})
         created = file.create_variable(name, ("time", *dims), stored, chunks=chunks)
-        created.attrs.update(log.described(table, name) | truth)
+        created.attrs.update(log.described(table, name, units) | truth)

@@ -20,6 +20,7 @@ from planar_pushing.simulation.rows import NO_MODE, Event, Stop
 from planar_pushing.simulation.systems.setup import order_of
 from planar_pushing.terms import quantities
 from planar_pushing.terms.options import EffectKind, Shape
+from planar_pushing.terms.units import Units, with_units
 
 #: Dimensions after time, and type, of the variables of the log.
 VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
@@ -138,9 +139,11 @@ def table_of(shape: Shape) -> quantities.Quantities:
     return quantities.FINGER if shape == Shape.FINGER else quantities.LOG
 
 
-def described(table: quantities.Quantities, name: str) -> dict[str, Any]:
+def described(
+    table: quantities.Quantities, name: str, units: Units | None = None
+) -> dict[str, Any]:
     """Unit, long name and flags of a variable or a coordinate."""
-    attributes: dict[str, Any] = dict(quantities.attributes(table, name))
+    attributes: dict[str, Any] = with_units(quantities.attributes(table, name), units)
     if name in FLAGS:
         attributes |= flag_attributes(FLAGS[name])
     return attributes
@@ -164,7 +167,7 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
         "method": str(method),
         "on_ambiguity": policies[0][1].value if len(policies) == 1 else to_json(policies),
         "rtol": problem.rtol,
-        "unit_notes": to_json(quantities.LOG_NOTES),
+        "unit_notes": to_json({} if problem.scene.units else quantities.LOG_NOTES),
         "versions": versions(),
     }
 
@@ -177,10 +180,10 @@ def ending(stopped: str, time: float) -> dict[str, Any]:
 def dataset(problem: Problem, method: str, rows: Any, stopped: str) -> xr.Dataset:
     """The log in memory of a run that has ended, and why before its time."""
     values, table = arrays(rows, problem), table_of(problem.shape)
-    given = {"time": values["time"]} | coordinates(problem)
-    coords = {name: (name, each, described(table, name)) for name, each in given.items()}
+    given, units = {"time": values["time"]} | coordinates(problem), problem.scene.units
+    coords = {name: (name, each, described(table, name, units)) for name, each in given.items()}
     found = {
-        name: (("time", *dims), values[name], described(table, name))
+        name: (("time", *dims), values[name], described(table, name, units))
         for name, (dims, _) in variables(problem).items()
     }
     known = attributes(problem, method) | ending(stopped, rows["time"][-1])
