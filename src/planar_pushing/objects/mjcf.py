@@ -28,6 +28,8 @@ from planar_pushing.terms.options import Shape
 ROUNDING, FOOT, HEIGHT, THICKNESS = 0.002, 0.02, 0.1, 0.05
 #: Half the length of the fence, in extents of the outline.
 FENCE = 10.0
+#: Numbers of feet for a support: three are the fewest that resist as an area does.
+COUNTS = 3, 1000
 #: Share of the slider's mass in its feet, at most. Vertical motion is theirs alone.
 LIGHT = 0.05
 #: Coefficient of friction of the feet. MuJoCo lifts a sliding contact in proportion to its coefficient, so
@@ -92,36 +94,26 @@ def to_mjcf(
     -----
     Each foot is a light body on a vertical joint, pressed to the floor by a spring, so that its load is
     that of the scene, however many feet there are and however high the pusher touches. MuJoCo's elliptic
-    cone then limits the friction at each foot to its share of W.
+    cone then limits the friction at each foot to its share of W. Only the feet and the floor, and the
+    pusher and the outline, touch. A fence that lies along a side touches both of its ends.
     """
     law, outline = _required(scene)
     shape = require_option("pusher", pusher, Shape, "name one of these shapes")
-    count = int(require_number(
-        "feet", feet, lambda n: 3 <= n <= 1000 and n == int(n), "an integer from 3 to 1000",
-        "take more feet for a smaller error",
-    ))  # fmt: skip
     require_number("gravity", gravity, np.isfinite, "a finite number", "give an acceleration")
-    default = STEP * sqrt(scene.inertia[0] * scene.slider.radius / scene.weight)
-    given = default if timestep is None else timestep
-    step = require_positive("timestep", given, "leave it out for the default")
-    standing = feet_of(scene, count)
-    errors = force_errors(scene, standing)
+    step = _required_step(timestep, scene)
+    standing = feet_of(scene, _required_count(feet))
     root = Element("mujoco", model="planar_pushing")
-    root.append(ElementTree.Comment(_comment(standing, errors)))
+    _errors(root, standing, force_errors(scene, standing))
     _settings(root, step, gravity)
     world = SubElement(root, "worldbody")
     size = FENCE * float(np.ptp(outline, axis=0).max())
     _add(world, "geom", name="floor", type="plane", size=(size, size, 1.0))
     _slider(world, scene, outline, standing)
     _pusher(world, scene, shape, size)
-    _contacts(root, law, step, len(outline), len(standing.places))
-    for axis in "xy":
-        joint = f"pusher_{axis}"
-        _add(_child(root, "actuator"), "velocity", name=joint, joint=joint,
-             kv=GAIN * scene.inertia[0] / step)  # fmt: skip
-    fields = _child(root, "custom")
-    for name, error in zip(("mean", "worst"), errors, strict=True):
-        _add(fields, "numeric", name=f"{name}_force_error", data=error)
+    _contacts(SubElement(root, "contact"), law, step, len(outline), len(standing.places))
+    drives = SubElement(root, "actuator")
+    for name in ("pusher_x", "pusher_y"):
+        _add(drives, "velocity", name=name, joint=name, kv=GAIN * scene.inertia[0] / step)
     ElementTree.indent(root)
     return ElementTree.tostring(root, encoding="unicode") + "\n"
 
@@ -130,12 +122,8 @@ def _required(scene: Scene) -> tuple[Coulomb, Array]:
     """The law and the outline of a scene that MuJoCo can have, or `InvalidValue`."""
     required_single(required_scene(scene))
     if not isinstance(scene.contact, Coulomb):
-        raise InvalidValue(
-            "contact",
-            scene.contact,
-            "Coulomb",
-            "give a finite coefficient: MuJoCo has no other law",
-        )
+        remedy = "give a finite coefficient: MuJoCo has no other law"
+        raise InvalidValue("contact", scene.contact, "Coulomb", remedy)
     if not scene.friction or not scene.masses or scene.viscous or scene.loads:
         raise InvalidValue(
             "effects", scene.effects, "friction on supports and Inertia",
@@ -149,14 +137,32 @@ def _required(scene: Scene) -> tuple[Coulomb, Array]:
     return scene.contact, np.array(scene.slider.outline, dtype=float)
 
 
-def _comment(feet: Feet, errors: tuple[float, float]) -> str:
+def _required_count(given: Any) -> int:
+    least, most = COUNTS
+    return int(require_number(
+        "feet", given, lambda n: least <= n <= most and n == int(n),
+        f"an integer from {least} to {most}", "take more feet for a smaller error",
+    ))  # fmt: skip
+
+
+def _required_step(given: Any, scene: Scene) -> float:
+    default = STEP * sqrt(scene.inertia[0] * scene.slider.radius / scene.weight)
+    step = default if given is None else given
+    return require_positive("timestep", step, "leave it out for the default")
+
+
+def _errors(root: Element, feet: Feet, errors: tuple[float, float]) -> None:
+    """The errors as a remark and as numeric fields, which MuJoCo reads."""
     mean, worst = map(degrees, errors)
-    return (
+    root.append(ElementTree.Comment(
         f" Units are those of the scene. {len(feet.places)} feet carry its friction: for the same motion "
         f"their wrenches differ from the scene's by {mean:.2g} degrees on average and by at most "
         f"{worst:.2g}, torques over the radius. Contact is soft: push slowly, and halve the timestep to "
         "see by how much it matters. "
-    )
+    ))  # fmt: skip
+    fields = SubElement(root, "custom")
+    for name, error in zip(("mean_force_error", "worst_force_error"), errors, strict=True):
+        _add(fields, "numeric", name=name, data=error)
 
 
 def _settings(root: Element, step: float, gravity: float) -> None:
@@ -166,33 +172,34 @@ def _settings(root: Element, step: float, gravity: float) -> None:
         integrator="implicitfast", solver="Newton", tolerance=1e-12,
     )  # fmt: skip
     # Only the pairs that are listed touch.
-    _add(_child(root, "default"), "geom", contype=0, conaffinity=0)
+    _add(SubElement(root, "default"), "geom", contype=0, conaffinity=0)
 
 
 def _slider(world: Element, scene: Scene, outline: Array, feet: Feet) -> None:
-    slider, radius = scene.slider, scene.slider.radius
-    psi = slider.rod_angle
-    c, s = cos(psi), sin(psi)
-    length = slider.rod_length
-    body = _add(world, "body", name="slider", pos=(length * c, length * s, 0.0), euler=(0, 0, psi))
-    for name, kind, axis in (
-        ("x", "slide", (c, -s, 0.0)), ("y", "slide", (s, c, 0.0)), ("turn", "hinge", (0, 0, 1)),
-    ):  # fmt: skip
+    """The slider in its body frame; its joints are along the world's axes."""
+    slider, height = scene.slider, HEIGHT * scene.slider.radius
+    c, s = cos(slider.rod_angle), sin(slider.rod_angle)
+    place = slider.rod_length * c, slider.rod_length * s, 0
+    body = _add(world, "body", name="slider", pos=place, euler=(0, 0, slider.rod_angle))
+    axes = ("x", "slide", (c, -s, 0)), ("y", "slide", (s, c, 0)), ("turn", "hinge", (0, 0, 1))
+    for name, kind, axis in axes:
         _add(body, "joint", name=f"slider_{name}", type=kind, axis=axis)
     masses = _masses(scene, feet)
     _inertial(body, scene, feet, masses)
-    ends = zip(outline, np.roll(outline, -1, axis=0), strict=True)
-    for i, (start, end) in enumerate(ends):
-        line = (*start, HEIGHT * radius, *end, HEIGHT * radius)
-        _add(body, "geom", name=f"side_{i}", type="capsule", size=ROUNDING * radius, fromto=line)
-    for i, (place, weight) in enumerate(zip(*feet, strict=True)):
-        foot = _add(body, "body", name=f"foot_{i}", pos=(*place, FOOT * radius), gravcomp=1)
-        stiffness = weight / COEFFICIENT / (COMPRESSED * radius)
-        _add(
-            foot, "joint", name=f"foot_{i}", type="slide", axis=(0, 0, 1), stiffness=stiffness,
-            springref=-COMPRESSED * radius,
-        )  # fmt: skip
-        _add(foot, "geom", name=f"foot_{i}", size=FOOT * radius, mass=masses[i])
+    for i, (start, end) in enumerate(zip(outline, np.roll(outline, -1, axis=0), strict=True)):
+        line, size = (*start, height, *end, height), ROUNDING * slider.radius
+        _add(body, "geom", name=f"side_{i}", type="capsule", size=size, fromto=line)
+    for i, foot in enumerate(zip(*feet, masses, strict=True)):
+        _foot(body, f"foot_{i}", foot, slider.radius)
+
+
+def _foot(body: Element, name: str, foot: tuple[Array, float, float], radius: float) -> None:
+    place, weight, mass = foot
+    own = _add(body, "body", name=name, pos=(*place, FOOT * radius), gravcomp=1)
+    load, length = weight / COEFFICIENT, COMPRESSED * radius
+    spring = {"stiffness": load / length, "springref": -length}
+    _add(own, "joint", name=name, type="slide", axis=(0, 0, 1), **spring)
+    _add(own, "geom", name=name, size=FOOT * radius, mass=mass)
 
 
 def _masses(scene: Scene, feet: Feet) -> Array:
@@ -201,7 +208,7 @@ def _masses(scene: Scene, feet: Feet) -> Array:
     shares = feet.weights / feet.weights.sum()
     away = feet.places / scene.slider.radius - scene.mass_center
     spread = float(shares @ (away**2).sum(axis=1))
-    return np.asarray(LIGHT * min(1.0, square / spread) * mass * shares)
+    return np.asarray(LIGHT * square / max(spread, square) * mass * shares)
 
 
 def _inertial(body: Element, scene: Scene, feet: Feet, masses: Array) -> None:
@@ -228,22 +235,16 @@ def _pusher(world: Element, scene: Scene, shape: Shape, size: float) -> None:
     _add(body, "geom", name="pusher", type=kind, pos=(0, -half, 0), size=sizes, mass=mass)
 
 
-def _contacts(root: Element, law: Coulomb, step: float, sides: int, feet: int) -> None:
+def _contacts(parent: Element, law: Coulomb, step: float, sides: int, feet: int) -> None:
     mu = law.friction_coefficient
     pairs = [("floor", f"foot_{i}", COEFFICIENT, FEET) for i in range(feet)]
     pairs += [("pusher", f"side_{i}", mu, PUSHER) for i in range(sides)]
     for one, other, friction, impedance in pairs:
         _add(
-            _child(root, "contact"), "pair", geom1=one, geom2=other, condim=3,
+            parent, "pair", geom1=one, geom2=other, condim=3,
             friction=(friction, friction, 0, 0, 0), solref=(STEPS * step, 1),
             solimp=(impedance, impedance, 1, 0.5, 2),
         )  # fmt: skip
-
-
-def _child(root: Element, tag: str) -> Element:
-    """The child of this name, made where it is missing."""
-    found = root.find(tag)
-    return SubElement(root, tag) if found is None else found
 
 
 def _add(parent: Element, tag: str, **attributes: Any) -> Element:
