@@ -55,6 +55,35 @@ def test_twice_the_speed_takes_half_the_time(run, tmp_path):
     assert slips[0] == pytest.approx(slips[1], abs=1e-9)
 
 
+WORLD = """\
+slider: {rod_length: 2, rod_angle: 70}
+contact: {law: coulomb, friction_coefficient: 0.5}
+effects: [{type: ring_friction}]
+simulate:
+  waypoints: [{time: 0, x: 5, y: 5}, {time: 2, x: 3, y: 5}]
+  pusher_frame: world
+  object_pose: {x: 0, y: 0, angle: 160}
+  until: {pusher_distance: 0.5, rotation: 80}
+  duration: 9
+"""
+
+
+def test_waypoints_in_the_world_until_a_distance(run, tmp_path):
+    """Without a placement the pose is that of the body frame: the fence is along y, the pusher along -x."""
+    scene, path = tmp_path / "world.yaml", tmp_path / "log.nc"
+    scene.write_text(WORLD, encoding="utf-8")
+    code, out, _ = run("simulate", str(scene), "-o", str(path), "--json")
+    told = json.loads(out)
+    assert (code, told["stopped"]) == (0, "until: rotation 1.3962634016 or pusher_distance 0.5")
+    assert told["time"] == pytest.approx(0.5, abs=1e-12)
+    found = read_dataset(path)
+    moved = found.pusher_position[-1] - found.pusher_position[0]
+    assert moved.values == pytest.approx([-0.5, 0], abs=1e-12)
+    assert found.pusher[-1].values == pytest.approx([0, 0.5], abs=1e-12)
+    code, out, _ = run("simulate", str(scene), "-o", str(path), "--json", "--pusher-angle", "180")
+    assert json.loads(out)["position"] == pytest.approx(told["position"], abs=1e-9)
+
+
 FINGER = """\
 slider: {rod_length: 2, rod_angle: 70, side: [-1, 0.2]}
 contact: {law: coulomb, friction_coefficient: 0.1}

@@ -14,7 +14,7 @@ from planar_pushing.explore.supports import scaled
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
-from planar_pushing.terms.options import EFFECT_TYPES, EffectKind, Policy, Shape
+from planar_pushing.terms.options import EFFECT_TYPES, EffectKind, Policy, PusherFrame, Shape
 
 #: Magnitudes of a push, in units of W / m, and rod angles, degrees, that handles and widgets give.
 MAGNITUDES = 0.01, 100.0
@@ -90,6 +90,7 @@ def build(file: SceneFile) -> Scene:
 
 def state_of(file: SceneFile, angle: float | None = None, magnitude: float = 1.0) -> State:
     """The first state of a scene file: under the push given, or that of its section `simulate`."""
+    file = _along_fence(file)
     if file.simulate is not None and angle is None:
         first = file.simulate.pieces[0]
         speed = first.speed or 1.0
@@ -97,6 +98,16 @@ def state_of(file: SceneFile, angle: float | None = None, magnitude: float = 1.0
     inert = build(file).stores_energy
     state = State(file=file, start=Start.ACCELERATION if inert else Start.VELOCITY)
     return pushed(state, 90.0 if angle is None else angle, magnitude)
+
+
+def _along_fence(file: SceneFile) -> SceneFile:
+    """The file with velocities along the axes of the fence in the place of waypoints and of the world's."""
+    given = file.simulate
+    if given is None or (given.waypoints is None and given.pusher_frame == PusherFrame.FENCE):
+        return file
+    instead = {"pusher_angle": None, "pusher_speed": None, "waypoints": None, "pusher": file.pieces}
+    own = given.model_copy(update=instead | {"pusher_frame": PusherFrame.FENCE.value})
+    return file.model_copy(update={"simulate": own})
 
 
 def wrapped(angle: float) -> float:

@@ -3,7 +3,8 @@
 The fence is the line ``y = Y(t)`` of a frame whose origin is the contact at time 0, and its
 displacement is ``(X, Y)``. The rod angle is any real number. The contact is the rod's free end alone, so
 the model holds as long as the slider's center is above the fence; where it comes down to it, the rod
-lies along the fence or under it, and a simulation stops there. A finger is the point ``(X, Y)``, against a
+lies along the fence or under it, and a simulation stops there. An outline, where the slider has one, ends
+it where another of its points meets the fence. A finger is the point ``(X, Y)``, against a
 side of the slider that lies along x at time 0.
 """
 
@@ -39,7 +40,8 @@ class Problem:
     Raises
     ------
     InvalidValue
-        Where a value is out of range, or a twist is given that the scene's effects determine.
+        Where a value is out of range, a twist is given that the scene's effects determine, or an outline
+        begins through the fence.
     """
 
     scene: Scene

@@ -56,7 +56,8 @@ def simulate(
     Parameters
     ----------
     scene : Scene
-        Its rod angle is the initial one; the contact starts on the fence, at the origin.
+        Its rod angle is the initial one; the contact starts on the fence, at the origin. An outline may not
+        begin through the fence.
     pusher : Pusher
         A fence or a finger, and its velocity over time.
     duration : float
@@ -104,7 +105,8 @@ def simulate(
         One entry of each variable for each instant; angles in degrees. Where the motion ended before the
         duration the attribute `stopped` says why: it could not go on, or `until` holds ("until: ..."). It
         is empty otherwise. A finger that leaves the side at its end ends the contact for good: `parted` is
-        true from then on.
+        true from then on. A slider with an outline ends the run there, and where another point of the
+        outline meets the fence, to a billionth of the outline's extent.
 
     Raises
     ------

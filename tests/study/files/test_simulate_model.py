@@ -1,8 +1,10 @@
 """The section `simulate` of scene files: what it allows, in one message each."""
 
+import numpy as np
 import pytest
 
 from planar_pushing import InvalidFile
+from planar_pushing.explore.state import state_of
 from planar_pushing.study.files.scenes import load_scene_file
 
 SCENE = """\
@@ -116,3 +118,35 @@ def message(tmp_path, text):
     with pytest.raises(InvalidFile) as caught:
         load_scene_file(path)
     return str(caught.value).removeprefix(f"{path}: ")
+
+
+WORLD = """\
+slider: {rod_length: 2, rod_angle: 30}
+placement: {point: [1, 0], normal: [-1, 0]}
+contact: {law: coulomb, friction_coefficient: 2}
+effects:
+  - {type: ring_friction}
+simulate:
+  waypoints: [{time: 0, x: 0, y: 0}, {time: 2, x: 0, y: 4}, {time: 3, x: -3, y: 8}]
+  object_pose: {x: 5, y: 6, angle: 90}
+  pusher_frame: world
+  duration: 4
+"""
+
+
+def test_pieces_are_the_legs_between_waypoints_along_the_fence(tmp_path):
+    """The normal, the object's -x, is along the world's -y, and so the fence along the world's -x."""
+    path = tmp_path / "scene.yaml"
+    path.write_text(WORLD, encoding="utf-8")
+    file = load_scene_file(path)
+    own = [(piece.time, piece.angle, piece.speed) for piece in file.simulate.pieces]
+    assert own[0] == (0, 90, 2)
+    assert own[1] == (2, pytest.approx(126.86989764584402), 5)
+    assert own[2] == (3, 0, 0)
+    assert [piece.angle for piece in file.pieces[:2]] == pytest.approx([-90, -53.13010235415598])
+    assert file.build().push == (pytest.approx(-np.pi / 2), 2)
+    (along,) = {each.simulate.pusher_frame for each in (file, state_of(file).file)} - {"world"}
+    assert along == "fence"
+    assert state_of(file).file.simulate.pusher == file.pieces
+    path.write_text(WORLD.replace("world", "fence"), encoding="utf-8")
+    assert load_scene_file(path).build().push == (pytest.approx(np.pi / 2), 2)

@@ -71,7 +71,7 @@ def _push(
     from planar_pushing.terms.options import Shape
 
     section = file.simulate
-    own = section.pieces[0] if section else None
+    own = file.pieces[0] if section else None
     finger = section is not None and section.pusher_shape == Shape.FINGER
     angle = args.pusher_angle
     if args.force_angle is not None:

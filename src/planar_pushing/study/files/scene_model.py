@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -26,6 +26,7 @@ from planar_pushing.mechanics.effects import (
 from planar_pushing.mechanics.frames import Placement
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.simulation.world import world_of
 from planar_pushing.study.files.fields import (
     AtZeroNormalName,
     FileModel,
@@ -38,10 +39,10 @@ from planar_pushing.study.files.fields import (
     Text,
     refuse,
 )
-from planar_pushing.study.files.simulate_model import SimulateEntry
+from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
 from planar_pushing.study.files.support_model import Point, Points, WholeSupport
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind
+from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind, PusherFrame
 from planar_pushing.terms.units import Units
 
 
@@ -211,13 +212,36 @@ class SceneFile(FileModel):
     )
 
     def build(self) -> Scene:
+        """The scene, its push the velocity with which the pusher starts.
+
+        A slider with inertia is pushed from rest, by an acceleration, for which a file has no number: it is 1.
+        """
+        scene, pieces = self._scene(), self.pieces
+        if not pieces:
+            return scene
+        magnitude = 1.0 if scene.stores_energy else pieces[0].speed
+        return replace(scene, push=(float(np.deg2rad(pieces[0].angle)), magnitude))
+
+    @property
+    def pieces(self) -> tuple[PieceEntry, ...]:
+        """Velocities of the pusher over time, angles from the fence; none without a section `simulate`."""
+        given = self.simulate
+        if given is None or given.object_pose is None or given.pusher_frame == PusherFrame.FENCE:
+            return () if given is None else given.pieces
+        pose = given.object_pose
+        fence = world_of(self._scene(), (pose.x, pose.y, float(np.deg2rad(pose.angle)))).fence
+        turn = float(np.rad2deg(np.arctan2(fence.axis[1], fence.axis[0])))
+        return tuple(
+            piece.model_copy(update={"angle": piece.angle - turn}) for piece in given.pieces
+        )
+
+    def _scene(self) -> Scene:
         return Scene(
             slider=self.slider.build(),
             contact=self.contact.build(),
             effects=tuple(effect.build() for effect in self.effects),
             placement=None if self.placement is None else self.placement.build(),
             units=None if self.units is None else self.units.build(),
-            push=None if self.simulate is None else _push(self.simulate, self.effects),
         )
 
 
@@ -227,13 +251,3 @@ def require_inertia(given: SimulateEntry | None, info: ValidationInfo) -> Simula
     if given and given.initial_twist and not inert:
         raise refuse("initial_twist with inertia among the effects only")
     return given
-
-
-def _push(given: SimulateEntry, effects: Sequence[Any]) -> tuple[float, float]:
-    """Direction in radians and speed of the pusher as it starts.
-
-    A slider with inertia is pushed from rest, by an acceleration, for which a file has no number: it is 1.
-    """
-    first = given.pieces[0]
-    inert = EffectKind.INERTIA in {EFFECT_TYPES[each.type] for each in effects}
-    return np.deg2rad(first.angle), 1.0 if inert else first.speed

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
+from itertools import starmap
 from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Tag, model_validator
@@ -50,6 +51,13 @@ class WaypointEntry(FileModel):
     time: NonNegative
     x: FiniteNumber
     y: FiniteNumber
+
+
+def _leg(here: WaypointEntry, there: WaypointEntry) -> PieceEntry:
+    """The velocity from one place to the next."""
+    x, y = there.x - here.x, there.y - here.y
+    speed = math.hypot(x, y) / (there.time - here.time)
+    return PieceEntry(time=here.time, angle=math.degrees(math.atan2(y, x)), speed=speed)
 
 
 class PoseEntry(FileModel):
@@ -136,7 +144,8 @@ class SimulateEntry(FileModel):
         if self.pusher_frame == PusherFrame.WORLD and self.object_pose is None:
             raise refuse("pusher_frame world with an object_pose only")
         timed: dict[str, Sequence[Any]] = {
-            "pusher": self.pieces, "waypoints": self.waypoints or (), "on_ambiguity": self.policies,
+            "pusher": self.pusher or (), "waypoints": self.waypoints or (),
+            "on_ambiguity": self.policies,
         }  # fmt: skip
         for name, pieces in timed.items():
             times = [piece.time for piece in pieces] or [0.0]
@@ -148,11 +157,12 @@ class SimulateEntry(FileModel):
 
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:
-        """The fence's motion as pieces, of which a constant one has one, and waypoints none."""
+        """The pusher's motion as pieces, of which a constant one has one; waypoints are at rest at last."""
         if self.pusher is not None:
             return self.pusher
         if self.waypoints is not None:
-            return ()
+            legs = starmap(_leg, itertools.pairwise(self.waypoints))
+            return (*legs, PieceEntry(time=self.waypoints[-1].time, angle=0.0, speed=0.0))
         speed = 1.0 if self.pusher_speed is None else self.pusher_speed
         return (PieceEntry(time=0.0, angle=self.pusher_angle, speed=speed),)
 
