@@ -214,7 +214,7 @@ class SceneFile(FileModel):
     def build(self) -> Scene:
         """The scene, its push the velocity with which the pusher starts.
 
-        A slider with inertia is pushed from rest, by an acceleration, for which a file has no number: it is 1.
+        A slider with inertia is pushed from rest by an acceleration, of which a file says no magnitude: 1.
         """
         scene, pieces = self._scene(), self.pieces
         if not pieces:
