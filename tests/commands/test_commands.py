@@ -83,7 +83,8 @@ def test_every_command_has_an_example_that_it_takes(name):
 @pytest.mark.parametrize(("arguments", "said"), [
     (["cone", SCENE, "--rod-length", "2"], "unrecognized arguments: --rod-length 2"),
     (["cone"], "cone: the following arguments are required: SCENE.yaml; see planar-pushing cone --help"),
-    (["solve", SCENE, "--pusher-angle", "east"], "--pusher-angle: 'east' given; allowed: a number; "),
+    (["solve", SCENE, "--pusher-angle", "east"],
+     "--pusher-angle: 'east' given; allowed: a number, or START:STOP:STEP "),
     (["animate", "log.nc", "-o", "a.gif", "--frames", "1.5"], "'1.5' given; allowed: a whole number; "),
     (["solf"], "argument command: invalid choice: 'solf'"),
     ([], "the following arguments are required: command; see planar-pushing --help"),

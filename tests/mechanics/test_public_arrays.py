@@ -126,6 +126,23 @@ def test_arrays_are_broadcast(name):
             assert np.array_equal(whole[place], number)
 
 
+THREE = np.array([pp.Coulomb(1.0), pp.Coulomb(2.0), pp.PerfectlyRough()], dtype=object)
+
+
+@pytest.mark.parametrize("call", [
+    lambda: pp.solve(make_scene(2.0, THREE), np.zeros(4)),
+    lambda: pp.motion_cone(make_scene(np.ones(4), THREE)),
+    lambda: pp.motion_angle(make_scene(np.ones(3)), np.zeros(4)),
+    lambda: pp.limit_curve(make_scene(np.ones(3)), np.zeros(4)),
+])  # fmt: skip
+def test_arrays_that_do_not_broadcast_are_refused(call):
+    with pytest.raises(pp.InvalidValue, match=r"\(3,\).*allowed: arrays that broadcast") as caught:
+        call()
+    assert caught.value.name == "shapes"
+    assert "(4,)" in caught.value.given
+    assert "xarray.DataArray" in caught.value.remedy
+
+
 def labelled(parameter, dim, values=None):
     return xr.DataArray(VALUES[parameter] if values is None else values, dims=dim)
 

@@ -145,7 +145,7 @@ def _table(found: xr.Dataset) -> str:
         names = [name for name, variable in rest.data_vars.items() if variable.dims == dims]
         frame = _frame(rest, names, list(dims))
         frame.columns = [marks[name] for name in names]
-        blocks.append(frame.to_string(max_rows=40))
+        blocks.append(frame.to_string(max_rows=40, na_rep="none"))
     return "\n".join(blocks)
 
 

@@ -93,7 +93,7 @@ def row(solution: Solution, pusher: Any) -> dict[str, str]:
         "mode": str(solution.mode.name).replace("_", " ").lower(),
         "force": "0" if rests else _polar(solution.force),
         "motion": "0" if rests else _polar(solution.contact_motion),
-        "center": "\N{EN DASH}" if rests else _place(solution.center),
+        "center": "\N{EN DASH}" if np.isnan(solution.center).any() else _place(solution.center),
         "slip": "\N{EN DASH}" if rests else "0" if sticks else number(slip),
     }
 

@@ -7,6 +7,7 @@ import pytest
 from mpmath import mp
 
 from mechanics.supports.cases import SQUARE, SUPPORTS, TRIPOD, rectangle
+from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.ellipsoid import _errors, _spread, fit_ellipsoid
 from planar_pushing.mechanics.supports.even_ring import Ring
@@ -104,3 +105,10 @@ def test_no_motion_errs_by_more_than_the_worst(name):
 def test_a_point_has_no_ellipsoid():
     with pytest.raises(InvalidValue, match=r"support: Points.*larger than a point.*no rotation"):
         fit_ellipsoid(Points([(1.0, 2.0)], [3.0]))
+
+
+@pytest.mark.parametrize("given", [None, 1.0, RingFriction()], ids=repr)
+def test_what_is_no_support_is_refused(given):
+    with pytest.raises(InvalidValue, match=r"scene\.friction\[0\]\.support") as caught:
+        fit_ellipsoid(given)
+    assert caught.value.allowed == "a support, such as Disc or Polygon"

@@ -20,6 +20,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.status import FLAGS, flag_attributes
+from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.quantities import MECHANICS, attributes
 
 #: Rows of a block: a millisecond to a hundred of work, so that Ctrl-C is heard and threads cost little.
@@ -119,6 +120,7 @@ def elementwise(
     outputs : sequence of Output
     """
     if not any(map(is_labelled, arguments)):
+        _require_shapes(arguments)
         found = function(*arguments)
         return [each.item() if each.ndim == 0 else each for each in found]
     import xarray as xr
@@ -134,6 +136,19 @@ def elementwise(
     )
     arrays = labelled if isinstance(labelled, tuple) else (labelled,)
     return [named(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
+
+
+def _require_shapes(arguments: Sequence[Any]) -> None:
+    """Refuse arrays that do not broadcast against one another."""
+    shapes = list(map(np.shape, arguments))
+    try:
+        np.broadcast_shapes(*shapes)
+    except ValueError:
+        given = " and ".join(map(str, dict.fromkeys(each for each in shapes if each)))
+        raise InvalidValue(
+            "shapes", given, "arrays that broadcast against one another",
+            "give each an axis of its own, as in x[:, None], or label the axes: xarray.DataArray",
+        ) from None  # fmt: skip
 
 
 def evaluated(

@@ -14,6 +14,7 @@ from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Array, Pressure
 from planar_pushing.mechanics.supports.pressure.table import extent_of
+from planar_pushing.terms.errors import InvalidValue
 
 #: Motions at which the ellipsoid is compared; means differ by less than 1e-4 from those at ten times more.
 MOTIONS = 20_000
@@ -85,8 +86,13 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
     Raises
     ------
     InvalidValue
-        Where the support is one point, which resists no rotation.
+        Where something else than a support is given, or one of one point, which resists no rotation.
     """
+    if not isinstance(support, Support):
+        raise InvalidValue(
+            "support", support, "a support, such as Disc or Polygon",
+            "of a scene give that of its friction, scene.friction[0].support",
+        )  # fmt: skip
     extent = extent_of(support)
     pressure = assembled(support.pieces(), extent)
     constant = moments(pressure, pressure.center_x, pressure.center_y).torque
