@@ -300,3 +300,22 @@ def test_shapes_that_do_not_match_are_refused_by_name():
     )  # fmt: skip
     with pytest.raises(pp.InvalidValue, match="shapes"):
         pp.simulate_batch(scene, pp.Pusher(velocity=(0, 1)), duration=1.0, gap=np.zeros(2))
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_contact_that_is_written_with_seven_digits_is_on_the_side(seed):
+    """It is up to a millionth of the outline off the side, within or outside."""
+    random = np.random.default_rng(seed)
+    corners = np.round(turned(SQUARE, random.uniform(0, 2)), 4)
+    support = pp.SupportFriction(support=pp.Polygon(corners))
+    point = np.round(0.5 * (corners[0] + corners[1]) + random.uniform(-1e-7, 1e-7, 2), 7)
+    law = pp.Coulomb(0.5)
+    scene = pp.scene_at(point, effects=(support,), contact=law, outline=corners)
+    assert np.array(scene.placement.point) == pytest.approx(point, abs=3e-7)
+    corner = pp.scene_at(
+        corners[0] + (1e-7, -1e-7), -corners[0], effects=(support,), contact=law, outline=corners
+    )
+    assert corner.placement.point == tuple(corners[0])
+    for each in (scene, corner):
+        log = run(each, (0, 0.1), 1e-6)
+        assert final(log, "time") > 0

@@ -111,7 +111,7 @@ def test_a_condition_that_never_holds_leaves_the_whole_run(method):
 def test_a_run_that_cannot_go_on_says_so_and_not_until():
     until = pp.Until(pusher_distance=0.8)
     log = run(make_scene(2, psi=np.deg2rad(15)), (0, 1), 9.0, until=until)
-    assert log.attrs["stopped"] == "the ring's center comes down to the fence"
+    assert log.attrs["stopped"] == "the slider's center comes down to the fence"
     assert final(log, "time") < 0.8
 
 

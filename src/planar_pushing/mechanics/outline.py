@@ -14,6 +14,9 @@ from planar_pushing.terms.errors import InvalidValue
 Corners = tuple[tuple[float, float], ...]
 #: A point this near to a side, over the size of the outline, is on it; drawings are no better than this.
 ON = 1e-6
+#: And this near it is there but for rounding; one that is further is moved onto it, since over time a
+#: corner below the fence ends a run.
+EXACT = 1e-12
 #: Largest angle, radians, between a normal that is given and that of its side.
 ALIGNED = 1e-3
 
@@ -46,7 +49,8 @@ def placed(
 ) -> tuple[Placement, tuple[float, float] | None]:
     """The placement at a point of an outline, and the ends of the side from there; None at a corner.
 
-    A normal within a thousandth of a radian of that of the side is taken to be that.
+    A normal within a thousandth of a radian of that of the side is taken to be that, and a point within a
+    millionth of the size of the outline from it is put onto it.
 
     Raises
     ------
@@ -63,24 +67,32 @@ def placed(
     across = (sides[:, 0] * (place - starts)[:, 1] - sides[:, 1] * (place - starts)[:, 0]) / lengths
     reach = np.hypot(across, np.maximum(np.maximum(-along, along - lengths), 0.0))
     side = int(reach.argmin())
+    nearest = starts[side] + np.clip(along[side], 0.0, lengths[side]) * sides[side] / lengths[side]
     if reach[side] > ON * scale:
-        nearest = (
-            starts[side] + np.clip(along[side], 0.0, lengths[side]) * sides[side] / lengths[side]
-        )
         raise InvalidValue(
             "point", point, "a point on the outline",
             f"the nearest one is ({nearest[0]:.6g}, {nearest[1]:.6g})",
         )  # fmt: skip
     corner = [k for k in range(len(every)) if np.hypot(*(every[k] - place)) <= ON * scale]
     if corner:
-        return _at_corner(point, given, every, corner[0]), None
+        own = _at_corner(point, given, every, corner[0])
+        return Placement(_moved(place, every[corner[0]], scale), own.normal), None
     inward = 0.0 - sides[side, 1] / lengths[side], sides[side, 0] / lengths[side] + 0.0
     if given is not None and np.hypot(*np.subtract(given.normal, inward)) > ALIGNED:
         raise InvalidValue(
             "normal", normal, f"the inward normal of the side, ({inward[0]:.6g}, {inward[1]:.6g})",
             "with another one the fence would pass through the object; leave the normal out",
         )  # fmt: skip
-    return Placement(point, inward), (-float(along[side]), float(lengths[side] - along[side]))
+    return Placement(_moved(place, nearest, scale), inward), (
+        -float(along[side]),
+        float(lengths[side] - along[side]),
+    )
+
+
+def _moved(place: Array, onto: Array, scale: float) -> tuple[float, float]:
+    """A point, or the place beside it on the outline where they differ by more than rounding."""
+    x, y = place if np.hypot(*(onto - place)) <= EXACT * scale else onto
+    return float(x), float(y)
 
 
 def _at_corner(point: Any, given: Placement | None, every: Array, corner: int) -> Placement:
