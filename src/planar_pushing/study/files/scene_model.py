@@ -220,7 +220,7 @@ class SceneFile(FileModel):
         if not pieces:
             return scene
         magnitude = 1.0 if scene.stores_energy else pieces[0].speed
-        return replace(scene, push=(float(np.deg2rad(pieces[0].angle)), magnitude))
+        return replace(scene, push=(np.deg2rad(pieces[0].angle), magnitude))
 
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:
