@@ -57,7 +57,6 @@ from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
-from .simulation.rows import Event
 from .simulation.simulate import simulate
 from .simulation.tables import to_pandas
 from .simulation.until import Until
@@ -68,6 +67,7 @@ from .terms.errors import (
     InvalidValue,
     PlanarPushingError,
 )
+from .terms.options import Event
 from .terms.units import Units
 
 __version__: str

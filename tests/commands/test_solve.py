@@ -204,3 +204,25 @@ def test_no_range(capsys, given):
 )  # fmt: skip
 def test_wrong_input(refused, arguments, said):
     refused(arguments, said)
+
+
+def test_a_pivot_has_the_name_of_its_foot(run, tmp_path):
+    """The stool of the examples, pushed at its first foot."""
+    content = """\
+object:
+  feet:
+    - {position: [-1, 0], name: near}
+    - {position: [0.5, 0.8660254037844386], name: left}
+    - {position: [0.5, -0.8660254037844386], name: right}
+  contact: {point: [-1, 0], normal: [0.8660254037844386, 0.5]}
+contact: {law: coulomb, friction_coefficient: 0.5}
+effects: [{type: support_friction}]
+"""
+    path = tmp_path / "stool.yaml"
+    path.write_text(content, encoding="utf-8")
+    (found,) = json.loads(run("solve", str(path), "--pusher-angle", "120", "--json")[1])[
+        "solutions"
+    ]
+    assert (found["pivot"], found["foot"]) == (2, "right")
+    assert "right" in run("solve", str(path), "--pusher-angle", "110:120:10")[1]
+    assert "foot" not in run("solve", "workflow/scenes/stool.yaml", "--pusher-angle", "120")[1]

@@ -1,8 +1,5 @@
 """Small studies, logs, and the figures that are drawn from them, each when it is first asked for."""
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import patch
@@ -45,21 +42,12 @@ class Made(dict):
 
 
 @pytest.fixture(scope="session")
-def logs(tmp_path_factory):
-    """Logs of scene files; the box's without the compiler, whose kind is compiled for no other test."""
+def logs():
+    """Logs of scene files."""
 
     def run(name):
-        path = f"workflow/scenes/{name}.yaml"
-        if name != "box":
-            file = load_scene_file(path)
-            return simulate(file.build(), **arguments(file.simulate))
-        log = tmp_path_factory.mktemp("logs") / "box.nc"
-        command = [sys.executable, "-m", "planar_pushing.commands", "simulate", path]
-        subprocess.run(
-            [*command, "--method", "time-stepping", "--step", "0.02", "-o", str(log)],
-            env=os.environ | {"NUMBA_DISABLE_JIT": "1"}, check=True, capture_output=True,
-        )  # fmt: skip
-        return read_dataset(log)
+        file = load_scene_file(f"workflow/scenes/{name}.yaml")
+        return simulate(file.build(), **arguments(file.simulate))
 
     return Made(run)
 

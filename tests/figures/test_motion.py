@@ -235,8 +235,12 @@ def test_an_impact_is_joined_to_the_contact(logs):
     assert len(times) == 3  # the first fence is close to that of the impact
 
 
-def test_centers_of_another_support_are_marked_at_every_instant(logs):
-    motion = plotted(logs["box"])
+def test_centers_of_another_support_are_marked_at_every_instant():
+    base = pp.SupportFriction(support=pp.Polygon.rectangle(2, 2))
+    effects = base, pp.Inertia(gyration_radius=0.8, center=(0.4, 0.3))
+    slider = pp.Slider(rod_length=1, rod_angle=np.pi / 2)
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
+    motion = plotted(pp.simulate(scene, pusher=pp.Pusher(velocity=(0.9, 0.3)), duration=0.5))
     picture = snapshots(motion, box(motion), 3)
     shapes = [mark.shape for mark in picture.marks if isinstance(mark, Dot)]
     assert (shapes.count("mass"), shapes.count("pressure")) == (3, 3)

@@ -153,7 +153,6 @@ def test_time_stepping_stops_at_the_end_of_a_step_and_goes_the_same_way_until_th
         (lambda now: now["gap"], "until: np.float64(0.0) given; allowed: a function that returns"),
         (lambda now: None, "until: None given; allowed: a function that returns True or False"),
     ],
-    ids=str,
 )  # fmt: skip
 def test_bad_conditions_are_refused(until, message):
     with pytest.raises(pp.InvalidValue) as caught:

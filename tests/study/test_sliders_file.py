@@ -22,7 +22,8 @@ def test_paths_are_relative_to_the_file():
     [
         ("shape: ring", "shape: rings",
          "supports.ring: {'shape': 'rings', 'radius': 1} given; allowed: 'shape' one of 'ring', 'points', "
-         "'segment', 'disc', 'annulus', 'polygon', 'pressure_map', 'composite'; change the value"),
+         "'segment', 'disc', 'annulus', 'polygon', 'rectangle', "
+         "'regular_polygon', 'pressure_map', 'composite'; change the value"),
         (BOX, "vertices: [[0, 0], [1, 0]]",
          "supports.box.vertices: ((0.0, 0.0), (1.0, 0.0)) given; allowed: at least three vertices; "),
         ("weights: [1, 1, 1]", "weights: [1, 1]",

@@ -63,11 +63,18 @@ def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[s
         "status": found.status.name,
         "pusher_angle": float(np.rad2deg(angle)) if degrees is None else degrees,
         "pusher_magnitude": magnitude,
-        "solutions": _solutions(found),
+        "solutions": _solutions(found, _feet(scene)),
     }
 
 
-def _solutions(found: Solutions) -> list[dict[str, Any]]:
+def _feet(scene: Scene) -> tuple[str, ...]:
+    """Names of the support points by their numbers, where all friction is on points with names."""
+    supports = [each.support for each in scene.friction]
+    names = getattr(supports[0], "names", None) if len(supports) == 1 else None
+    return names if names and len(set(supports[0].positions)) == len(names) else ()
+
+
+def _solutions(found: Solutions, feet: tuple[str, ...]) -> list[dict[str, Any]]:
     """The solutions as plain values without rounding errors; at rest there is no center."""
     import numpy as np
 
@@ -85,6 +92,7 @@ def _solutions(found: Solutions) -> list[dict[str, Any]]:
             "spin_ratio": float(values["spin_ratio"]),
             "center": None if np.isnan(values["center"]).any() else numbers(values["center"]),
             "pivot": None if one.pivot < 0 else one.pivot,
+            **({"foot": feet[one.pivot]} if feet and one.pivot >= 0 else {}),
             "continuum": one.continuum,
             "adhesive": one.adhesive,
         })  # fmt: skip
@@ -114,5 +122,5 @@ def _row(one: dict[str, Any]) -> dict[str, Any]:
             columns, words if values is None else (f"{x:.6g}" for x in values), strict=True
         )
     continuum = "continuum" if one.get("continuum") else None
-    pivot = one.get("pivot")
+    pivot = one.get("foot", one.get("pivot"))
     return found | {"pivot": None if pivot is None else str(pivot), "continuum": continuum}

@@ -11,6 +11,7 @@ from ruamel.yaml import YAML
 
 from planar_pushing.explore.state import State, state_of
 from planar_pushing.study.datasets.scenes import pusher_angle
+from planar_pushing.study.files.object_model import ObjectFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.study_model import PushEntry
 
@@ -40,6 +41,8 @@ def titles() -> dict[str, str]:
 def preset_file(name: str) -> SceneFile:
     """The scene of a preset as a file has it."""
     given = _table()["presets"][name]
+    if "object" in given:
+        return ObjectFile.model_validate(given).scene_file()
     slider = dict(zip(("rod_length", "rod_angle"), given["rod"], strict=True))
     effects = [_effect(each) for each in given.get("effects", ["ring"])]
     if "radius" in given or all("support" not in each for each in effects):

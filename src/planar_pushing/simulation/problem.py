@@ -18,10 +18,10 @@ import numpy as np
 
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.world import World, required_pose, world_of
 from planar_pushing.simulation.outlines import require_above
 from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.world import World, required_pose, world_of
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields
 from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape

@@ -39,36 +39,6 @@ def row_type(effects: int) -> np.dtype[Any]:
     )  # fmt: skip
 
 
-class Event(IntEnum):
-    """Why a contact mode ends, or why the modes are enumerated anew: flags of `event` in a log."""
-
-    NONE = -1
-    #: The force leaves the friction cone; a slip or a force ends; the contact is made.
-    LEAVES_CONE = 0
-    SLIP_ENDS = 1
-    FORCE_ENDS = 2
-    TOUCHES = 3
-    #: The fence begins to push a slider at rest; without a force the contact would part, or no longer.
-    STARTS = 4
-    LIFTS = 5
-    #: Friction no longer holds the support point about which the slider pivots.
-    HINGE_YIELDS = 6
-    #: The slider's center comes down to the fence; the slider comes to rest.
-    LIES = 7
-    STOPS = 8
-    #: The center of rotation arrives at a support point, or leaves it.
-    ARRIVES = 9
-    #: The response to the motion is not smooth, or a pivot starts or ends.
-    KINK = 10
-    #: The normal motion of the fence changes its sign, or it starts to move; that along itself does.
-    TURNS = 11
-    TURNS_ALONG = 12
-    #: A finger comes to the end of its side.
-    END_OF_SIDE = 13
-    #: Another point of the outline meets the fence.
-    PENETRATES = 14
-
-
 class Stop(IntEnum):
     """Why a run ended before its time."""
 

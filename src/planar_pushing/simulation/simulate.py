@@ -20,7 +20,6 @@ from planar_pushing.simulation.log.stream import streaming
 from planar_pushing.simulation.log.variables import dataset
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.rows import Event
 from planar_pushing.simulation.steps.integrate import TimeStepping
 from planar_pushing.simulation.until import Until, UntilRun, required_condition
 from planar_pushing.terms.domain import required
@@ -31,7 +30,7 @@ from planar_pushing.terms.errors import (
     require_option,
     require_path,
 )
-from planar_pushing.terms.options import Method, MethodName, Policy, PolicyName
+from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
 
 
 def simulate(

@@ -13,9 +13,8 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.log.variables import arrays
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import Event
 from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
-from planar_pushing.terms.options import Method
+from planar_pushing.terms.options import Event, Method
 
 #: The names of the events and of the contact modes, as the flag meanings of a log have them.
 EVENTS = {event.name: event for event in Event if event is not Event.NONE}

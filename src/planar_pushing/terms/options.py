@@ -5,7 +5,7 @@ An option is given as the enum or as its value.
 
 from __future__ import annotations
 
-from enum import StrEnum
+from enum import IntEnum, StrEnum
 from typing import Literal, NamedTuple
 
 
@@ -118,3 +118,33 @@ SAMPLES = Range(2, 1e7, "a whole number >= 2, at most 1e7")
 MOST_STEPS = 1e9
 #: Relative tolerance of a motion over time: what double precision can hold.
 TOLERANCE = Range(1e-13, 1e-2, "a number in [1e-13, 1e-2]")
+
+
+class Event(IntEnum):
+    """Why a contact mode ends, or why the modes are enumerated anew: flags of `event` in a log."""
+
+    NONE = -1
+    #: The force leaves the friction cone; a slip or a force ends; the contact is made.
+    LEAVES_CONE = 0
+    SLIP_ENDS = 1
+    FORCE_ENDS = 2
+    TOUCHES = 3
+    #: The fence begins to push a slider at rest; without a force the contact would part, or no longer.
+    STARTS = 4
+    LIFTS = 5
+    #: Friction no longer holds the support point about which the slider pivots.
+    HINGE_YIELDS = 6
+    #: The slider's center comes down to the fence; the slider comes to rest.
+    LIES = 7
+    STOPS = 8
+    #: The center of rotation arrives at a support point, or leaves it.
+    ARRIVES = 9
+    #: The response to the motion is not smooth, or a pivot starts or ends.
+    KINK = 10
+    #: The normal motion of the fence changes its sign, or it starts to move; that along itself does.
+    TURNS = 11
+    TURNS_ALONG = 12
+    #: A finger comes to the end of its side.
+    END_OF_SIDE = 13
+    #: Another point of the outline meets the fence.
+    PENETRATES = 14

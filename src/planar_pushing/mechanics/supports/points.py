@@ -36,7 +36,7 @@ class Points(Pictured):
     weights : sequence of float, optional
         The load on each, > 0, in any unit; without them all carry the same.
     names : sequence of str, optional
-        A name for each point, which printed solutions then use.
+        A name for each point, which the command line prints for a pivot.
 
     Raises
     ------

@@ -16,10 +16,10 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.status import FLAGS as RESULTS
 from planar_pushing.mechanics.status import flag_attributes
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import NO_MODE, Event, Stop
+from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.systems.setup import order_of
 from planar_pushing.terms import quantities
-from planar_pushing.terms.options import EffectKind, Shape
+from planar_pushing.terms.options import EffectKind, Event, Shape
 from planar_pushing.terms.units import Units, with_units
 
 #: Dimensions after time, and type, of the variables of the log.

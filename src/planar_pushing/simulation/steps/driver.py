@@ -22,7 +22,7 @@ from planar_pushing.mechanics.modes import Push, contact_modes
 from planar_pushing.mechanics.plane import Array, Direction, toward
 from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.fence import span, way
-from planar_pushing.simulation.rows import NO_MODE, Event, Stop
+from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.steps.clock import seen
 from planar_pushing.simulation.steps.energies import account, settle
 from planar_pushing.simulation.steps.resisting import stepped
@@ -30,6 +30,7 @@ from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.frame import contact_motion, frame_of, size_of, to_contact
 from planar_pushing.simulation.systems.shapes import base as shapes
 from planar_pushing.simulation.systems.written import put
+from planar_pushing.terms.options import Event
 
 #: A gap that is this small in radii is closed.
 CLOSED = 1e-12

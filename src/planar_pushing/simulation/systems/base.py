@@ -15,7 +15,6 @@ from planar_pushing.mechanics.compiled import by_kind, compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation import fence
 from planar_pushing.simulation.fence import Span
-from planar_pushing.simulation.rows import Event
 from planar_pushing.simulation.systems.drag import load_at
 from planar_pushing.simulation.systems.frame import (
     center_motion,
@@ -25,6 +24,7 @@ from planar_pushing.simulation.systems.frame import (
     to_body,
 )
 from planar_pushing.simulation.systems.shapes import base as shapes
+from planar_pushing.terms.options import Event
 
 #: Entries of the state: position of the contact relative to the fence, rod angle, slip accumulated, energy
 #: dissipated at the contact, and work of the fence. A system with inertia adds the velocity of the contact

@@ -20,13 +20,13 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.simulation.rows import Event
 from planar_pushing.terms.domain import SIDE
 from planar_pushing.terms.options import (
     SAMPLES,
     TOLERANCE,
     AtZeroNormal,
     EffectSet,
+    Event,
     Method,
     Policy,
     PusherFrame,

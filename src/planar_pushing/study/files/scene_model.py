@@ -26,7 +26,7 @@ from planar_pushing.mechanics.effects import (
 from planar_pushing.mechanics.frames import Placement
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.simulation.world import world_of
+from planar_pushing.mechanics.world import world_of
 from planar_pushing.study.files.fields import (
     AtZeroNormalName,
     FileModel,

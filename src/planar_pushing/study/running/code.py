@@ -15,8 +15,10 @@ import planar_pushing
 from planar_pushing.study.catalog import DATASETS
 
 ROOT = Path(planar_pushing.__path__[0])
-#: What every job runs: the terms, the mechanics and the study without its datasets.
-LIBRARY = ("terms", "mechanics", "study")
+#: What scene files of objects run, and what every job runs: the terms, the mechanics and the study without
+#: its datasets.
+OBJECTS = ("objects.__init__", "objects.many", "objects.scene_at")
+LIBRARY = ("terms", "mechanics", *OBJECTS, "study")
 EVIDENCE = ("evidence.jobs", "evidence.writing")
 #: The packages that each kind of job runs.
 PACKAGES = {
