@@ -42,8 +42,15 @@ def provenance(study: StudyFile, file: PathLike) -> Marks:
 
 
 def digest(values: object) -> str:
-    """SHA-256 of plain values."""
-    return hashlib.sha256(to_json(values).encode()).hexdigest()
+    """SHA-256 of plain values; a key without a value counts as absent: new keys change no digest."""
+    return hashlib.sha256(to_json(_given(values)).encode()).hexdigest()
+
+
+def _given(values: Any) -> Any:
+    """Plain values without the keys that hold None."""
+    if isinstance(values, dict):
+        return {key: _given(each) for key, each in values.items() if each is not None}
+    return list(map(_given, values)) if isinstance(values, (list, tuple)) else values
 
 
 def whole_digest(study: StudyFile) -> str:
@@ -55,7 +62,7 @@ def contents(study: StudyFile) -> dict[str, Any]:
     """Plain values of a study, with what its scene files hold in the place of their paths."""
 
     def scene(path: str) -> dict[str, Any]:
-        return load_scene_file(path).model_dump()
+        return load_scene_file(path).model_dump(exclude_defaults=True)
 
     values = study.model_dump(exclude=ASIDE)
     values["simulations"] = {name: scene(path) for name, path in study.simulations.items()}

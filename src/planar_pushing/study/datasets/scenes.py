@@ -132,7 +132,10 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         xr.Dataset(variables, coords=coords),
         title=file.title,
         source="Secs. 3 and 4",
-        parameters={"scene": file, "push": push.model_dump(exclude={"file"})},
+        parameters={
+            "scene": file.model_dump(exclude_none=True),
+            "push": push.model_dump(exclude={"file"}, exclude_none=True),
+        },
     )
 
 
