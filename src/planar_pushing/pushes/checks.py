@@ -1,0 +1,181 @@
+"""Whether a dataset can be one of measured pushes: on the outline, in one unit, into the object."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.first_touch import Sides, nearest, sides_of
+from planar_pushing.terms.errors import InvalidValue
+
+#: Largest distance of a contact from the outline, relative to its size.
+ON_OUTLINE = 0.02
+#: Largest error of the length of a normal.
+UNIT = 1e-6
+#: Largest displacement of an object, in sizes of its outline: no push of a log goes further.
+JUMP = 3.0
+#: Largest error of fractions of the load and of the end of a finger's path, relative.
+ROUNDING = 1e-6
+#: Ratios of lengths between which one of the two is in metres and the other in millimetres.
+THOUSAND = (300.0, 30000.0)
+
+
+def require_consistent(pushes: xr.Dataset) -> None:
+    """Refuse pushes that are not possible, the first of them by its number.
+
+    Raises
+    ------
+    InvalidValue
+        Where lengths differ by the factor of another unit, a contact is not on the outline, a normal is no
+        unit vector or points out of the object, a pose jumps, a finger moves away from the object, a path
+        does not fit, or fractions of the load do not add up to 1.
+    """
+    for name in dict.fromkeys(pushes["pushed"].values):
+        numbers = np.flatnonzero(pushes["pushed"].values == name)
+        outline = pushes["outline"].sel(object=name).values
+        sides = sides_of(outline[np.isfinite(outline).all(axis=1)])
+        _require_object(pushes.isel(push=numbers), numbers, sides, str(name))
+    radii = pushes["finger_radius"].values
+    _refuse("finger_radius", radii < 0.0, radii, "numbers >= 0", "give 0 for a point")
+    if "finger_path" in pushes:
+        _require_paths(pushes)
+    if "foot_weight" in pushes:
+        _require_shares(pushes)
+    if "force" in pushes:
+        force = pushes["force"].values
+        half = np.isnan(force).sum(axis=1) == 1
+        _refuse("force", half, force, "both components, or NaN for both", "leave out neither")
+
+
+def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -> None:
+    """The checks of the pushes of one object."""
+    contact, normal = pushes["contact"].values, pushes["normal"].values
+    finger, scale = pushes["finger_displacement"].values, sides.scale
+    _require_one_unit(pushes, sides, name)
+    beside = np.abs(nearest(sides, contact).gap)
+    limit = f"a point of the outline of {name}, within 2 % of its size {scale:.6g}"
+    _refuse(
+        "contact", beside > ON_OUTLINE * scale, contact, limit, "check frame and units", numbers
+    )
+    length = np.hypot(*normal.T)
+    wrong = np.abs(length - 1.0) > UNIT
+    _refuse("normal", wrong, normal, "a vector of length 1", "divide it by its length", numbers)
+    wrong = ~_inward(sides, contact, normal)
+    _refuse("normal", wrong, normal, "a vector into the object", "turn it around", numbers)
+    moved = np.hypot(*(middle_displacement(pushes, sides)).T)
+    limit = f"at most {JUMP:g} times the size {scale:.6g} of {name}"
+    _refuse(
+        "displacement", moved > JUMP * scale, moved, limit, "the pose jumps: leave it out", numbers
+    )
+    away = (finger * normal).sum(axis=1) <= 0.0
+    limit = "a motion into the object, along the normal"
+    _refuse("finger_displacement", away, finger, limit, "check the sign and the frame", numbers)
+
+
+def middle_displacement(pushes: xr.Dataset, sides: Sides) -> Array:
+    """Displacement of the mean of the corners of pushed objects, shape (n, 2)."""
+    x, y = sides.start.mean(axis=0)
+    angle = np.deg2rad(pushes["rotation"].values)
+    turned = np.stack(
+        [np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y], -1
+    )
+    return np.asarray(pushes["displacement"].values + turned - (x, y))
+
+
+def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:
+    """Refuse lengths that are about a thousand times larger or smaller than the outline's."""
+    scale, reach = sides.scale, float(np.abs(sides.start).max())
+    finger = _typical(pushes["finger_displacement"].values)
+    object_ = _typical(pushes["displacement"].values)
+    pairs = (
+        ("contact", _typical(pushes["contact"].values), "the outline reaches to", reach),
+        ("finger_displacement", 10.0 * finger, "the outline's size is", scale),
+        ("displacement", object_, "the finger moves by", finger),
+    )
+    for variable, given, known, other in pairs:
+        ratio = max(given, other) / max(min(given, other), np.finfo(float).tiny)
+        if THOUSAND[0] < ratio < THOUSAND[1]:
+            size = given / 10.0 if variable == "finger_displacement" else given
+            raise InvalidValue(
+                variable, f"a typical length of {size:.4g}, where {known} {other:.4g}",
+                f"lengths of {name} in one unit",
+                "check the units: these look like metres and millimetres",
+            )  # fmt: skip
+
+
+def _typical(vectors: Array) -> float:
+    return float(np.median(np.hypot(*vectors.T)))
+
+
+def _inward(sides: Sides, contact: Array, normal: Array) -> npt.NDArray[np.bool_]:
+    """Whether a normal points into the object at one of the sides that are near to its contact."""
+    away = contact[:, None] - sides.start
+    along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
+    apart = away - along[..., None] * sides.tangent
+    near = np.hypot(apart[..., 0], apart[..., 1]) <= ON_OUTLINE * sides.scale
+    return np.asarray((near & (normal @ sides.normal.T > 0.0)).any(axis=1))
+
+
+def _require_paths(pushes: xr.Dataset) -> None:
+    """Paths begin at zero, end with the finger's displacement, and take time."""
+    path, times = pushes["finger_path"].values, pushes["path_time"].values
+    known = np.isfinite(path).all(axis=2) & np.isfinite(times)
+    count = known.sum(axis=1)
+    gaps = known != (np.arange(known.shape[1]) < count[:, None])
+    _refuse(
+        "finger_path", gaps.any(axis=1) | (count < 2), count,
+        "two samples at least, and NaN after the last alone", "leave out samples that are missing",
+    )  # fmt: skip
+    last = path[np.arange(len(path)), count - 1]
+    finger = pushes["finger_displacement"].values
+    error = np.hypot(*path[:, 0].T) + np.hypot(*(last - finger).T)
+    _refuse(
+        "finger_path", error > ROUNDING * np.hypot(*finger.T), last,
+        "displacements since the first touch, from 0 to finger_displacement", "subtract the first",
+    )  # fmt: skip
+    falls = (np.diff(times, axis=1) <= 0.0).any(axis=1)
+    _refuse("path_time", falls, count, "times that increase", "put the samples in order")
+
+
+def _require_shares(pushes: xr.Dataset) -> None:
+    """Fractions of the load are not negative and add up to 1, where they are known."""
+    if "feet" not in pushes:
+        raise InvalidValue(
+            "foot_weight", "without feet", "weights of feet", "add the places of the feet"
+        )
+    shares = pushes["foot_weight"].values
+    known = np.isfinite(shares).any(axis=1)
+    wrong = known & (
+        (np.abs(np.nansum(shares, axis=1) - 1.0) > ROUNDING) | (shares < 0.0).any(axis=1)
+    )
+    _refuse(
+        "foot_weight",
+        wrong,
+        shares,
+        "fractions >= 0 whose sum is 1",
+        "divide by their sum",
+        dim="object",
+    )
+
+
+def _refuse(
+    name: str,
+    wrong: Any,
+    values: Any,
+    allowed: str,
+    remedy: str,
+    numbers: Any = None,
+    dim: str = "push",
+) -> None:
+    """Raise the error about the first of the pushes that are wrong, and say how many are."""
+    if not np.any(wrong):
+        return
+    rows = np.flatnonzero(wrong)
+    first = rows[0] if numbers is None else numbers[rows[0]]
+    more = f" and {len(rows) - 1} more" if len(rows) > 1 else ""
+    value = np.array2string(np.asarray(values[rows[0]]), precision=6, separator=", ")
+    raise InvalidValue(name, f"{value} of {dim} {first}{more}", allowed, remedy)

@@ -1,0 +1,148 @@
+"""Pushes of one object, and of several objects together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.pushes.schema import NOISE, VARIABLES, required_pushes, without_padding
+from planar_pushing.terms.errors import InvalidValue, suggestion
+
+
+def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
+    """The pushes of one object, whose dimension `object` stays.
+
+    Raises
+    ------
+    InvalidValue
+        Where the dataset holds no object of this name, or no push of it.
+    """
+    names = [str(each) for each in pushes["object"].values]
+    if name not in names:
+        remedy = suggestion(name, names, "name one of these")
+        raise InvalidValue("object", name, ", ".join(names), remedy)
+    rows = np.flatnonzero(pushes["pushed"].values == name)
+    if not len(rows):
+        raise InvalidValue("object", name, "an object that is pushed", "name another one")
+    found = pushes.isel(push=rows, object=[names.index(name)])
+    corners = len(without_padding(found["outline"].values[0]))
+    feet = len(without_padding(found["feet"].values[0])) if "feet" in found else 0
+    found = found.isel(corner=slice(corners))
+    if "foot" not in found.dims:
+        return found
+    return found.isel(foot=slice(feet)) if feet else found.drop_dims("foot")
+
+
+def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
+    """Pushes of several datasets in one, in order.
+
+    Parameters
+    ----------
+    pushes : sequence of xarray.Dataset
+        In the same units. Datasets may share an object whose outline and feet are the same.
+
+    Returns
+    -------
+    xarray.Dataset
+        Its attribute `source` lists those of the datasets, each noise is the largest of theirs, and
+        `left_out` is the sum.
+
+    Raises
+    ------
+    InvalidValue
+        Where the sequence is empty, a dataset is none of pushes, units differ, or two objects share a name.
+    """
+    given = list(pushes) if isinstance(pushes, (list, tuple)) else []
+    if not given:
+        raise InvalidValue("pushes", pushes, "a list of at least one dataset", "list the datasets")
+    each = [required_pushes(one) for one in given]
+    _require_same_units(each)
+    objects = _objects(each)
+    parts: dict[str, Any] = {
+        "pushed": ("push", np.concatenate([one["pushed"].values for one in each]))
+    }
+    for name, variable in VARIABLES.items():
+        held = [one for one in each if name in one]
+        if held and variable.dims[0] == "push":
+            arrays = [_array(one, name) for one in each]
+            parts[name] = variable.dims, _joined(arrays), held[0][name].attrs
+        elif held:
+            arrays = [_array(one.sel(object=[label]), name) for label, one in objects.items()]
+            parts[name] = variable.dims, _joined(arrays), held[0][name].attrs
+    found = xr.Dataset(parts, {"object": list(objects), "xy": ["x", "y"]}, _attributes(each))
+    return required_pushes(found)
+
+
+def _require_same_units(each: list[xr.Dataset]) -> None:
+    for name in VARIABLES:
+        units = {one[name].attrs["units"] for one in each if name in one}
+        if len(units) > 1:
+            raise InvalidValue(
+                "units",
+                f"{name} in {' and '.join(sorted(units))}",
+                "one unit",
+                "convert one dataset",
+            )
+
+
+def _objects(each: list[xr.Dataset]) -> dict[str, xr.Dataset]:
+    """The dataset that describes each object; two that share a name have to be the same."""
+    found: dict[str, xr.Dataset] = {}
+    for one in each:
+        for label in map(str, one["object"].values):
+            known = found.setdefault(label, one)
+            if known is not one and not _same_object(known, one, label):
+                raise InvalidValue(
+                    "object",
+                    label,
+                    "a name of its own for each object",
+                    "rename one of the objects",
+                )
+    return found
+
+
+def _same_object(one: xr.Dataset, other: xr.Dataset, label: str) -> bool:
+    """Whether two datasets describe an object alike, but for padding."""
+    for name in ("outline", "feet", "foot_weight", "center_of_mass", "mass"):
+        here, there = (_array(each.sel(object=[label]), name) for each in (one, other))
+        here, there = (each[np.isfinite(each)] for each in (here, there))
+        if not np.array_equal(here, there):
+            return False
+    return True
+
+
+def _array(pushes: xr.Dataset, name: str) -> Array:
+    """Values of a variable; of one that a dataset lacks, NaN over dimensions that may be empty."""
+    if name in pushes:
+        return np.asarray(pushes[name].values)
+    sizes = {dim: pushes.sizes.get(dim, 0) for dim in VARIABLES[name].dims}
+    return np.full(tuple(sizes.values()), np.nan)
+
+
+def _joined(arrays: list[Array]) -> Array:
+    """Arrays one after another along the first dimension, those of the others padded with NaN."""
+    lengths = np.max([each.shape[1:] for each in arrays], axis=0, initial=0).astype(int)
+    return np.concatenate([
+        np.pad(
+            each,
+            [(0, 0), *((0, most - has) for most, has in zip(lengths, each.shape[1:], strict=True))],
+            constant_values=np.nan,
+        )
+        for each in arrays
+    ])  # fmt: skip
+
+
+def _attributes(each: list[xr.Dataset]) -> dict[str, Any]:
+    """Attributes of the whole."""
+    sources = dict.fromkeys(str(one.attrs["source"]) for one in each if one.attrs["source"])
+    noise = {
+        key: max(float(one.attrs[key]) for one in each if key in one.attrs)
+        for key in NOISE
+        if any(key in one.attrs for one in each)
+    }
+    out = [int(one.attrs["left_out"]) for one in each if "left_out" in one.attrs]
+    return {"source": "; ".join(sources), **noise, **({"left_out": sum(out)} if out else {})}

@@ -1,0 +1,64 @@
+"""Files of pushes: netCDF4, written whole or not at all."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import xarray as xr
+
+from planar_pushing.pushes.schema import required_pushes
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
+
+
+def save_pushes(pushes: xr.Dataset, file: PathLike) -> None:
+    """Write pushes to a netCDF4 file, whole or not at all.
+
+    Parameters
+    ----------
+    pushes : xarray.Dataset
+        As `load_pushes`, `pushes_from_poses` and the readers return it.
+    file : path
+
+    Raises
+    ------
+    InvalidValue
+        Where the dataset is none of pushes.
+    InvalidFile
+        Where the file cannot be written.
+    """
+    require_path("file", file)
+    write_dataset(required_pushes(pushes), file)
+
+
+def load_pushes(file: PathLike) -> xr.Dataset:
+    """Read pushes from a netCDF4 file.
+
+    Parameters
+    ----------
+    file : path
+        Written by `save_pushes` or ``planar-pushing convert``.
+
+    Returns
+    -------
+    xarray.Dataset
+        In memory, over `push`, `object`, `corner` and `xy`, and `foot` and `sample` where there are any.
+
+    Raises
+    ------
+    InvalidFile
+        Where the file is missing, is not netCDF4, or does not hold pushes.
+    """
+    if not Path(require_path("file", file)).is_file():
+        raise InvalidFile(
+            f"{file}: no such file; write one with save_pushes or planar-pushing convert"
+        )
+    try:
+        with read_dataset(file) as found:
+            return required_pushes(found.load())
+    except InvalidValue as error:
+        raise InvalidFile(f"{file}: {error}") from None
+    except InvalidFile:
+        remedy = "write one with save_pushes or planar-pushing convert"
+        raise InvalidFile(f"{file}: is not a netCDF4 file of pushes; {remedy}") from None
