@@ -1,0 +1,215 @@
+"""A support from forces and motions: the loads that it exerts at measured twists are linear in its weights.
+
+At a measured twist each place carries its weight against its velocity, so that weights follow from measured
+wrenches by nonnegative least squares. A place that moves less than its motion is known to carries any force
+up to its weight: the wrench is then near a set, and the problem is a cone program, convex all the same.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import clarabel
+import numpy as np
+from scipy import sparse
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.pushes.candidates import Family
+from planar_pushing.pushes.measured import Measured
+
+#: Fraction by which friction differs from one push to the next, as Coulomb's law does not know.
+REPEATABILITY = 0.05
+#: A place that moves less than this many standard deviations of its motion may be at rest.
+AT_REST = 1.4
+#: How often residuals are weighed anew; their weights then change by less than the solver's tolerance.
+ROUNDS = 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Balance:
+    """The least squares problem of pushes with forces and a family of supports.
+
+    Wrenches (f_x, f_y, tau / length) are about the centroid of the outline.
+
+    Attributes
+    ----------
+    loads : ndarray, shape (n, 3, c)
+        Wrench of each push per amount of each column, without places that may be at rest.
+    wrenches : ndarray, shape (n, 3)
+        That were measured.
+    pairs : ndarray of int, shape (m, 2)
+        Pushes, and places that may be at rest in them.
+    reaches : ndarray, shape (m, 3, 2)
+        Wrench of a force at the place of each pair.
+    whitening : ndarray, shape (n, 3, 3)
+        Takes residuals to standard deviations.
+    columns : ndarray, shape (k, c)
+        Weights of the family's places per amount.
+    """
+
+    loads: Array
+    wrenches: Array
+    pairs: Array
+    reaches: Array
+    whitening: Array
+    columns: Array
+
+    def part(self, rows: Array) -> Balance:
+        """The problem of some of the pushes, of which one may come more than once."""
+        chosen = [np.flatnonzero(self.pairs[:, 0] == row) for row in rows]
+        which = np.concatenate([*chosen, np.zeros(0, dtype=int)]).astype(int)
+        push = np.repeat(np.arange(len(rows)), [len(each) for each in chosen])
+        return Balance(
+            self.loads[rows], self.wrenches[rows], np.column_stack([push, self.pairs[which, 1]]),
+            self.reaches[which], self.whitening[rows], self.columns,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Balanced:
+    """The solution of a `Balance`.
+
+    Attributes
+    ----------
+    amounts : ndarray, shape (c,)
+        Of the columns, >= 0.
+    forces : ndarray, shape (m, 2)
+        Of the places that may be at rest.
+    residuals : ndarray, shape (n, 3)
+        In standard deviations.
+    optimality : float
+        Largest violation of the conditions of Karush, Kuhn and Tucker, relative to the data: of any
+        amounts, those with none are optimal.
+    """
+
+    amounts: Array
+    forces: Array
+    residuals: Array
+    optimality: float
+
+
+def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
+    """The problem of pushes with forces, its residuals weighed for a support of these weights."""
+    length, center = pushes.length, pushes.center
+    places = family.places - center
+    # Displacements of the places, and directions of their friction.
+    x, y = places.T
+    twists = pushes.twists
+    v_x = (twists[:, :1] - twists[:, 2:] * center[1]) - twists[:, 2:] * y
+    v_y = (twists[:, 1:2] + twists[:, 2:] * center[0]) + twists[:, 2:] * x
+    far = np.hypot(v_x, v_y)
+    position, angle, force = pushes.noise
+    known = np.sqrt(position**2 + (angle**2) * (places**2).sum(axis=1))
+    rests = far < AT_REST * known
+    size = np.where(far > 0.0, far, 1.0)
+    u_x, u_y = v_x / size, v_y / size
+    unit = np.stack([u_x, u_y, (x * u_y - y * u_x) / length], axis=1)
+    loads = np.where(rests[:, None], 0.0, unit) @ family.columns
+    pairs = np.argwhere(rests & family.columns.any(axis=1))
+    reaches = np.zeros((len(pairs), 3, 2))
+    reaches[:, 0, 0] = reaches[:, 1, 1] = 1.0
+    reaches[:, 2, 0], reaches[:, 2, 1] = -y[pairs[:, 1]] / length, x[pairs[:, 1]] / length
+    # Change of friction with the twist: across the velocity, weight over speed.
+    across = np.stack([-u_y, u_x, (x * u_x + y * u_y) / length], axis=1)
+    stiffness = np.where(rests, 0.0, weights / size)
+    change = np.einsum("nak,nk,nbk->nab", across, stiffness, across)
+    motion = np.diag([position**2, position**2, (angle * length) ** 2])
+    newtons = np.hypot(*pushes.force.T)
+    plain = force**2 + (REPEATABILITY * newtons) ** 2
+    covariance = change @ motion @ change.transpose(0, 2, 1) + plain[:, None, None] * np.eye(3)
+    covariance[:, 2, 2] += (position * newtons / length) ** 2
+    f_x, f_y, torque = pushes.wrenches.T
+    wrenches = np.column_stack([f_x, f_y, (torque - center[0] * f_y + center[1] * f_x) / length])
+    return Balance(
+        loads, wrenches, pairs, reaches, np.linalg.inv(np.linalg.cholesky(covariance)), family.columns
+    )  # fmt: skip
+
+
+def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced]:
+    """Amounts of a family's columns from pushes with forces, by weighed least squares."""
+    newtons = float(np.median(np.hypot(*pushes.force.T)))
+    count = family.columns.shape[1]
+    amounts = np.full(count, newtons / count)
+    for _ in range(ROUNDS):
+        problem = balance(pushes, family, family.columns @ amounts)
+        found = solve_balance(problem)
+        amounts = found.amounts
+    return problem, found
+
+
+def solve_balance(problem: Balance) -> Balanced:
+    """The cone program: least squares of residuals over amounts >= 0 and forces of places at rest."""
+    number, _, count = problem.loads.shape
+    pairs = len(problem.pairs)
+    matrix = _matrix(problem)
+    target = np.einsum("nab,nb->na", problem.whitening, problem.wrenches).ravel()
+    rows, variables = 3 * number, count + 2 * pairs
+    # Variables are amounts, forces and residuals.
+    free = sparse.csc_matrix((variables, variables))
+    quadratic = sparse.block_diag([free, sparse.eye(rows)]).tocsc()
+    links = sparse.hstack([matrix, -sparse.eye(rows)])
+    positive = sparse.hstack([-sparse.eye(count), sparse.csc_matrix((count, 2 * pairs + rows))])
+    cones = _cones(problem, variables + rows)
+    settings = clarabel.DefaultSettings()
+    settings.verbose = False
+    settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = 1e-10
+    solver = clarabel.DefaultSolver(
+        quadratic, np.zeros(variables + rows), sparse.vstack([links, positive, cones]).tocsc(),
+        np.concatenate([target, np.zeros(count + 3 * pairs)]),
+        [clarabel.ZeroConeT(rows), clarabel.NonnegativeConeT(count)] + [clarabel.SecondOrderConeT(3)] * pairs,
+        settings,
+    )  # fmt: skip
+    found = np.array(solver.solve().x)
+    amounts = found[:count]
+    amounts = np.where(amounts > 1e-7 * max(amounts.max(), 0.0), amounts, 0.0)
+    forces = found[count:variables].reshape(-1, 2)
+    residuals = (matrix @ np.append(amounts, forces.ravel()) - target).reshape(-1, 3)
+    return Balanced(amounts, forces, residuals, _violation(problem, amounts, residuals, target))
+
+
+def _matrix(problem: Balance) -> Any:
+    """Whitened wrenches of amounts and of forces at rest, shape (3 n, c + 2 m)."""
+    whole = np.einsum("nab,nbc->nac", problem.whitening, problem.loads)
+    push = problem.pairs[:, 0]
+    each = problem.whitening[push] @ problem.reaches
+    rows = 3 * push[:, None, None] + np.arange(3)[:, None]
+    columns = 2 * np.arange(len(push))[:, None, None] + np.arange(2)
+    rows, columns = np.broadcast_arrays(rows, columns)
+    forces = sparse.csc_matrix(
+        (each.ravel(), (rows.ravel(), columns.ravel())), shape=(3 * len(problem.loads), 2 * len(push))
+    )  # fmt: skip
+    return sparse.hstack([sparse.csc_matrix(whole.reshape(-1, whole.shape[2])), forces]).tocsc()
+
+
+def _cones(problem: Balance, variables: int) -> Any:
+    """Rows of the cones: the weight of a place at rest bounds its force."""
+    count, pairs = problem.columns.shape[1], len(problem.pairs)
+    weights = problem.columns[problem.pairs[:, 1]]
+    which, column = np.nonzero(weights)
+    index = np.arange(pairs)
+    rows = np.concatenate([3 * which, 3 * index + 1, 3 * index + 2])
+    columns = np.concatenate([column, count + 2 * index, count + 2 * index + 1])
+    values = -np.concatenate([weights[which, column], np.ones(2 * pairs)])
+    return sparse.csc_matrix((values, (rows, columns)), shape=(3 * pairs, variables))
+
+
+def _violation(problem: Balance, amounts: Array, residuals: Array, target: Array) -> float:
+    """Largest violation of the conditions of optimality, relative to that of no support at all.
+
+    The slope of half the sum of squares along an amount is not negative, and zero where the amount is
+    positive. The force of a place at rest is its weight, against its own slope.
+    """
+
+    def slopes(errors: Array) -> Array:
+        whitened = np.einsum("nab,na->nb", problem.whitening, errors)
+        push, place = problem.pairs.T
+        pull = np.einsum("mab,ma->mb", problem.reaches, whitened[push])
+        bounded = np.hypot(*pull.T) @ problem.columns[place] if len(push) else 0.0
+        return np.asarray(np.einsum("nac,na->c", problem.loads, whitened) - bounded)
+
+    now, before = slopes(residuals), slopes(-target.reshape(-1, 3))
+    size = float(np.abs(before).max())
+    least = float(-now.min() / size)
+    complementary = float(np.abs(amounts * now).max() / (size * max(amounts.max(), 1e-300)))
+    return max(least, complementary, 0.0)

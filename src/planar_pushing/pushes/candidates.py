@@ -1,0 +1,105 @@
+"""Families of supports: places within an outline, and columns of weights on them that add up."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.first_touch import Sides, nearest, sides_of
+from planar_pushing.terms.errors import InvalidValue
+
+#: Places per extent of the outline, where forces were measured and where not.
+FINE, COARSE = 15, 6
+#: Places per extent that stand for an even pressure.
+EVEN = 12
+#: Ellipses, as fractions of the ellipse with the outline's moments that are no larger than it.
+ELLIPSES = np.linspace(0.2, 1.2, 6)
+#: Most candidates that are allowed.
+MOST = 5000
+
+
+class Family(NamedTuple):
+    """Supports of a family: weights on places are sums of columns, each times a number >= 0.
+
+    `places` have shape (k, 2), `columns` (k, c), each with sum 1.
+    """
+
+    places: Array
+    columns: Array
+
+
+def points(outline: Array, spacing: float) -> Family:
+    """A weight of its own at each place of a grid, and at each corner."""
+    places = with_corners(outline, spacing)
+    return Family(places, np.eye(len(places)))
+
+
+def even_and_corners(outline: Array, spacing: float) -> Family:
+    """An even pressure, and a weight at each corner."""
+    even = inside(outline, np.ptp(outline, axis=0).max() / EVEN, 0.5)
+    first = np.concatenate([np.full(len(even), 1.0 / len(even)), np.zeros(len(outline))])
+    corners = np.concatenate([np.zeros((len(even), len(outline))), np.eye(len(outline))])
+    return Family(np.concatenate([even, outline]), np.column_stack([first, corners]))
+
+
+def ellipse(outline: Array, spacing: float) -> Family:
+    """Even pressures within ellipses about the centroid, along the outline's principal axes."""
+    places = inside(outline, np.ptp(outline, axis=0).max() / EVEN, 0.5)
+    away = places - places.mean(axis=0)
+    # An even ellipse extends to twice the root of its second moments.
+    reach = np.sqrt((away @ np.linalg.inv(np.cov(away.T)) * away).sum(axis=1)) / 2.0
+    columns = (reach[:, None] <= ELLIPSES).astype(float)
+    columns = columns[:, columns.any(axis=0)]
+    return Family(places, columns / columns.sum(axis=0))
+
+
+def pressure_map(outline: Array, spacing: float) -> Family:
+    """A pressure that is linear between the nodes of a grid."""
+    places = inside(outline, spacing / 3.0, 0.5)
+    low, high = outline.min(axis=0), outline.max(axis=0)
+    counts = np.maximum(np.round((high - low) / spacing).astype(int), 1)
+    hats = [
+        np.clip(
+            1.0
+            - np.abs(
+                (places[:, k, None] - low[k]) / (high - low)[k] * counts[k]
+                - np.arange(counts[k] + 1)
+            ),
+            0.0,
+            None,
+        )
+        for k in (0, 1)
+    ]
+    columns = (hats[0][:, :, None] * hats[1][:, None, :]).reshape(len(places), -1)
+    columns = columns[:, columns.sum(axis=0) > 0.0]
+    return Family(places, columns / columns.sum(axis=0))
+
+
+FAMILIES: dict[str, Callable[[Array, float], Family]] = {
+    "points": points, "even_and_corners": even_and_corners, "ellipse": ellipse, "map": pressure_map,
+}  # fmt: skip
+
+
+def inside(outline: Array, spacing: float, offset: float = 0.0) -> Array:
+    """Places of a grid over an outline's extent, within it; with an offset of a half, centers of cells."""
+    low, high = outline.min(axis=0), outline.max(axis=0)
+    counts = np.maximum(np.round((high - low) / spacing).astype(int), 1)
+    marks = [
+        np.linspace(low[k], high[k], counts[k] + 1)
+        if offset == 0.0
+        else low[k] + (np.arange(counts[k]) + offset) / counts[k] * (high - low)[k]
+        for k in (0, 1)
+    ]
+    grid = np.stack(np.meshgrid(*marks, indexing="ij"), axis=-1).reshape(-1, 2)
+    sides = sides_of(outline)
+    return np.asarray(grid[nearest(sides, grid).gap <= 1e-9 * sides.scale])
+
+
+def with_corners(outline: Array, spacing: float) -> Array:
+    """Places of a grid within an outline, and its corners."""
+    grid = inside(outline, spacing)
+    apart = np.hypot(*np.moveaxis(outline[:, None] - grid, -1, 0)).min(axis=1)
+    return np.concatenate([grid, outline[apart > spacing / 4.0]])

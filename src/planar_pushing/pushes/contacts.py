@@ -1,0 +1,127 @@
+"""Contacts of pushes: sides that a finger may meet, and the motion that each leads to.
+
+A finger that touches a side first meets that side. At a corner it meets the one or the other side, with the
+normal of each, or sticks to the corner, with a force between the two normals.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.first_touch import nearest, sides_of
+from planar_pushing.pushes.measured import Measured
+
+#: A finger that leaves a side within this fraction of its way does not push it.
+AT_ONCE = 1e-3
+#: A contact at the end of a side is this fraction of the object's size away from it.
+INSIDE = 1e-9
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Contacts:
+    """Contacts of pushes, arrays over the m contacts, in the object's frame before the push.
+
+    Attributes
+    ----------
+    push : ndarray of int, shape (m,)
+        Number of the push, increasing.
+    point, normal : ndarray, shape (m, 2)
+    start, end : ndarray, shape (m,)
+        Ends of the side along its tangent, the normal turned by -90 degrees, from the point.
+    path : ndarray, shape (m, parts, 2)
+        Displacements of the finger's center over equal parts of its way.
+    radius : ndarray, shape (m,)
+        Of the finger.
+    sticks : ndarray of bool, shape (m,)
+        Whether the finger sticks to a corner.
+    aligned : ndarray, shape (m,)
+        Cosine of the angle between this normal and that of the finger at first touch.
+    """
+
+    push: Array
+    point: Array
+    normal: Array
+    start: Array
+    end: Array
+    path: Array
+    radius: Array
+    sticks: Array
+    aligned: Array
+
+    @property
+    def tangent(self) -> Array:
+        """Unit tangents, along x of the fence frame, shape (m, 2)."""
+        return np.column_stack([self.normal[:, 1], -self.normal[:, 0]])
+
+
+class Ends(NamedTuple):
+    """Where motions end: poses (x, y, angle) over (..., contacts, 3), and how long the contact lasts.
+
+    `lasted` is the fraction of the finger's way, shape (..., contacts).
+    """
+
+    poses: Array
+    lasted: Array
+
+
+class Model(Protocol):
+    """A model of the friction of a support, in the object's frame."""
+
+    def ends(self, contacts: Contacts, friction: float) -> Ends:
+        """Displacements of the object's frame by the pushes, under a friction coefficient."""
+
+    def wrenches(self, twists: Array) -> Array:
+        """Directions of the wrenches under twists of shape (n, 3)."""
+
+    def motions(self, wrenches: Array) -> Array:
+        """Directions of the twists under wrenches of shape (n, 3), NaN where there is none."""
+
+
+def contacts_of(pushes: Measured) -> Contacts:
+    """The contacts of pushes: one at a side, three at a corner."""
+    sides, corner = sides_of(pushes.outline), pushes.at_corner
+    at = nearest(sides, pushes.contact)
+    vertex = np.hypot(*np.moveaxis(pushes.contact[:, None] - sides.start, -1, 0)).argmin(axis=1)
+    found: list[tuple[int, int, float, bool]] = []
+    for i in range(len(pushes)):
+        if not corner[i]:
+            found.append((i, int(at.side[i]), float(at.place[i]), False))
+            continue
+        before, behind = (int(vertex[i]) - 1) % len(sides.length), int(vertex[i])
+        found += [
+            (i, before, float(sides.length[before]), False),
+            (i, behind, 0.0, False),
+            (i, behind, 0.0, True),
+        ]
+    push, side, place, sticks = (np.array(each) for each in zip(*found, strict=True))
+    normal = np.where(sticks[:, None], pushes.normal[push], sides.normal[side])
+    start = np.where(sticks, -np.inf, -np.maximum(place, INSIDE * sides.scale))
+    end = np.where(sticks, np.inf, np.maximum(sides.length[side] - place, INSIDE * sides.scale))
+    return Contacts(
+        push=push, point=pushes.contact[push], normal=normal, start=start, end=end,
+        path=pushes.path[push], radius=np.where(sticks, 0.0, pushes.radius[push]), sticks=sticks,
+        aligned=(normal * pushes.normal[push]).sum(axis=1),
+    )  # fmt: skip
+
+
+def final_poses(model: Model, pushes: Measured, friction: float) -> Array:
+    """Displacement of the object's frame by each push, and its rotation, shape (n, 3).
+
+    At a corner the side that lasts longest is pushed, of equals the one whose normal is nearest the
+    finger's; where both are left at once the finger sticks to the corner.
+    """
+    contacts = contacts_of(pushes)
+    ends = model.ends(contacts, friction)
+    return chosen(contacts, ends)
+
+
+def chosen(contacts: Contacts, ends: Ends) -> Array:
+    """Of each push the motion of one of its contacts."""
+    lasted = np.where(contacts.sticks, AT_ONCE, ends.lasted)
+    order = np.lexsort([-contacts.aligned, -lasted, contacts.push])
+    _, first = np.unique(contacts.push[order], return_index=True)
+    return np.asarray(ends.poses[order[first]])

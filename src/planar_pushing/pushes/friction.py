@@ -1,0 +1,42 @@
+"""Friction between finger and object, from the forces of pushes whose contact slips."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.pushes.measured import Measured
+
+#: A contact slips that travels this many standard deviations of its position, and this fraction of the way.
+SURE, FRACTION = 3.0, 0.1
+
+
+class Friction(NamedTuple):
+    """Ratios of tangential to normal force, of the pushes that slip and of those that stick."""
+
+    slipping: Array
+    sticking: Array
+
+    @property
+    def coefficient(self) -> float:
+        """Median ratio of the pushes that slip; without one the largest ratio of those that stick."""
+        if len(self.slipping):
+            return float(np.median(self.slipping))
+        return float(self.sticking.max(initial=0.0))
+
+
+def contact_friction(pushes: Measured) -> Friction:
+    """Friction ratios of side pushes with forces, by whether the contact slips."""
+    chosen = pushes.part(pushes.has_force & ~pushes.at_corner)
+    tangent = np.column_stack([chosen.normal[:, 1], -chosen.normal[:, 0]])
+    travel = ((chosen.last_contacts - chosen.contact) * tangent).sum(axis=1)
+    # A finger that sticks rolls along the side.
+    slip = np.abs(travel + chosen.radius * chosen.rotation)
+    way = np.hypot(*chosen.finger.T)
+    slips = (slip > SURE * chosen.noise[0]) & (slip > FRACTION * way)
+    along, into = ((chosen.force * each).sum(axis=1) for each in (tangent, chosen.normal))
+    pushing = into > 0.0
+    ratio = np.abs(along) / np.where(pushing, into, 1.0)
+    return Friction(ratio[slips & pushing], ratio[~slips & pushing])

@@ -1,0 +1,108 @@
+"""The result of `identify`: the support of an object, and how well its pushes determine it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.cluster.hierarchy import fcluster, linkage
+
+from planar_pushing.mechanics.numerics.arrays import same
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports import Points
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Identified:
+    """The support of an object that its pushes tell, in the object's frame.
+
+    Attributes
+    ----------
+    support : Points
+        The candidates that carry weight; their weights add up to 1.
+    weight : float
+        mu_s W, the support's friction in a translation, in the force's unit; NaN where no force was
+        measured.
+    contact_friction : float
+        Friction coefficient between finger and object; NaN where the pushes do not tell.
+    center_of_pressure : ndarray, shape (2,)
+    spin_torque : float
+        Mean distance of the pressure from its center: the torque of friction in spinning about it, over
+        `weight`.
+    intervals : dict
+        90 percent confidence intervals (low, high) of `weight`, `contact_friction`, `center_of_pressure_x`,
+        `center_of_pressure_y` and `spin_torque`, from pushes drawn anew.
+    weight_intervals : ndarray, shape (points, 2)
+        The same of the weight of each point of the support.
+    residuals : ndarray, shape (pushes,)
+        Error of each push: of its wrench in standard deviations where its force was measured, otherwise of
+        the final pose, as a length (`length` times the angle); NaN of a push that was not used.
+    facet : ndarray of int, shape (pushes,)
+        Number of the point of the support about which the object turned under less than its full friction;
+        -1 elsewhere, and where no force was measured.
+    length : float
+        Turns angles into lengths and torques into forces: the outline's radius of gyration.
+    spacing : float
+        Distance between candidates.
+    optimality : float
+        Largest violation of the conditions of optimality (Karush, Kuhn and Tucker), relative to the data.
+        With forces the problem is convex: there is no better support among the candidates.
+    undetermined : tuple of str
+        One sentence for each part that the pushes do not determine.
+    """
+
+    support: Points
+    weight: float
+    contact_friction: float
+    center_of_pressure: Array
+    spin_torque: float
+    intervals: dict[str, tuple[float, float]]
+    weight_intervals: Array
+    residuals: Array
+    facet: Array
+    length: float
+    spacing: float
+    optimality: float
+    undetermined: tuple[str, ...]
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
+    def __repr__(self) -> str:
+        x, y = self.center_of_pressure
+        return (
+            f"Identified({len(self.support.positions)} points, weight={self.weight:.4g}, "
+            f"contact_friction={self.contact_friction:.4g}, center_of_pressure=({x:.4g}, {y:.4g}), "
+            f"spin_torque={self.spin_torque:.4g})"
+        )
+
+    @property
+    def feet(self) -> Points:
+        """The support with neighboring points joined: a foot between candidates shares its weight with them.
+
+        Points within one and a half spacings of each other are one foot at their center of pressure.
+        """
+        places, weights = np.array(self.support.positions), np.array(self.support.weights)
+        if len(places) == 1:
+            return self.support
+        groups = fcluster(linkage(places, "single"), 1.5 * self.spacing, criterion="distance")
+        loads = np.bincount(groups, weights)[1:]
+        centers = [np.bincount(groups, weights * each)[1:] / loads for each in places.T]
+        return Points(np.column_stack(centers), loads)
+
+
+def moments_of(places: Array, weights: Array) -> tuple[Array, float]:
+    """Center of pressure, and mean distance of the pressure from it."""
+    share = weights / weights.sum()
+    center = share @ places
+    return center, float(share @ np.hypot(*(places - center).T))
+
+
+def summary(places: Array, weights: Array, weight: float, friction: float) -> dict[str, float]:
+    """The numbers of a support whose intervals are given."""
+    (x, y), torque = moments_of(places, weights)
+    return {
+        "weight": weight, "contact_friction": friction, "center_of_pressure_x": float(x),
+        "center_of_pressure_y": float(y), "spin_torque": torque,
+    }  # fmt: skip

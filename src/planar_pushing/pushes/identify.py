@@ -1,0 +1,197 @@
+"""`identify`: the support that a slider really has, from its pushes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.outline import required_outline
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports import Points
+from planar_pushing.pushes.candidates import FAMILIES, Family
+from planar_pushing.pushes.estimate import Estimate, from_forces, from_motions
+from planar_pushing.pushes.identified import Identified, moments_of, summary
+from planar_pushing.pushes.measured import Measured, measured
+from planar_pushing.pushes.schema import required_pushes
+from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
+
+#: Candidates along the outline's extent by default, with forces and without; they are fewer for few pushes.
+WITH_FORCES, WITHOUT = 15, 6
+#: Columns of a family that a push may determine at most: with forces weights >= 0 settle the others.
+COLUMNS_WITH_FORCES, COLUMNS_WITHOUT = 12.0, 2.5
+#: Ends of the intervals, percent.
+ENDS = 5.0, 95.0
+#: A weight below this fraction is none.
+LEAST = 1e-4
+#: Candidates along the outline's extent at most.
+MOST_PARTS = 100
+
+
+def identify(
+    pushes: xr.Dataset,
+    outline: Any = None,
+    *,
+    spacing: float | None = None,
+    known: Any = None,
+    family: str = "points",
+    resamples: int = 200,
+    seed: int = 0,
+    progress: bool = False,
+) -> Identified:
+    """Identify the support of an object from measured pushes.
+
+    Parameters
+    ----------
+    pushes : xarray.Dataset
+        Pushes of one object (`load_pushes`, `pushes_from_poses`).
+    outline : array_like, shape (n, 2), or an object with `coords` or `exterior`, optional
+        Corners of the object in its frame; by default those of the dataset.
+    spacing : float, optional
+        Distance between candidate points; by default a fifteenth of the outline's extent with forces and a
+        sixth without, and more for few pushes.
+    known : Points, or array_like of shape (n, 2), optional
+        Places of the feet, where only their weights are sought.
+    family : {"points", "even_and_corners", "ellipse", "map"}
+        Supports among which one is sought: a weight at each candidate; an even pressure and a weight at each
+        corner; even pressures within ellipses; a pressure that is linear between candidates.
+    resamples : int
+        How often the pushes are drawn anew for the intervals.
+    seed : int
+        Of these draws.
+    progress : bool
+        Whether to show a progress bar.
+
+    Returns
+    -------
+    Identified
+
+    Raises
+    ------
+    InvalidValue
+        Where the pushes are those of several objects, or too few for the candidates; a value is not allowed.
+
+    Notes
+    -----
+    At a measured twist t each load is linear in the weights, ``w = sum_j p_j l(r_j, t)``, so with forces the
+    weights follow by least squares over p >= 0, each residual in its standard deviations. A point that
+    moves less than its motion is known carries any force up to p_j, and the residual is the distance from
+    that set: a cone program. Without forces weights and contact friction are those whose simulated pushes
+    (`simulate_batch`) end nearest to the measured poses. With forces of some pushes only, both. Pushes that
+    touch a corner first are left out of final poses.
+    """
+    checked = required_pushes(pushes)
+    corners = None if outline is None else np.array(required_outline(outline))
+    every = measured(checked, corners)
+    count = int(require_positive("resamples", resamples, "draw the pushes at least once"))
+    generator = np.random.default_rng(seed)
+    forced = every.has_force
+    chosen, distance = _family(every, forced, spacing, known, family)
+    posed = ~forced & ~every.at_corner
+    parts, first = [], None
+    if forced.any():
+        first = from_forces(every.part(forced), chosen, count, generator)
+        parts.append((forced, first[0]))
+    if posed.any():
+        parts.append(
+            (posed, from_motions(every.part(posed), chosen, first, count, generator, progress))
+        )
+    residuals, facet = np.full(len(every), np.nan), np.full(len(every), -1)
+    for rows, each in parts:
+        residuals[rows], facet[rows] = each.residuals, each.facet
+    return _identified(every, chosen, distance, parts[-1][1], residuals, facet)
+
+
+def _family(
+    pushes: Measured, forced: Array, spacing: float | None, known: Any, name: str
+) -> tuple[Family, float]:
+    """The candidates, few enough for the pushes, and their distance."""
+    if known is not None:
+        places = np.array((known if isinstance(known, Points) else Points(known)).positions)
+        return Family(places, np.eye(len(places))), float(spacing or pushes.size / WITH_FORCES)
+    if name not in FAMILIES:
+        raise InvalidValue(
+            "family", name, ", ".join(FAMILIES), suggestion(name, FAMILIES, "name one of these families")
+        )  # fmt: skip
+    with_forces = int(forced.sum())
+    most = COLUMNS_WITH_FORCES * with_forces + COLUMNS_WITHOUT * (len(pushes) - with_forces)
+    if spacing is not None:
+        size = require_positive("spacing", spacing, "give a distance in the outline's unit")
+        found = _not_too_many(FAMILIES[name], pushes, size)
+        _require_enough(found, most, len(pushes))
+        return found, size
+    for parts in range(WITH_FORCES if with_forces else WITHOUT, 0, -1):
+        found = FAMILIES[name](pushes.outline, pushes.size / parts)
+        if found.columns.shape[1] <= most:
+            break
+    _require_enough(found, most, len(pushes))
+    return found, pushes.size / parts
+
+
+def _not_too_many(family: Any, pushes: Measured, spacing: float) -> Family:
+    """Refuse a grid that is finer than any push could tell, before it is made."""
+    least = pushes.size / MOST_PARTS
+    if spacing < least:
+        raise InvalidValue(
+            "spacing", spacing, f"at least {least:.6g}, a hundredth of the outline's extent",
+            "give a distance in the outline's unit",
+        )  # fmt: skip
+    found: Family = family(pushes.outline, spacing)
+    return found
+
+
+def _require_enough(family: Family, most: float, pushes: int) -> None:
+    """Refuse more candidates than the pushes can tell apart."""
+    count = family.columns.shape[1]
+    if count > most:
+        raise InvalidValue(
+            "pushes", f"{pushes} pushes for {count} candidates", f"at most {int(most)} candidates for them",
+            "measure more pushes, give a larger spacing, or choose the family even_and_corners",
+        )  # fmt: skip
+
+
+def _identified(
+    pushes: Measured,
+    family: Family,
+    spacing: float,
+    estimate: Estimate,
+    residuals: Array,
+    facet: Array,
+) -> Identified:
+    """The result, of the places that carry weight."""
+    weights = family.columns @ estimate.amounts
+    kept = weights > LEAST * weights.sum()
+    places, carried = family.places[kept], weights[kept] / weights[kept].sum()
+    drawn = estimate.draws @ family.columns.T
+    forces = not any(each.startswith("weight") for each in estimate.doubts)
+    rows = [
+        summary(family.places, row, float(row.sum()) if forces else np.nan, mu)
+        for row, mu in zip(drawn, estimate.frictions, strict=True)
+    ]
+    intervals = {
+        name: tuple(map(float, np.percentile([row[name] for row in rows], ENDS)))
+        for name in rows[0]
+    }
+    center, torque = moments_of(family.places, weights)
+    shares = drawn[:, kept] / drawn.sum(axis=1, keepdims=True)
+    number = np.cumsum(kept) - 1
+    return Identified(
+        support=Points(places, carried), weight=float(weights.sum()) if forces else np.nan,
+        contact_friction=estimate.friction, center_of_pressure=center, spin_torque=torque,
+        intervals=intervals, weight_intervals=np.percentile(shares, ENDS, axis=0).T,
+        residuals=residuals, facet=np.where((facet >= 0) & kept[facet], number[facet], -1),
+        length=pushes.length, spacing=spacing, optimality=estimate.optimality,
+        undetermined=(*estimate.doubts, *_untold(estimate)),
+    )  # fmt: skip
+
+
+def _untold(estimate: Estimate) -> tuple[str, ...]:
+    """A sentence where the pushes determine fewer combinations of weights than there are candidates."""
+    count, told = len(estimate.amounts), int((estimate.told > 1.0).sum())
+    if told >= count:
+        return ()
+    return (
+        f"weights of single points: the pushes determine {told} combinations of {count} candidates; others "
+        "follow from weights >= 0",
+    )  # fmt: skip
