@@ -66,7 +66,11 @@ def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -
     _refuse("normal", wrong, normal, "a vector of length 1", "divide it by its length", numbers)
     wrong = ~_inward(sides, contact, normal)
     _refuse("normal", wrong, normal, "a vector into the object", "turn it around", numbers)
-    moved = np.hypot(*(middle_displacement(pushes, sides)).T)
+    moved = np.hypot(
+        *middle_displacement(
+            pushes["displacement"].values, np.deg2rad(pushes["rotation"].values), sides.start
+        ).T
+    )
     limit = f"at most {JUMP:g} times the size {scale:.6g} of {name}"
     _refuse(
         "displacement", moved > JUMP * scale, moved, limit, "the pose jumps: leave it out", numbers
@@ -76,14 +80,11 @@ def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -
     _refuse("finger_displacement", away, finger, limit, "check the sign and the frame", numbers)
 
 
-def middle_displacement(pushes: xr.Dataset, sides: Sides) -> Array:
-    """Displacement of the mean of the corners of pushed objects, shape (n, 2)."""
-    x, y = sides.start.mean(axis=0)
-    angle = np.deg2rad(pushes["rotation"].values)
-    turned = np.stack(
-        [np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y], -1
-    )
-    return np.asarray(pushes["displacement"].values + turned - (x, y))
+def middle_displacement(displacement: Array, rotation: Array, corners: Array) -> Array:
+    """Displacement of the mean of an object's corners, shape (n, 2); rotation in radians."""
+    x, y = corners.mean(axis=0)
+    c, s = np.cos(rotation) - 1.0, np.sin(rotation)
+    return np.asarray(displacement + np.stack([c * x - s * y, s * x + c * y], axis=-1))
 
 
 def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:

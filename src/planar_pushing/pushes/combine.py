@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.schema import NOISE, VARIABLES, required_pushes, without_padding
-from planar_pushing.terms.errors import InvalidValue, suggestion
+from planar_pushing.terms.errors import InvalidValue, require_path, suggestion
 
 
 def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
@@ -75,6 +76,19 @@ def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
             parts[name] = variable.dims, _joined(arrays), held[0][name].attrs
     found = xr.Dataset(parts, {"object": list(objects), "xy": ["x", "y"]}, _attributes(each))
     return required_pushes(found)
+
+
+def require_file_names(files: Sequence[Any]) -> None:
+    """Refuse no file, and files that would give two objects one name."""
+    stems = [Path(require_path("files", file)).stem for file in files]
+    if not stems:
+        raise InvalidValue("files", "none", "at least one file", "name the files to read")
+    if len(set(stems)) < len(stems):
+        again = next(stem for k, stem in enumerate(stems) if stem in stems[:k])
+        raise InvalidValue(
+            "files", f"two files named {again}", "files of different names, which name the objects",
+            "rename one of them",
+        )  # fmt: skip
 
 
 def _require_same_units(each: list[xr.Dataset]) -> None:
