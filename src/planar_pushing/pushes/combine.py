@@ -10,12 +10,15 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.schema import NOISE, VARIABLES, required_pushes, without_padding
+from planar_pushing.pushes.schema import NOISE, VARIABLES, required_pushes
 from planar_pushing.terms.errors import InvalidValue, require_path, suggestion
+
+#: Dimensions that NaN fills, each with a variable over it as its second dimension.
+PADDED = {"corner": "outline", "foot": "feet", "sample": "finger_path"}
 
 
 def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
-    """The pushes of one object, whose dimension `object` stays.
+    """The pushes of one object, whose dimension `object` stays, without what is not known of it.
 
     Raises
     ------
@@ -30,12 +33,17 @@ def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
     if not len(rows):
         raise InvalidValue("object", name, "an object that is pushed", "name another one")
     found = pushes.isel(push=rows, object=[names.index(name)])
-    corners = len(without_padding(found["outline"].values[0]))
-    feet = len(without_padding(found["feet"].values[0])) if "feet" in found else 0
-    found = found.isel(corner=slice(corners))
-    if "foot" not in found.dims:
-        return found
-    return found.isel(foot=slice(feet)) if feet else found.drop_dims("foot")
+    unknown = [
+        key for key, each in VARIABLES.items()
+        if key in found and not each.complete and not found[key].notnull().any()
+    ]  # fmt: skip
+    found = found.drop_vars(unknown)
+    lengths = {
+        dim: int(np.max(np.nonzero(np.isfinite(found[key].values))[1])) + 1
+        for dim, key in PADDED.items()
+        if key in found
+    }
+    return found.isel({dim: slice(length) for dim, length in lengths.items()})
 
 
 def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
