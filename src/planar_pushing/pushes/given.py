@@ -40,7 +40,9 @@ def object_parts(feet: Any, loads: Any, center_of_mass: Any, mass: float | None)
         found["feet"] = rows_of("feet", feet, 2)[None]
     if loads is not None:
         shares = numbers("foot_weights", loads)
-        if feet is None or shares.shape != found["feet"].shape[1:2] or not (shares >= 0.0).all():
+        known = not np.isnan(shares).all()
+        wrong = feet is None or shares.shape != found["feet"].shape[1:2]
+        if wrong or (known and not ((shares >= 0.0).all() and shares.sum() > 0.0)):
             raise InvalidValue(
                 "foot_weights", loads, "a number >= 0 for each foot", "give feet and loads"
             )

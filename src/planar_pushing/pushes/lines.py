@@ -60,10 +60,12 @@ class Lines:
     def count(self, kind: str, least: int = 0) -> int:
         """A whole number on a line of its own."""
         found = self.next_numbers(kind)
-        if len(found) != 1 or found[0] != int(found[0]) or found[0] < least:
+        if len(found) != 1:
             raise self.wrong(
                 f"holds {len(found)} numbers, where {kind} is expected: the counts do not fit"
             )
+        if found[0] != int(found[0]) or found[0] < least:
+            raise self.wrong(f"holds {found[0]:g}, where {kind} is expected, at least {least}")
         return int(found[0])
 
     def rows(self, count: int, width: int, kind: str) -> Array:
