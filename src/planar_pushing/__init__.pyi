@@ -51,10 +51,17 @@ from .mechanics.supports import (
     fit_ellipsoid,
 )
 from .mechanics.wrench import potential, wrench
+from .objects.first_touch import Touch, first_touch
 from .objects.inverse import Push, pushes_for
 from .objects.mjcf import to_mjcf
 from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
+from .pushes.combine import concat_pushes
+from .pushes.files import load_pushes, save_pushes
+from .pushes.mit import read_mit
+from .pushes.poses import pushes_from_poses
+from .pushes.simulated import simulate_pushes
+from .pushes.three_feet import read_three_feet
 from .simulation.batch import simulate_batch
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
@@ -110,17 +117,21 @@ __all__ = [
     "Solutions",
     "Status",
     "SupportFriction",
+    "Touch",
     "Units",
     "Until",
     "Viscous",
     "WrenchSet",
     "animate",
     "can_pull",
+    "concat_pushes",
     "conservative_motion_cone",
     "draw",
+    "first_touch",
     "fit_ellipsoid",
     "friction_cone",
     "limit_curve",
+    "load_pushes",
     "load_scene",
     "motion_angle",
     "motion_centers",
@@ -130,10 +141,15 @@ __all__ = [
     "plot_log",
     "potential",
     "pushes_for",
+    "pushes_from_poses",
+    "read_mit",
+    "read_three_feet",
+    "save_pushes",
     "save_scene",
     "scene_at",
     "simulate",
     "simulate_batch",
+    "simulate_pushes",
     "slips_while_pushing",
     "solve",
     "spin_ratio",

@@ -17,6 +17,7 @@ from planar_pushing.commands import (
     compilation,
     completion,
     cone,
+    convert,
     init,
     plan,
     query,
@@ -31,7 +32,7 @@ from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
 
 #: Help, version and completion import these modules, so none imports numpy before its command runs.
 COMMANDS = (
-    solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, compilation,
+    solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, convert, compilation,
     completion,
 )  # fmt: skip
 #: Exit codes besides 0: input that cannot be used, Ctrl-C, and a reader that has gone, as shells count.

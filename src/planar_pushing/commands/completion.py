@@ -9,7 +9,7 @@ import argparse
 from collections.abc import Iterable
 from typing import Any
 
-from planar_pushing.commands import query
+from planar_pushing.commands import convert, query
 from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.study.catalog import DATASETS, opened
 from planar_pushing.study.studies import PAPER
@@ -31,6 +31,7 @@ VALUES = {
 WORDS = {
     "query": (*(name for name in opened() if not name.endswith("/NAME")), *AXES),
     "completion": tuple(SHELLS),
+    "convert": tuple(convert.FORMATS),
 }
 #: Files are completed where nothing else fits, and after an option that takes any other value.
 SCRIPT = """{start}_planar_pushing() {{

@@ -20,7 +20,7 @@ UNIT = 1e-6
 JUMP = 3.0
 #: Largest error of fractions of the load and of the end of a finger's path, relative.
 ROUNDING = 1e-6
-#: Ratios of lengths between which one of the two is in metres and the other in millimetres.
+#: Ratios of lengths between which one of the two is in meters and the other in millimeters.
 THOUSAND = (300.0, 30000.0)
 
 
@@ -66,7 +66,11 @@ def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -
     _refuse("normal", wrong, normal, "a vector of length 1", "divide it by its length", numbers)
     wrong = ~_inward(sides, contact, normal)
     _refuse("normal", wrong, normal, "a vector into the object", "turn it around", numbers)
-    moved = np.hypot(*(middle_displacement(pushes, sides)).T)
+    moved = np.hypot(
+        *middle_displacement(
+            pushes["displacement"].values, np.deg2rad(pushes["rotation"].values), sides.start
+        ).T
+    )
     limit = f"at most {JUMP:g} times the size {scale:.6g} of {name}"
     _refuse(
         "displacement", moved > JUMP * scale, moved, limit, "the pose jumps: leave it out", numbers
@@ -76,14 +80,11 @@ def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -
     _refuse("finger_displacement", away, finger, limit, "check the sign and the frame", numbers)
 
 
-def middle_displacement(pushes: xr.Dataset, sides: Sides) -> Array:
-    """Displacement of the mean of the corners of pushed objects, shape (n, 2)."""
-    x, y = sides.start.mean(axis=0)
-    angle = np.deg2rad(pushes["rotation"].values)
-    turned = np.stack(
-        [np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y], -1
-    )
-    return np.asarray(pushes["displacement"].values + turned - (x, y))
+def middle_displacement(displacement: Array, rotation: Array, corners: Array) -> Array:
+    """Displacement of the mean of an object's corners, shape (n, 2); rotation in radians."""
+    x, y = corners.mean(axis=0)
+    c, s = np.cos(rotation) - 1.0, np.sin(rotation)
+    return np.asarray(displacement + np.stack([c * x - s * y, s * x + c * y], axis=-1))
 
 
 def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:
@@ -103,7 +104,7 @@ def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:
             raise InvalidValue(
                 variable, f"a typical length of {size:.4g}, where {known} {other:.4g}",
                 f"lengths of {name} in one unit",
-                "check the units: these look like metres and millimetres",
+                "check the units: these look like meters and millimeters",
             )  # fmt: skip
 
 
@@ -121,24 +122,24 @@ def _inward(sides: Sides, contact: Array, normal: Array) -> npt.NDArray[np.bool_
 
 
 def _require_paths(pushes: xr.Dataset) -> None:
-    """Paths begin at zero, end with the finger's displacement, and take time."""
+    """Paths begin at zero, end with the finger's displacement, and take time; a straight one may be NaN."""
     path, times = pushes["finger_path"].values, pushes["path_time"].values
     known = np.isfinite(path).all(axis=2) & np.isfinite(times)
     count = known.sum(axis=1)
     gaps = known != (np.arange(known.shape[1]) < count[:, None])
+    limit = "at least two samples and NaN after the last alone, or NaN for a straight path"
     _refuse(
-        "finger_path", gaps.any(axis=1) | (count < 2), count,
-        "two samples at least, and NaN after the last alone", "leave out samples that are missing",
-    )  # fmt: skip
+        "finger_path", gaps.any(axis=1) | (count == 1), path, limit, "leave out what is missing"
+    )
     last = path[np.arange(len(path)), count - 1]
     finger = pushes["finger_displacement"].values
     error = np.hypot(*path[:, 0].T) + np.hypot(*(last - finger).T)
     _refuse(
-        "finger_path", error > ROUNDING * np.hypot(*finger.T), last,
+        "finger_path", error > ROUNDING * np.hypot(*finger.T), path,
         "displacements since the first touch, from 0 to finger_displacement", "subtract the first",
     )  # fmt: skip
     falls = (np.diff(times, axis=1) <= 0.0).any(axis=1)
-    _refuse("path_time", falls, count, "times that increase", "put the samples in order")
+    _refuse("path_time", falls, times, "times that increase", "put the samples in order")
 
 
 def _require_shares(pushes: xr.Dataset) -> None:
@@ -177,5 +178,6 @@ def _refuse(
     rows = np.flatnonzero(wrong)
     first = rows[0] if numbers is None else numbers[rows[0]]
     more = f" and {len(rows) - 1} more" if len(rows) > 1 else ""
-    value = np.array2string(np.asarray(values[rows[0]]), precision=6, separator=", ")
+    value = np.array2string(np.asarray(values[rows[0]]), precision=6, separator=", ", threshold=8)
+    value = " ".join(value.split())
     raise InvalidValue(name, f"{value} of {dim} {first}{more}", allowed, remedy)

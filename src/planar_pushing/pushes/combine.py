@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.schema import NOISE, VARIABLES, required_pushes, without_padding
-from planar_pushing.terms.errors import InvalidValue, suggestion
+from planar_pushing.pushes.schema import NOISE, VARIABLES, required_pushes
+from planar_pushing.terms.errors import InvalidValue, require_path, suggestion
+
+#: Dimensions that NaN fills, each with a variable over it as its second dimension.
+PADDED = {"corner": "outline", "foot": "feet", "sample": "finger_path"}
 
 
 def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
-    """The pushes of one object, whose dimension `object` stays.
+    """The pushes of one object, whose dimension `object` stays, without what is not known of it.
 
     Raises
     ------
@@ -29,12 +33,17 @@ def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
     if not len(rows):
         raise InvalidValue("object", name, "an object that is pushed", "name another one")
     found = pushes.isel(push=rows, object=[names.index(name)])
-    corners = len(without_padding(found["outline"].values[0]))
-    feet = len(without_padding(found["feet"].values[0])) if "feet" in found else 0
-    found = found.isel(corner=slice(corners))
-    if "foot" not in found.dims:
-        return found
-    return found.isel(foot=slice(feet)) if feet else found.drop_dims("foot")
+    unknown = [
+        key for key, each in VARIABLES.items()
+        if key in found and not each.complete and not found[key].notnull().any()
+    ]  # fmt: skip
+    found = found.drop_vars(unknown)
+    lengths = {
+        dim: int(np.max(np.nonzero(np.isfinite(found[key].values))[1])) + 1
+        for dim, key in PADDED.items()
+        if key in found
+    }
+    return found.isel({dim: slice(length) for dim, length in lengths.items()})
 
 
 def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
@@ -75,6 +84,19 @@ def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
             parts[name] = variable.dims, _joined(arrays), held[0][name].attrs
     found = xr.Dataset(parts, {"object": list(objects), "xy": ["x", "y"]}, _attributes(each))
     return required_pushes(found)
+
+
+def require_file_names(files: Sequence[Any]) -> None:
+    """Refuse no file, and files that would give two objects one name."""
+    stems = [Path(require_path("files", file)).stem for file in files]
+    if not stems:
+        raise InvalidValue("files", "none", "at least one file", "name the files to read")
+    if len(set(stems)) < len(stems):
+        again = next(stem for k, stem in enumerate(stems) if stem in stems[:k])
+        raise InvalidValue(
+            "files", f"two files named {again}", "files of different names, which name the objects",
+            "rename one of them",
+        )  # fmt: skip
 
 
 def _require_same_units(each: list[xr.Dataset]) -> None:

@@ -129,7 +129,8 @@ def corners_of(pushes: xr.Dataset, name: str) -> Array:
 
 def without_padding(places: Array) -> Array:
     """Places of shape (n, 2) without the rows of NaN at their end."""
-    return places[: len(places) - int(np.isnan(places).all(axis=1)[::-1].cumprod().sum())]
+    empty = np.asarray(np.isnan(places).all(axis=1))
+    return places[: len(places) - int(empty[::-1].cumprod().sum())]
 
 
 def padded(arrays: list[Array]) -> Array:
@@ -215,10 +216,10 @@ def _numbers(given: xr.Dataset, name: str) -> Array:
         raise InvalidValue(name, str(given[name].dtype), "numbers", "give floats") from None
     bad = np.asarray(~np.isfinite(values) if variable.complete else np.isinf(values))
     if bad.any():
-        place = f"{variable.dims[0]} {int(np.argwhere(bad)[0][0])}"
+        place = f"{variable.dims[0]} {int(np.nonzero(bad)[0][0])}"
         raise InvalidValue(
             name,
-            f"{values[bad][0]} of {place}",
+            f"{values[np.nonzero(bad)][0]} of {place}",
             "finite numbers",
             "leave out pushes that are not measured",
         )

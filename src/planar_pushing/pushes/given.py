@@ -1,0 +1,70 @@
+"""Values that a user gives with pushes: arrays of numbers, parts of the object, noise."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.pushes.schema import NOISE
+from planar_pushing.terms.errors import InvalidValue, as_floats, require_number
+
+
+def numbers(name: str, given: Any) -> Array:
+    """Numbers as an array, or `InvalidValue`."""
+    try:
+        return np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InvalidValue(name, given, "an array of numbers", "give floats") from None
+
+
+def rows_of(name: str, given: Any, width: int, count: int | None = None) -> Array:
+    """Finite numbers of shape (n, width), or `InvalidValue`."""
+    found = numbers(name, given)
+    if found.ndim != 2 or found.shape[1] != width or count not in (None, len(found)):
+        allowed = f"shape ({'n' if count is None else count}, {width})"
+        raise InvalidValue(name, f"shape {found.shape}", allowed, "give a row for each push")
+    if not np.isfinite(found).all():
+        row = int(np.argwhere(~np.isfinite(found))[0][0])
+        raise InvalidValue(
+            name, f"{found[row]} of push {row}", "finite numbers", "leave out what was not measured"
+        )
+    return found
+
+
+def object_parts(feet: Any, loads: Any, center_of_mass: Any, mass: float | None) -> dict[str, Any]:
+    """Variables of the object that are given."""
+    found: dict[str, Any] = {}
+    if feet is not None:
+        found["feet"] = rows_of("feet", feet, 2)[None]
+    if loads is not None:
+        shares = numbers("foot_weights", loads)
+        known = not np.isnan(shares).all()
+        wrong = feet is None or shares.shape != found["feet"].shape[1:2]
+        if wrong or (known and not ((shares >= 0.0).all() and shares.sum() > 0.0)):
+            raise InvalidValue(
+                "foot_weights", loads, "a number >= 0 for each foot", "give feet and loads"
+            )
+        found["foot_weight"] = (shares / shares.sum())[None]
+    if center_of_mass is not None:
+        found["center_of_mass"] = rows_of("center_of_mass", [center_of_mass], 2, 1)
+    if mass is not None:
+        found["mass"] = np.array([mass], dtype=float)
+    return found
+
+
+def noise_attributes(given: Any) -> dict[str, float]:
+    """The attributes that name the noise."""
+    if given is None:
+        return {}
+    if len(as_floats(given)) != len(NOISE):
+        raise InvalidValue(
+            "noise", given, "three numbers: position, angle in degrees, force", "give all"
+        )
+    return {
+        name: require_number(
+            name, each, lambda x: 0.0 <= x < np.inf, "a number >= 0", "give 0 for none"
+        )
+        for name, each in zip(NOISE, given, strict=True)
+    }

@@ -1,0 +1,275 @@
+"""Pushes from poses of an object and places of a finger in the world."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+
+from planar_pushing.mechanics.outline import Corners, required_outline, size
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.first_touch import Touch, first_touch
+from planar_pushing.pushes.checks import JUMP, ON_OUTLINE, middle_displacement
+from planar_pushing.pushes.given import noise_attributes, numbers, object_parts, rows_of
+from planar_pushing.pushes.path import Path, after_touch, required_path
+from planar_pushing.pushes.schema import VARIABLES, XY, padded, required_pushes
+from planar_pushing.terms.errors import InvalidValue
+
+#: Distances of the finger from the object, in sizes of the outline, beyond which the units differ.
+FAR, NEAR = 100.0, 0.01
+#: Rounding of an overlap, in sizes of the outline.
+ROUNDING = 1e-9
+#: Most numbers of pushes that a message lists.
+LISTED = 8
+
+
+class Frames(NamedTuple):
+    """Frames of an object before and after each push, arrays over the pushes; angles in radians."""
+
+    origin: Array
+    angle: Array
+    displacement: Array
+    rotation: Array
+
+    def places(self, points: Array) -> Array:
+        """Places in the world, shape (n, m, 2), in the object's frame before the push."""
+        return turned(points - self.origin[:, None], -self.angle[:, None])
+
+
+def pushes_from_poses(
+    *,
+    outline: Any,
+    poses_before: npt.ArrayLike,
+    poses_after: npt.ArrayLike,
+    finger_start: npt.ArrayLike | None = None,
+    finger_end: npt.ArrayLike | None = None,
+    finger_radius: float = 0.0,
+    force: npt.ArrayLike | None = None,
+    feet: npt.ArrayLike | None = None,
+    foot_weights: npt.ArrayLike | None = None,
+    center_of_mass: npt.ArrayLike | None = None,
+    mass: float | None = None,
+    finger_path: npt.ArrayLike | None = None,
+    path_time: npt.ArrayLike | None = None,
+    units: tuple[str, str] = ("mm", "N"),
+    name: str = "object",
+    source: str = "",
+    noise: tuple[float, float, float] | None = None,
+    tolerance: float | None = None,
+    skip_missed: bool = False,
+) -> xr.Dataset:
+    """Pushes of one object from its poses and the finger's places, all in the world.
+
+    Parameters
+    ----------
+    outline : array_like, shape (corners, 2), or an object with `coords` or `exterior`
+        Corners of the object in order, in its own frame.
+    poses_before, poses_after : array_like, shape (n, 3)
+        (x, y, angle) of the object's frame in the world before and after each push, angles in radians.
+    finger_start, finger_end : array_like, shape (n, 2)
+        Center of the finger before and after each push; it moves straight from one to the other.
+    finger_radius : float
+        Of a point 0.
+    force : array_like, shape (n, 2), optional
+        Mean force of the finger on the object during each push, along the world's axes; NaN where it was
+        not measured.
+    feet : array_like, shape (feet, 2), optional
+        Where the object rests, in its frame.
+    foot_weights : array_like, shape (feet,), optional
+        Loads of the feet, in any unit.
+    center_of_mass : (x, y), optional
+        In the object's frame.
+    mass : float, optional
+        In kg.
+    finger_path : array_like, shape (n, samples, 2), instead of finger_start and finger_end
+        Centers of the finger over time; after the end of a shorter path NaN.
+    path_time : array_like, shape (n, samples)
+        Times of the samples of `finger_path`, in seconds.
+    units : (str, str)
+        Names of the units of lengths and forces.
+    name : str
+        Name of the object.
+    source : str
+        Where the measurements come from.
+    noise : (float, float, float), optional
+        Standard deviations of positions, of angles in degrees, and of forces.
+    tolerance : float, optional
+        Depth at which a finger may overlap the object at the start of a push, as noise makes it: it then
+        touches at once. By default 2 % of the size of the outline.
+    skip_missed : bool
+        Whether pushes that do not touch the object are left out; their number is then the attribute
+        `left_out`.
+
+    Returns
+    -------
+    xarray.Dataset
+        As `load_pushes` returns it: the contact, normal and finger's displacement from the first touch on,
+        and the object's displacement and rotation, in the object's frame before the push.
+
+    Raises
+    ------
+    InvalidValue
+        Where shapes differ, a value is missing, lengths are in two units, a push does not touch the object
+        or begins deeper in it than the tolerance, or a pose jumps.
+    """
+    corners = required_outline(outline)
+    frames = _frames(
+        rows_of("poses_before", poses_before, 3), rows_of("poses_after", poses_after, 3)
+    )
+    count = len(frames.angle)
+    world = required_path(finger_start, finger_end, finger_path, path_time, count)
+    path = world._replace(points=frames.places(world.points))
+    _require_one_unit(corners, path.points[:, 0])
+    _refuse_jumps(corners, frames)
+    slack = ON_OUTLINE * size(np.array(corners)) if tolerance is None else tolerance
+    rows, touch, after = _touching(corners, path, finger_radius, slack, skip_missed)
+    forces = None if force is None else _forces(force, frames)
+    found: dict[str, Any] = {
+        "outline": np.array(corners)[None],
+        **object_parts(feet, foot_weights, center_of_mass, mass),
+        "contact": touch.contact[rows],
+        "normal": touch.normal[rows],
+        "finger_displacement": np.array([each.points[-1] for each in after]),
+        **({} if path.times is None else _path(after)),
+        "finger_radius": np.full(len(rows), float(finger_radius)),
+        "displacement": frames.displacement[rows],
+        "rotation": np.rad2deg(frames.rotation[rows]),
+        **({} if forces is None else {"force": forces[rows]}),
+    }
+    given = {
+        key: (VARIABLES[key].dims, each, _unit(VARIABLES[key].quantity, units))
+        for key, each in found.items()
+    }
+    pushed = {"pushed": ("push", np.full(len(rows), name, dtype=object))}
+    attributes = {"source": source, **noise_attributes(noise)} | (
+        {"left_out": count - len(rows)} if skip_missed else {}
+    )
+    return required_pushes(xr.Dataset(pushed | given, {"object": [name], "xy": XY}, attributes))
+
+
+def turned(vectors: Array, angle: Array) -> Array:
+    """Vectors of shape S + (2,) turned by angles of shape S, radians."""
+    c, s = np.cos(angle), np.sin(angle)
+    x, y = vectors[..., 0], vectors[..., 1]
+    return np.stack([c * x - s * y, s * x + c * y], axis=-1)
+
+
+def _frames(before: Array, after: Array) -> Frames:
+    """Frames before the pushes, and the motion of the object in them."""
+    if len(before) != len(after):
+        raise InvalidValue(
+            "poses_after",
+            f"{len(after)} poses",
+            f"{len(before)}, as poses_before has",
+            "give both of each push",
+        )
+    rotation = (after[:, 2] - before[:, 2] + np.pi) % (2.0 * np.pi) - np.pi
+    moved = turned(after[:, :2] - before[:, :2], -before[:, 2])
+    return Frames(before[:, :2], before[:, 2], moved, rotation)
+
+
+def _require_one_unit(corners: Corners, starts: Array) -> None:
+    """Refuse fingers that are as far from the object, or as near to its middle, as in another unit."""
+    places = np.array(corners)
+    scale = size(places)
+    far = float(np.median(np.hypot(*(starts - places.mean(axis=0)).T))) if len(starts) else scale
+    if not NEAR * scale <= far <= FAR * scale:
+        raise InvalidValue(
+            "finger_start", f"{far:.4g} from the middle of an outline of size {scale:.4g}",
+            "lengths in one unit", "check the units of outline, poses and finger",
+        )  # fmt: skip
+
+
+def _refuse_jumps(corners: Corners, frames: Frames) -> None:
+    """Refuse poses between which the object moves further than any push moves it."""
+    places = np.array(corners)
+    moved = np.hypot(*middle_displacement(frames.displacement, frames.rotation, places).T)
+    jumps = np.flatnonzero(moved > JUMP * size(places))
+    if len(jumps):
+        raise InvalidValue(
+            "poses_after", f"an object that moves by {moved[jumps[0]]:.4g}, in pushes {listed(jumps)}",
+            f"at most {JUMP:g} times its size {size(places):.4g}", "the pose jumps: leave the push out",
+        )  # fmt: skip
+
+
+def _touching(
+    corners: Corners, path: Path, radius: float, tolerance: float, skip_missed: bool
+) -> tuple[npt.NDArray[np.intp], Touch, list[Path]]:
+    """Numbers of the pushes that touch, all first touches, and the paths from there on."""
+    touch, leg = _first(corners, path, radius, tolerance)
+    depth = touch.overlap
+    deep = np.flatnonzero(depth > tolerance + ROUNDING * size(np.array(corners)))
+    if len(deep):
+        raise InvalidValue(
+            "finger_start",
+            f"a finger that begins {depth[deep[0]]:.4g} deep in the object, in pushes {listed(deep)}",
+            f"an overlap of at most {tolerance:.4g}",
+            "check poses, frame, radius and units, or raise the tolerance",
+        )  # fmt: skip
+    rows = np.flatnonzero(np.isfinite(touch.way))
+    after = [after_touch(path, int(row), int(leg[row]), float(touch.way[row])) for row in rows]
+    forward = [
+        one.points[-1] @ touch.normal[row] > 0.0 for row, one in zip(rows, after, strict=True)
+    ]
+    pushing = [k for k, each in enumerate(forward) if each]
+    missed = np.setdiff1d(np.arange(len(leg)), rows[pushing])
+    if len(missed) and (not skip_missed or len(missed) == len(leg)):
+        raise InvalidValue(
+            "pushes", f"{len(missed)} of {len(leg)} that do not touch the object: {listed(missed)}",
+            "pushes that touch it", "leave them out, or set skip_missed=True where some touch",
+        )  # fmt: skip
+    return rows[pushing], touch, [after[k] for k in pushing]
+
+
+def _first(
+    corners: Corners, path: Path, radius: float, tolerance: float
+) -> tuple[Touch, npt.NDArray[np.intp]]:
+    """First touch along the legs of each path, and its leg; the overlap is that at the start."""
+    start, motion = path.points[:, :-1], np.diff(path.points, axis=1)
+    known = np.isfinite(motion).all(axis=2, keepdims=True)
+    # A leg that is not there begins at a corner and stays there, which is no touch.
+    every = first_touch(
+        corners,
+        np.where(known, start, corners[0]),
+        np.where(known, motion, 0.0),
+        radius,
+        tolerance=tolerance,
+    )
+    leg = np.isfinite(every.way).argmax(axis=1)
+    rows = np.arange(len(leg))
+    return Touch(
+        contact=every.contact[rows, leg], normal=every.normal[rows, leg], side=every.side[rows, leg],
+        corner=every.corner[rows, leg], way=every.way[rows, leg], overlap=every.overlap[:, 0],
+    ), leg  # fmt: skip
+
+
+def listed(rows: npt.NDArray[np.intp]) -> str:
+    """Numbers of pushes in a message, counted from 0."""
+    shown = ", ".join(str(int(row)) for row in rows[:LISTED])
+    return shown + (f" and {len(rows) - LISTED} more" if len(rows) > LISTED else "")
+
+
+def _forces(given: Any, frames: Frames) -> Array:
+    """Forces along the object's axes midway in its rotation."""
+    found = numbers("force", given)
+    if found.shape != (len(frames.angle), 2):
+        allowed = f"shape ({len(frames.angle)}, 2)"
+        raise InvalidValue(
+            "force", f"shape {found.shape}", allowed, "give NaN where it was not measured"
+        )
+    return turned(found, -(frames.angle + frames.rotation / 2.0))
+
+
+def _path(after: list[Path]) -> dict[str, Array]:
+    """The finger's paths over time, padded to one length."""
+    return {
+        "finger_path": padded([each.points for each in after]),
+        "path_time": padded([np.asarray(each.times) for each in after]),
+    }
+
+
+def _unit(quantity: str, units: tuple[str, str]) -> dict[str, str]:
+    names = dict(zip(("length", "force"), units, strict=True))
+    return {"units": names[quantity]} if quantity in names else {}

@@ -1,0 +1,241 @@
+"""Pushes of a known support, simulated, with noise as measurements have it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.contact import ContactLaw, Coulomb
+from planar_pushing.mechanics.effects import Effect, SupportFriction
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports import Points
+from planar_pushing.objects.first_touch import Sides, nearest, sides_of
+from planar_pushing.objects.scene_at import scene_at
+from planar_pushing.pushes.given import noise_attributes
+from planar_pushing.pushes.poses import pushes_from_poses, turned
+from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.simulate import simulate
+from planar_pushing.terms.errors import InvalidValue, require_number, require_positive
+
+#: Part of a side at each end where no push begins.
+MARGIN = 0.05
+#: Largest angle between a push and the normal of its side, radians.
+WIDEST = math.radians(60.0)
+#: Law of the contact, that of a smooth finger.
+CONTACT = Coulomb(0.25)
+#: Distance of a push, in sizes of the outline.
+DISTANCE = 0.1
+#: Instants of a simulation, and the fraction of them at the start that the mean force leaves out.
+SAMPLES, SETTLING = 101, 0.3
+#: Depth of a finger in the object that is rounding, in sizes of the outline.
+ROUNDING = 1e-6
+#: Draws for each push, on average, after which the object leaves the finger too often.
+DRAWS = 50
+
+
+class Drawn(NamedTuple):
+    """A push that is drawn: its contact, the side's inward normal, and the direction of the finger."""
+
+    point: Array
+    normal: Array
+    direction: Array
+
+
+class Pushed(NamedTuple):
+    """A push that was simulated: the finger's start, the pose of the object after, and the mean force."""
+
+    start: Array
+    end: Array
+    pose: Array
+    force: Array
+
+
+def simulate_pushes(
+    effects: Sequence[Effect],
+    outline: Any,
+    n: int,
+    *,
+    noise: tuple[float, float, float] | None = None,
+    seed: int = 0,
+    contact: ContactLaw = CONTACT,
+    distance: float | None = None,
+    finger_radius: float = 0.0,
+    units: tuple[str, str] = ("mm", "N"),
+    name: str = "object",
+) -> xr.Dataset:
+    """Straight pushes of an object on a known support, as an experiment would measure them.
+
+    Parameters
+    ----------
+    effects : sequence of SupportFriction
+        In the object's frame: quasi-static.
+    outline : array_like, shape (corners, 2), or an object with `coords` or `exterior`
+        Corners of the object in order, in its frame.
+    n : int
+        Number of pushes.
+    noise : (float, float, float), optional
+        Standard deviations of the noise that is added to each component of the displacement, to the
+        rotation in degrees, and to each component of the force.
+    seed : int
+        The same seed makes the same dataset. Noise does not change which pushes are drawn.
+    contact : ContactLaw
+        Between the finger and the object.
+    distance : float, optional
+        How far the finger moves in contact, by default a tenth of the size of the outline.
+    finger_radius : float
+        Of a point 0.
+    units : (str, str)
+        Names of the units of lengths and forces.
+    name : str
+        Name of the object.
+
+    Returns
+    -------
+    xarray.Dataset
+        As `load_pushes` returns it. Where the support is `Points`, `feet` and `foot_weight` are the truth.
+
+    Raises
+    ------
+    InvalidValue
+        Where an effect is not friction, a number is not allowed, or the finger leaves the sides too often.
+
+    Notes
+    -----
+    Places are uniform over the outline but for 5 % at either end of each side, directions are uniform
+    within 60 degrees of the normal. A push during which the finger leaves its side is drawn anew. The force
+    is the mean over the last 70 % of the push along the world's axes, turned into the object's axes midway
+    in its rotation.
+    """
+    friction = _required_friction(effects)
+    count = _whole("n", n, 1)
+    sides = sides_of(outline)
+    draws, errors = np.random.default_rng(_whole("seed", seed, 0)).spawn(2)
+    given = DISTANCE * sides.scale if distance is None else distance
+    reach = require_positive("distance", given, "give a length")
+    radius = _required_radius(finger_radius)
+    found: list[Pushed] = []
+    for _ in range(DRAWS * count):
+        pushed = _pushed(_drawn(sides, draws), sides, friction, contact, reach, radius)
+        found += [] if pushed is None else [pushed]
+        if len(found) == count:
+            return _measured(found, friction, sides, noise, errors, radius, units, name)
+    raise InvalidValue(
+        "distance", reach, f"one over which the finger stays on a side; {len(found)} of {n} pushes do",
+        "push less far",
+    )  # fmt: skip
+
+
+def _drawn(sides: Sides, random: np.random.Generator) -> Drawn:
+    """A random place of the outline and a random direction."""
+    side = random.choice(len(sides.length), p=sides.length / sides.length.sum())
+    place = random.uniform(MARGIN, 1.0 - MARGIN) * sides.length[side]
+    angle = random.uniform(-WIDEST, WIDEST)
+    normal = sides.normal[side]
+    return Drawn(
+        sides.start[side] + place * sides.tangent[side], normal, turned(normal, np.array(angle))
+    )
+
+
+def _pushed(
+    drawn: Drawn,
+    sides: Sides,
+    effects: tuple[Effect, ...],
+    contact: ContactLaw,
+    distance: float,
+    radius: float,
+) -> Pushed | None:
+    """A simulated push at unit speed, from the pose (0, 0, 0); None where the finger leaves its side."""
+    start = drawn.point - radius * drawn.normal
+    slack = ROUNDING * sides.scale
+    if nearest(sides, start[None]).gap[0] < radius - slack:
+        return None
+    scene = scene_at(
+        drawn.point, drawn.normal, effects=effects, contact=contact, outline=sides.start
+    )
+    round_tip: dict[str, Any] = {"radius": radius} if radius > 0.0 else {}
+    velocity = (float(drawn.direction[0]), float(drawn.direction[1]))
+    pusher = Pusher(velocity=velocity, shape="finger", frame="world", **round_tip)
+    log = simulate(
+        scene, pusher=pusher, duration=distance, samples=SAMPLES, object_pose=(0.0, 0.0, 0.0)
+    )
+    if log.attrs["stopped"] or bool(log["parted"].any()):
+        return None
+    pose, angle = log["object_pose"].values[:, :2], np.deg2rad(log["object_pose"].values[:, 2])
+    centers = start + log["time"].values[:, None] * drawn.direction
+    if (nearest(sides, turned(centers - pose, -angle)).gap < radius - slack).any():
+        return None  # the finger would pass through another side
+    force = _mean_force(log, distance, drawn)
+    return Pushed(start, centers[-1], np.append(pose[-1], angle[-1]), force)
+
+
+def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn) -> Array:
+    """Mean force along the world's axes over the last part of a push, at even intervals of time."""
+    times, force = log["time"].values, log["force"].values
+    # A log's +y is the normal at the start, its +x the normal turned by -90 degrees.
+    n_x, n_y = drawn.normal
+    world = np.stack(
+        [force[:, 0] * n_y + force[:, 1] * n_x, -force[:, 0] * n_x + force[:, 1] * n_y], axis=-1
+    )
+    even = np.linspace(SETTLING * duration, duration, SAMPLES)
+    return np.array([np.interp(even, times, part).mean() for part in world.T])
+
+
+def _measured(
+    found: list[Pushed], effects: tuple[SupportFriction, ...], sides: Sides, noise: Any,
+    random: np.random.Generator, radius: float, units: tuple[str, str], name: str,
+) -> xr.Dataset:  # fmt: skip
+    """The dataset of simulated pushes with noise."""
+    poses = np.array([each.pose for each in found])
+    forces = np.array([each.force for each in found])
+    place, angle, strength = (
+        noise_attributes(noise).values() if noise is not None else (0.0, 0.0, 0.0)
+    )
+    poses = poses + random.normal(size=poses.shape) * (place, place, math.radians(angle))
+    forces = forces + strength * random.normal(size=forces.shape)
+    feet, loads = _truth(effects)
+    return pushes_from_poses(
+        outline=sides.start, poses_before=np.zeros_like(poses), poses_after=poses,
+        finger_start=[each.start for each in found], finger_end=[each.end for each in found],
+        finger_radius=radius, force=forces, feet=feet, foot_weights=loads, units=units, name=name,
+        source="simulated", noise=noise,
+    )  # fmt: skip
+
+
+def _required_friction(given: Any) -> tuple[SupportFriction, ...]:
+    """Support friction alone, or `InvalidValue`."""
+    found = tuple(given) if isinstance(given, (list, tuple)) else ()
+    if not found or not all(isinstance(each, SupportFriction) for each in found):
+        raise InvalidValue(
+            "effects", given, "a sequence of SupportFriction", "leave out what is not quasi-static"
+        )
+    return found
+
+
+def _required_radius(given: Any) -> float:
+    """A radius, or `InvalidValue`."""
+    remedy = "give 0 for a point"
+    return require_number(
+        "finger_radius", given, lambda x: 0.0 <= x < math.inf, "a number >= 0", remedy
+    )
+
+
+def _whole(name: str, given: Any, least: int) -> int:
+    """A whole number, or `InvalidValue`."""
+    allowed = f"a whole number >= {least}"
+    return int(
+        require_number(
+            name, given, lambda x: least <= x < math.inf and x == int(x), allowed, "give one"
+        )
+    )
+
+
+def _truth(effects: tuple[SupportFriction, ...]) -> tuple[Any, Any]:
+    """Feet and their loads, where the object rests on feet alone."""
+    support = effects[0].support
+    if len(effects) > 1 or not isinstance(support, Points):
+        return None, None
+    return support.positions, support.weights

@@ -1,0 +1,147 @@
+"""First touch of a moving disc, against distances that are sampled along the way."""
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+
+SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+#: Its corner (0, 0) is reflex.
+ELL = [(-1, -1), (1, -1), (1, 0), (0, 0), (0, 1), (-1, 1)]
+ROOT = np.sqrt(0.5)
+
+
+def distances(outline, points):
+    """Signed distances of points from a polygon, negative inside: a side at a time, winding number."""
+    corners = np.asarray(outline, dtype=float)
+    best, turns = np.full(len(points), np.inf), np.zeros(len(points))
+    for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        side = end - start
+        part = np.clip((points - start) @ side / (side @ side), 0.0, 1.0)
+        best = np.minimum(best, np.linalg.norm(points - start - part[:, None] * side, axis=1))
+        a, b = (start - points) @ (1, 1j), (end - points) @ (1, 1j)
+        turns += np.angle(b * a.conj())
+    return np.where(np.abs(turns) > np.pi, -best, best)
+
+
+def star(random, corners):
+    """A random polygon around the origin, counter-clockwise, with reflex corners."""
+    angles = np.sort(random.uniform(0.0, 2.0 * np.pi, corners))
+    sizes = random.uniform(0.4, 1.0, corners)
+    return np.stack([sizes * np.cos(angles), sizes * np.sin(angles)], axis=-1)
+
+
+@pytest.mark.parametrize(("position", "displacement", "radius", "contact", "normal", "side", "way"), [
+    ((0.3, -3), (0, 4), 0.0, (0.3, -1), (0, 1), 0, 0.5),
+    ((0.3, -3), (0, 4), 0.5, (0.3, -1), (0, 1), 0, 0.375),
+    ((3, 0.2), (-4, 0), 0.5, (1, 0.2), (-1, 0), 1, 0.375),
+    ((-3, -3), (4, 4), 0.0, (-1, -1), (ROOT, ROOT), 3, 0.5),
+    ((-3, -3), (4, 4), ROOT, (-1, -1), (ROOT, ROOT), 3, 0.375),
+    ((-1.3, -3), (0, 5), 0.5, (-1, -1), (0.6, 0.8), 3, 0.32),
+    ((1.3, -3), (0, 5), 0.5, (1, -1), (-0.6, 0.8), 0, 0.32),
+    ((0, -1), (0.1, 0.1), 0.0, (0, -1), (0, 1), 0, 0.0),
+    ((0, -1.5), (0.1, 0.1), 0.5, (0, -1), (0, 1), 0, 0.0),
+    ((0, -2), (0, 1), 0.0, (0, -1), (0, 1), 0, 1.0),
+])  # fmt: skip
+def test_the_square(position, displacement, radius, contact, normal, side, way):
+    touch = pp.first_touch(SQUARE, position, displacement, radius)
+    assert touch.contact == pytest.approx(contact, abs=1e-15)
+    assert touch.normal == pytest.approx(normal, abs=1e-15)
+    assert (int(touch.side), float(touch.way)) == (side, pytest.approx(way, abs=1e-15))
+    assert bool(touch.corner) == (max(map(abs, contact)) == min(map(abs, contact)))
+
+
+@pytest.mark.parametrize(("position", "displacement", "radius"), [
+    ((0, -3), (0, 1), 0.5),  # too short
+    ((0, -3), (0, -4), 0.5),  # away
+    ((-3, -1.5), (6, 0), 0.5),  # along a side
+    ((1.5, -3), (0, 6), 0.5),  # past a corner
+    ((0, -1.5), (1, 0), 0.5),  # along the side that it touches
+    ((0, -1.5), (0.1, -0.1), 0.5),  # off it
+    ((0, -3), (0, 0), 0.5),  # nowhere
+])  # fmt: skip
+def test_one_that_misses_or_grazes_does_not_touch(position, displacement, radius):
+    touch = pp.first_touch(SQUARE, position, displacement, radius)
+    assert np.isnan([*touch.contact, *touch.normal, touch.way]).all()
+    assert (int(touch.side), bool(touch.corner), float(touch.overlap)) == (-1, False, 0.0)
+
+
+def test_a_reflex_corner_is_reached_by_its_sides():
+    starts = [(0.5, 0.5), (0.6, 0.5), (0.5, 0.6)]
+    touch = pp.first_touch(ELL, starts, [(-1, -1)] * 3, [0.2] * 3)
+    assert not touch.corner.any()
+    assert touch.side[1:].tolist() == [2, 3]
+    assert touch.contact[1:] == pytest.approx(np.array([(0.3, 0.0), (0.0, 0.3)]), abs=1e-15)
+    # Both at once: the contact is that of one of them.
+    assert sorted(touch.contact[0].tolist()) == pytest.approx([0.0, 0.2], abs=1e-15)
+    point = pp.first_touch(ELL, (0.5, 0.5), (-1, -1))
+    assert (bool(point.corner), float(point.way)) == (False, pytest.approx(0.5, abs=1e-15))
+    assert point.contact == pytest.approx((0, 0), abs=1e-15)
+
+
+@pytest.mark.parametrize(("position", "radius", "contact", "normal"), [
+    ((0.2, -0.97), 0.0, (0.2, -1), (0, 1)),
+    ((0.2, -1.47), 0.5, (0.2, -1), (0, 1)),
+    ((0.2, -0.99), 0.02, (0.2, -1), (0, 1)),
+    ((-1.27, -1.36), 0.475, (-1, -1), (0.6, 0.8)),
+])  # fmt: skip
+def test_one_that_overlaps_a_little_touches_at_once(position, radius, contact, normal):
+    touch = pp.first_touch(SQUARE, position, (0.1, 0.3), radius, tolerance=0.05)
+    assert touch.contact == pytest.approx(contact, abs=1e-15)
+    assert touch.normal == pytest.approx(normal, abs=1e-15)
+    assert (float(touch.way), 0.0 < touch.overlap <= 0.05) == (0.0, True)
+    deep = pp.first_touch(SQUARE, position, (0.1, 0.3), radius, tolerance=0.01)
+    assert np.isnan(deep.way)
+    assert deep.overlap == touch.overlap
+    away = pp.first_touch(SQUARE, position, (-0.1, -0.3), radius, tolerance=0.05)
+    assert np.isnan(away.way)
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.05, 0.4])
+@pytest.mark.parametrize("corners", [3, 4, 9])
+def test_random_outlines_against_sampled_distances(radius, corners):
+    random = np.random.default_rng([corners, int(100 * radius)])
+    outline = star(random, corners)
+    start = random.normal(size=(300, 2)) * 1.5
+    start = start[distances(outline, start) > radius]
+    motion = random.normal(size=start.shape) - start
+    touch = pp.first_touch(outline, start, motion, radius)
+    assert 20 < np.isfinite(touch.way).sum() < len(start)
+    ways = np.linspace(0.0, 1.0, 400)
+    for k, way in enumerate(touch.way):
+        nearest = distances(outline, start[k] + ways[:, None] * motion[k])
+        if np.isnan(way):
+            assert nearest.min() > radius - 1e-12
+            continue
+        center = start[k] + way * motion[k]
+        assert distances(outline, center[None]) == pytest.approx(radius, abs=1e-12)
+        assert distances(outline, touch.contact[None, k]) == pytest.approx(0.0, abs=1e-12)
+        assert center + radius * touch.normal[k] == pytest.approx(touch.contact[k], abs=1e-12)
+        assert np.hypot(*touch.normal[k]) == pytest.approx(1.0, abs=1e-14)
+        assert (nearest[ways < way] > radius - 1e-12).all()
+        assert touch.normal[k] @ motion[k] > 0.0
+
+
+def test_shapes_are_those_of_the_pushes_and_the_sense_of_the_outline_does_not_count():
+    starts = np.array([[(0.3, -3.0), (0.0, 3.0)], [(5.0, 5.0), (-3.0, 0.1)]])
+    touch = pp.first_touch(SQUARE, starts, -0.9 * starts, np.array([0.1, 0.2]))
+    assert (touch.contact.shape, touch.way.shape) == ((2, 2, 2), (2, 2))
+    assert touch == pp.first_touch(SQUARE[::-1], starts, -0.9 * starts, np.array([0.1, 0.2]))
+    one = pp.first_touch(SQUARE, starts[1, 1], -0.9 * starts[1, 1], 0.2)
+    assert one.way == touch.way[1, 1]
+
+
+@pytest.mark.parametrize(("changed", "said"), [
+    ({"position": (0, np.nan)}, "position: nan given; allowed: finite numbers"),
+    ({"position": (0, 1, 2)}, "position: (3,) given; allowed: shape S + (2,)"),
+    ({"displacement": "up"}, "displacement: 'up' given; allowed: finite numbers"),
+    ({"radius": -0.1}, "radius: -0.1 given; allowed: numbers >= 0; give 0 for a point"),
+    ({"tolerance": -1.0}, "tolerance: -1.0 given; allowed: numbers >= 0"),
+    ({"radius": [0.1, 0.2, 0.3], "position": [(0, 1)] * 2}, "position: ((2, 2), (2,), (3,)) given"),
+    ({"outline": [(0, 0), (1, 1)]}, "outline: "),
+])  # fmt: skip
+def test_wrong_input(changed, said):
+    given = {"outline": SQUARE, "position": (0, -3), "displacement": (0, 1)} | changed
+    with pytest.raises(pp.InvalidValue) as error:
+        pp.first_touch(**given)
+    assert str(error.value).startswith(said)
