@@ -13,6 +13,7 @@ from typing import Any
 import clarabel
 import numpy as np
 from scipy import sparse
+from scipy.special import ive
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.candidates import Family
@@ -105,7 +106,8 @@ def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
     size = np.where(far > 0.0, far, 1.0)
     u_x, u_y = v_x / size, v_y / size
     unit = np.stack([u_x, u_y, (x * u_y - y * u_x) / length], axis=1)
-    loads = np.where(rests[:, None], 0.0, unit) @ family.columns
+    certain = _mean_direction(far / known)
+    loads = np.where(rests[:, None], 0.0, certain[:, None] * unit) @ family.columns
     pairs = np.argwhere(rests & family.columns.any(axis=1))
     reaches = np.zeros((len(pairs), 3, 2))
     reaches[:, 0, 0] = reaches[:, 1, 1] = 1.0
@@ -124,6 +126,16 @@ def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
     return Balance(
         loads, wrenches, pairs, reaches, np.linalg.inv(np.linalg.cholesky(covariance)), family.columns
     )  # fmt: skip
+
+
+def _mean_direction(ratio: Array) -> Array:
+    """Length of the mean of a unit vector along a velocity that is known to a standard deviation.
+
+    Of a velocity that is `ratio` standard deviations long, each component with normal errors. Its friction
+    acts along the true velocity, of which the measured direction says less where it is short.
+    """
+    square = ratio**2 / 4.0
+    return np.asarray(np.sqrt(np.pi / 8.0) * ratio * (ive(0, square) + ive(1, square)))
 
 
 def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced]:
