@@ -11,7 +11,13 @@ import xarray as xr
 from planar_pushing.mechanics.outline import Corners, required_outline, size
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.checks import JUMP, ON_OUTLINE, middle_displacement
-from planar_pushing.pushes.given import noise_attributes, numbers, object_parts, rows_of
+from planar_pushing.pushes.given import (
+    noise_attributes,
+    numbers,
+    object_parts,
+    required_units,
+    rows_of,
+)
 from planar_pushing.pushes.path import Path, required_path
 from planar_pushing.pushes.schema import VARIABLES, XY, padded, required_pushes
 from planar_pushing.pushes.touching import listed, touching
@@ -110,7 +116,7 @@ def pushes_from_poses(
         Where shapes differ, a value is missing, lengths are in two units, a push does not touch the object
         or begins deeper in it than the tolerance, or a pose jumps.
     """
-    corners = required_outline(outline)
+    corners, names = required_outline(outline), required_units(units)
     frames = _frames(
         rows_of("poses_before", poses_before, 3), rows_of("poses_after", poses_after, 3)
     )
@@ -134,10 +140,10 @@ def pushes_from_poses(
         "rotation": np.rad2deg(frames.rotation[rows]),
         **({} if forces is None else {"force": forces[rows]}),
     }
-    given = {
-        key: (VARIABLES[key].dims, each, _unit(VARIABLES[key].quantity, units))
-        for key, each in found.items()
-    }
+    given: dict[str, Any] = {}
+    for key, each in found.items():
+        unit = names.get(VARIABLES[key].quantity)
+        given[key] = VARIABLES[key].dims, each, {} if unit is None else {"units": unit}
     pushed = {"pushed": ("push", np.full(len(rows), name, dtype=object))}
     attributes = {"source": source, **noise_attributes(noise)} | (
         {"left_out": count - len(rows)} if skip_missed else {}
@@ -156,11 +162,9 @@ def _frames(before: Array, after: Array) -> Frames:
     """Frames before the pushes, and the motion of the object in them."""
     if len(before) != len(after):
         raise InvalidValue(
-            "poses_after",
-            f"{len(after)} poses",
-            f"{len(before)}, as poses_before has",
+            "poses_after", f"{len(after)} poses", f"{len(before)}, as poses_before has",
             "give both of each push",
-        )
+        )  # fmt: skip
     rotation = (after[:, 2] - before[:, 2] + np.pi) % (2.0 * np.pi) - np.pi
     moved = turned(after[:, :2] - before[:, :2], -before[:, 2])
     return Frames(before[:, :2], before[:, 2], moved, rotation)
@@ -207,8 +211,3 @@ def _path(after: list[Path]) -> dict[str, Array]:
         "finger_path": padded([each.points for each in after]),
         "path_time": padded([np.asarray(each.times) for each in after]),
     }
-
-
-def _unit(quantity: str, units: tuple[str, str]) -> dict[str, str]:
-    names = dict(zip(("length", "force"), units, strict=True))
-    return {"units": names[quantity]} if quantity in names else {}
