@@ -79,6 +79,17 @@ def test_a_reflex_corner_is_reached_by_its_sides():
     assert point.contact == pytest.approx((0, 0), abs=1e-15)
 
 
+@pytest.mark.parametrize(("position", "displacement", "contact", "way"), [
+    ((0.7, 0.2), (-1, 0), (0, 0.2), 0.5),  # along one side of the L to the other
+    ((0.2, 0.2), (-1, 0.5), (0, 0.2), 0.0),  # in touch with both, and away from one
+    ((0.2, 0.2), (0.5, -1), (0.2, 0), 0.0),
+])  # fmt: skip
+def test_one_that_leaves_a_side_that_it_touches_meets_another(position, displacement, contact, way):
+    touch = pp.first_touch(ELL, position, displacement, 0.2)
+    assert touch.contact == pytest.approx(contact, abs=1e-15)
+    assert touch.way == pytest.approx(way, abs=1e-15)
+
+
 @pytest.mark.parametrize(("position", "radius", "contact", "normal"), [
     ((0.2, -0.97), 0.0, (0.2, -1), (0, 1)),
     ((0.2, -1.47), 0.5, (0.2, -1), (0, 1)),

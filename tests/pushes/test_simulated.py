@@ -94,3 +94,26 @@ def test_wrong_input(changes, said):
     with pytest.raises(pp.InvalidValue) as error:
         pp.simulate_pushes(**given)
     assert str(error.value).startswith(said), str(error.value)
+
+
+@pytest.mark.skipif(
+    not hasattr(pp.Pusher, "radius"), reason="a finger of finite radius is not there yet"
+)
+@pytest.mark.parametrize("radius", [0.1, 0.3])
+def test_a_round_finger_ends_at_its_radius_from_the_outline(radius):
+    """Nor does it begin where another side of a reflex corner is nearer than the radius."""
+    found = pp.simulate_pushes(PLATE, ELL, 30, finger_radius=radius)
+    assert (found["finger_radius"] == radius).all()
+    for k in range(30):
+        push = found.isel(push=k)
+        start = push["contact"].values - radius * push["normal"].values
+        end = start + push["finger_displacement"].values - push["displacement"].values
+        end = turn(-np.deg2rad(float(push["rotation"]))) @ end
+        for center in (start, end):
+            assert distance_from_ell(center) == pytest.approx(radius, abs=1e-6)
+
+
+def distance_from_ell(point):
+    """Distance of a point outside from the two rectangles of which the L consists."""
+    middles, halves = np.array([(0, -0.5), (-0.5, 0)]), np.array([(1, 0.5), (0.5, 1)])
+    return np.linalg.norm(np.maximum(abs(point - middles) - halves, 0.0), axis=1).min()

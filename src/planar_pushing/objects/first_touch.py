@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.numerics.arrays import same
-from planar_pushing.mechanics.outline import required_outline, size
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding errors of positions, relative to the numbers that they are computed from.
@@ -48,30 +48,6 @@ class Touch:
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
-
-
-class Sides(NamedTuple):
-    """Sides of an outline, arrays over them; corner k is where side k begins."""
-
-    start: Array
-    tangent: Array
-    normal: Array
-    length: Array
-    convex: npt.NDArray[np.bool_]
-    scale: float
-
-
-class Nearest(NamedTuple):
-    """Nearest places of an outline to points, arrays over the points.
-
-    `place` is the distance from the start of the side, `gap` the distance to the outline, which is negative
-    inside.
-    """
-
-    point: Array
-    side: npt.NDArray[np.intp]
-    place: Array
-    gap: Array
 
 
 def first_touch(
@@ -132,39 +108,6 @@ def first_touch(
     return Touch(**{name: each.reshape(shape + each.shape[1:]) for name, each in found.items()})
 
 
-def sides_of(outline: Any) -> Sides:
-    """Sides of an outline as arrays; errors as in `required_outline`."""
-    corners = np.array(required_outline(outline))
-    along = np.roll(corners, -1, axis=0) - corners
-    length = np.hypot(*along.T)
-    tangent = along / length[:, None]
-    normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=-1) + 0.0
-    convex = (np.roll(normal, 1, axis=0) * tangent).sum(axis=1) > 0.0
-    return Sides(corners, tangent, normal, length, convex, size(corners))
-
-
-def nearest(sides: Sides, points: Array) -> Nearest:
-    """Nearest places of an outline to points of shape (n, 2)."""
-    away = points[:, None] - sides.start
-    along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
-    apart = away - along[..., None] * sides.tangent
-    distance = np.hypot(apart[..., 0], apart[..., 1])
-    side, rows = distance.argmin(axis=1), np.arange(len(points))
-    gap = np.where(_inside(sides, points), -1.0, 1.0) * distance[rows, side]
-    return Nearest(points - apart[rows, side], side, along[rows, side], gap)
-
-
-def _inside(sides: Sides, points: Array) -> npt.NDArray[np.bool_]:
-    """Whether points are inside, by the number of sides that a ray along +x crosses."""
-    ends = np.roll(sides.start, -1, axis=0)
-    y = points[:, None, 1]
-    crosses = (sides.start[:, 1] > y) != (ends[:, 1] > y)
-    # The ray meets a side that rises on the right of the point, one that falls on its left.
-    height = ((points[:, None] - sides.start) * sides.normal).sum(axis=-1)
-    rises = ends[:, 1] > sides.start[:, 1]
-    return np.asarray((crosses & ((height > 0.0) == rises)).sum(axis=1) % 2 == 1)
-
-
 def _touch(
     sides: Sides, start: Array, motion: Array, radius: Array, slack: float
 ) -> dict[str, Any]:
@@ -174,17 +117,13 @@ def _touch(
     )
     near = nearest(sides, start)
     gap = near.gap - radius
-    ways, places = _ways_to_sides(sides, start, motion, radius, error)
-    every = np.concatenate([ways, _ways_to_corners(sides, start, motion, radius)], axis=1)
-    rows, which = np.arange(len(start)), np.where(np.isnan(every), np.inf, every).argmin(axis=1)
-    way, count = every[rows, which], len(sides.length)
-    at_circle = which >= count
-    side = np.where(at_circle, which - count, which)
-    place = np.where(at_circle, 0.0, places[rows, side])
-    # One that begins in touch, or within the tolerance, touches at the nearest point.
-    at_once = (gap <= error) & (gap >= -slack - error)
+    side, place, way = _first_meeting(sides, start, motion, radius, error)
+    # One that begins in touch, or within the tolerance, and moves into the object touches at once.
+    normal = _contact(sides, start, near.side, near.place, error)["normal"]
+    into = (normal * motion).sum(axis=1) > 0.0
+    at_once = into & (gap <= error) & (gap >= -slack - error)
     side, place = np.where(at_once, near.side, side), np.where(at_once, near.place, place)
-    way = np.where(at_once, 0.0, np.where(gap < 0.0, np.nan, way))
+    way = np.where(at_once, 0.0, np.where(gap < -slack - error, np.nan, way))
     found = _contact(sides, start + np.nan_to_num(way)[:, None] * motion, side, place, error)
     missed = np.isnan(way) | ((found["normal"] * motion).sum(axis=1) <= 0.0)
     return {
@@ -197,6 +136,19 @@ def _touch(
     }
 
 
+def _first_meeting(
+    sides: Sides, start: Array, motion: Array, radius: Array, error: Array
+) -> tuple[npt.NDArray[np.intp], Array, Array]:
+    """Side, place on it, and fraction of the motion at which the center first meets the grown object."""
+    ways, places = _ways_to_sides(sides, start, motion, radius, error)
+    every = np.concatenate([ways, _ways_to_corners(sides, start, motion, radius)], axis=1)
+    rows, which = np.arange(len(start)), np.where(np.isnan(every), np.inf, every).argmin(axis=1)
+    count = len(sides.length)
+    at_circle = which >= count
+    side = np.where(at_circle, which - count, which)
+    return side, np.where(at_circle, 0.0, places[rows, side]), every[rows, which]
+
+
 def _ways_to_sides(
     sides: Sides, start: Array, motion: Array, radius: Array, error: Array
 ) -> tuple[Array, Array]:
@@ -205,9 +157,9 @@ def _ways_to_sides(
     height, along = ((away * each).sum(axis=-1) for each in (sides.normal, sides.tangent))
     rate, speed = motion @ sides.normal.T, motion @ sides.tangent.T
     with np.errstate(divide="ignore", invalid="ignore"):
-        way = -(height + radius[:, None]) / rate
+        slack, ahead = error[:, None], -(height + radius[:, None])
+        way = np.where(np.abs(ahead) <= slack, 0.0, ahead) / rate
         place = along + way * speed
-        slack = error[:, None]
         meets = (rate > 0.0) & (way >= 0.0) & (way <= 1.0)
         meets &= (place >= -slack) & (place <= sides.length + slack)
     return np.where(meets, way, np.nan), np.clip(np.nan_to_num(place), 0.0, sides.length)

@@ -9,7 +9,7 @@ import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.first_touch import Sides, nearest, sides_of
+from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Largest distance of a contact from the outline, relative to its size.

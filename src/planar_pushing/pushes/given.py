@@ -22,7 +22,12 @@ def numbers(name: str, given: Any) -> Array:
 def rows_of(name: str, given: Any, width: int, count: int | None = None) -> Array:
     """Finite numbers of shape (n, width), or `InvalidValue`."""
     found = numbers(name, given)
-    if found.ndim != 2 or found.shape[1] != width or count not in (None, len(found)):
+    if (
+        found.ndim != 2
+        or found.shape[1] != width
+        or count not in (None, len(found))
+        or not len(found)
+    ):
         allowed = f"shape ({'n' if count is None else count}, {width})"
         raise InvalidValue(name, f"shape {found.shape}", allowed, "give a row for each push")
     if not np.isfinite(found).all():
@@ -68,3 +73,13 @@ def noise_attributes(given: Any) -> dict[str, float]:
         )
         for name, each in zip(NOISE, given, strict=True)
     }
+
+
+def required_units(given: Any) -> dict[str, str]:
+    """Names of the units of lengths and forces by the quantity, or `InvalidValue`."""
+    names = list(given) if isinstance(given, (tuple, list)) else []
+    if len(names) != 2 or not all(isinstance(each, str) and each for each in names):
+        raise InvalidValue(
+            "units", given, "names of two units, such as (mm, N)", "give both as text"
+        )
+    return dict(zip(("length", "force"), names, strict=True))

@@ -10,19 +10,21 @@ import xarray as xr
 
 from planar_pushing.mechanics.outline import Corners, required_outline, size
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.first_touch import Touch, first_touch
 from planar_pushing.pushes.checks import JUMP, ON_OUTLINE, middle_displacement
-from planar_pushing.pushes.given import noise_attributes, numbers, object_parts, rows_of
-from planar_pushing.pushes.path import Path, after_touch, required_path
+from planar_pushing.pushes.given import (
+    noise_attributes,
+    numbers,
+    object_parts,
+    required_units,
+    rows_of,
+)
+from planar_pushing.pushes.path import Path, required_path
 from planar_pushing.pushes.schema import VARIABLES, XY, padded, required_pushes
+from planar_pushing.pushes.touching import listed, touching
 from planar_pushing.terms.errors import InvalidValue
 
 #: Distances of the finger from the object, in sizes of the outline, beyond which the units differ.
 FAR, NEAR = 100.0, 0.01
-#: Rounding of an overlap, in sizes of the outline.
-ROUNDING = 1e-9
-#: Most numbers of pushes that a message lists.
-LISTED = 8
 
 
 class Frames(NamedTuple):
@@ -114,7 +116,7 @@ def pushes_from_poses(
         Where shapes differ, a value is missing, lengths are in two units, a push does not touch the object
         or begins deeper in it than the tolerance, or a pose jumps.
     """
-    corners = required_outline(outline)
+    corners, names = required_outline(outline), required_units(units)
     frames = _frames(
         rows_of("poses_before", poses_before, 3), rows_of("poses_after", poses_after, 3)
     )
@@ -124,7 +126,7 @@ def pushes_from_poses(
     _require_one_unit(corners, path.points[:, 0])
     _refuse_jumps(corners, frames)
     slack = ON_OUTLINE * size(np.array(corners)) if tolerance is None else tolerance
-    rows, touch, after = _touching(corners, path, finger_radius, slack, skip_missed)
+    rows, touch, after = touching(corners, path, finger_radius, slack, skip_missed)
     forces = None if force is None else _forces(force, frames)
     found: dict[str, Any] = {
         "outline": np.array(corners)[None],
@@ -138,10 +140,10 @@ def pushes_from_poses(
         "rotation": np.rad2deg(frames.rotation[rows]),
         **({} if forces is None else {"force": forces[rows]}),
     }
-    given = {
-        key: (VARIABLES[key].dims, each, _unit(VARIABLES[key].quantity, units))
-        for key, each in found.items()
-    }
+    given: dict[str, Any] = {}
+    for key, each in found.items():
+        unit = names.get(VARIABLES[key].quantity)
+        given[key] = VARIABLES[key].dims, each, {} if unit is None else {"units": unit}
     pushed = {"pushed": ("push", np.full(len(rows), name, dtype=object))}
     attributes = {"source": source, **noise_attributes(noise)} | (
         {"left_out": count - len(rows)} if skip_missed else {}
@@ -160,11 +162,9 @@ def _frames(before: Array, after: Array) -> Frames:
     """Frames before the pushes, and the motion of the object in them."""
     if len(before) != len(after):
         raise InvalidValue(
-            "poses_after",
-            f"{len(after)} poses",
-            f"{len(before)}, as poses_before has",
+            "poses_after", f"{len(after)} poses", f"{len(before)}, as poses_before has",
             "give both of each push",
-        )
+        )  # fmt: skip
     rotation = (after[:, 2] - before[:, 2] + np.pi) % (2.0 * np.pi) - np.pi
     moved = turned(after[:, :2] - before[:, :2], -before[:, 2])
     return Frames(before[:, :2], before[:, 2], moved, rotation)
@@ -194,63 +194,6 @@ def _refuse_jumps(corners: Corners, frames: Frames) -> None:
         )  # fmt: skip
 
 
-def _touching(
-    corners: Corners, path: Path, radius: float, tolerance: float, skip_missed: bool
-) -> tuple[npt.NDArray[np.intp], Touch, list[Path]]:
-    """Numbers of the pushes that touch, all first touches, and the paths from there on."""
-    touch, leg = _first(corners, path, radius, tolerance)
-    depth = touch.overlap
-    deep = np.flatnonzero(depth > tolerance + ROUNDING * size(np.array(corners)))
-    if len(deep):
-        raise InvalidValue(
-            "finger_start",
-            f"a finger that begins {depth[deep[0]]:.4g} deep in the object, in pushes {listed(deep)}",
-            f"an overlap of at most {tolerance:.4g}",
-            "check poses, frame, radius and units, or raise the tolerance",
-        )  # fmt: skip
-    rows = np.flatnonzero(np.isfinite(touch.way))
-    after = [after_touch(path, int(row), int(leg[row]), float(touch.way[row])) for row in rows]
-    forward = [
-        one.points[-1] @ touch.normal[row] > 0.0 for row, one in zip(rows, after, strict=True)
-    ]
-    pushing = [k for k, each in enumerate(forward) if each]
-    missed = np.setdiff1d(np.arange(len(leg)), rows[pushing])
-    if len(missed) and (not skip_missed or len(missed) == len(leg)):
-        raise InvalidValue(
-            "pushes", f"{len(missed)} of {len(leg)} that do not touch the object: {listed(missed)}",
-            "pushes that touch it", "leave them out, or set skip_missed=True where some touch",
-        )  # fmt: skip
-    return rows[pushing], touch, [after[k] for k in pushing]
-
-
-def _first(
-    corners: Corners, path: Path, radius: float, tolerance: float
-) -> tuple[Touch, npt.NDArray[np.intp]]:
-    """First touch along the legs of each path, and its leg; the overlap is that at the start."""
-    start, motion = path.points[:, :-1], np.diff(path.points, axis=1)
-    known = np.isfinite(motion).all(axis=2, keepdims=True)
-    # A leg that is not there begins at a corner and stays there, which is no touch.
-    every = first_touch(
-        corners,
-        np.where(known, start, corners[0]),
-        np.where(known, motion, 0.0),
-        radius,
-        tolerance=tolerance,
-    )
-    leg = np.isfinite(every.way).argmax(axis=1)
-    rows = np.arange(len(leg))
-    return Touch(
-        contact=every.contact[rows, leg], normal=every.normal[rows, leg], side=every.side[rows, leg],
-        corner=every.corner[rows, leg], way=every.way[rows, leg], overlap=every.overlap[:, 0],
-    ), leg  # fmt: skip
-
-
-def listed(rows: npt.NDArray[np.intp]) -> str:
-    """Numbers of pushes in a message, counted from 0."""
-    shown = ", ".join(str(int(row)) for row in rows[:LISTED])
-    return shown + (f" and {len(rows) - LISTED} more" if len(rows) > LISTED else "")
-
-
 def _forces(given: Any, frames: Frames) -> Array:
     """Forces along the object's axes midway in its rotation."""
     found = numbers("force", given)
@@ -268,8 +211,3 @@ def _path(after: list[Path]) -> dict[str, Array]:
         "finger_path": padded([each.points for each in after]),
         "path_time": padded([np.asarray(each.times) for each in after]),
     }
-
-
-def _unit(quantity: str, units: tuple[str, str]) -> dict[str, str]:
-    names = dict(zip(("length", "force"), units, strict=True))
-    return {"units": names[quantity]} if quantity in names else {}

@@ -13,7 +13,7 @@ from planar_pushing.mechanics.contact import ContactLaw, Coulomb
 from planar_pushing.mechanics.effects import Effect, SupportFriction
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
-from planar_pushing.objects.first_touch import Sides, nearest, sides_of
+from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.objects.scene_at import scene_at
 from planar_pushing.pushes.given import noise_attributes
 from planar_pushing.pushes.poses import pushes_from_poses, turned

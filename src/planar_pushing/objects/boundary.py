@@ -1,0 +1,68 @@
+"""The sides of an outline as arrays, and the nearest places of it to points."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.mechanics.outline import required_outline, size
+from planar_pushing.mechanics.plane import Array
+
+
+class Sides(NamedTuple):
+    """Sides of an outline, arrays over them; corner k is where side k begins."""
+
+    start: Array
+    tangent: Array
+    normal: Array
+    length: Array
+    convex: npt.NDArray[np.bool_]
+    scale: float
+
+
+class Nearest(NamedTuple):
+    """Nearest places of an outline to points, arrays over the points.
+
+    `place` is the distance from the start of the side, `gap` the distance to the outline, which is negative
+    inside.
+    """
+
+    point: Array
+    side: npt.NDArray[np.intp]
+    place: Array
+    gap: Array
+
+
+def sides_of(outline: Any) -> Sides:
+    """Sides of an outline as arrays; errors as in `required_outline`."""
+    corners = np.array(required_outline(outline))
+    along = np.roll(corners, -1, axis=0) - corners
+    length = np.hypot(*along.T)
+    tangent = along / length[:, None]
+    normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=-1) + 0.0
+    convex = (np.roll(normal, 1, axis=0) * tangent).sum(axis=1) > 0.0
+    return Sides(corners, tangent, normal, length, convex, size(corners))
+
+
+def nearest(sides: Sides, points: Array) -> Nearest:
+    """Nearest places of an outline to points of shape (n, 2)."""
+    away = points[:, None] - sides.start
+    along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
+    apart = away - along[..., None] * sides.tangent
+    distance = np.hypot(apart[..., 0], apart[..., 1])
+    side, rows = distance.argmin(axis=1), np.arange(len(points))
+    gap = np.where(_inside(sides, points), -1.0, 1.0) * distance[rows, side]
+    return Nearest(points - apart[rows, side], side, along[rows, side], gap)
+
+
+def _inside(sides: Sides, points: Array) -> npt.NDArray[np.bool_]:
+    """Whether points are inside, by the number of sides that a ray along +x crosses."""
+    ends = np.roll(sides.start, -1, axis=0)
+    y = points[:, None, 1]
+    crosses = (sides.start[:, 1] > y) != (ends[:, 1] > y)
+    # The ray meets a side that rises on the right of the point, one that falls on its left.
+    height = ((points[:, None] - sides.start) * sides.normal).sum(axis=-1)
+    rises = ends[:, 1] > sides.start[:, 1]
+    return np.asarray((crosses & ((height > 0.0) == rises)).sum(axis=1) % 2 == 1)
