@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.first_touch import Sides, nearest, sides_of
+from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Places per extent of the outline, where forces were measured and where not.

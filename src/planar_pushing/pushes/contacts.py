@@ -12,7 +12,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.first_touch import nearest, sides_of
+from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.measured import Measured
 
 #: A finger that leaves a side within this fraction of its way does not push it.

@@ -11,7 +11,7 @@ import xarray as xr
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.objects.first_touch import nearest, sides_of
+from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.schema import corners_of
 from planar_pushing.terms.errors import InvalidValue
 
