@@ -1,7 +1,7 @@
 """A finger against a flat side, integrated by scipy straight from Newton's law.
 
-Everything is seen from the world; the side is the line n . (c - F) = constant through the finger F. Nothing
-is shared with the package.
+Everything is seen from the world; the side is the line n . (c - F) = constant beside the center F of the
+finger, which may be a disc. Nothing is shared with the package.
 """
 
 from __future__ import annotations
@@ -16,20 +16,21 @@ from scipy.optimize import brentq, root
 class Pushed:
     """A slider that slips along a finger; its support is points, in the body frame.
 
-    `sense` is the sign of the slip, `mass` (m, gyration radius, center), and `velocity` of the finger is
-    a + b t, given as (a, b).
+    `sense` is the sign of the slip, 0 of a contact that sticks (without a mass), `mass` (m, gyration radius,
+    center), `velocity` of the finger is a + b t, given as (a, b), and `radius` is that of the finger.
     """
 
-    def __init__(self, rod, psi, points, weights, mu, sense, velocity, mass=None):
+    def __init__(self, rod, psi, points, weights, mu, sense, velocity, mass=None, radius=0.0):
         self.rod, self.psi, self.mu, self.sense = rod, psi, mu, sense
         self.points, self.weights = np.asarray(points, float), np.asarray(weights, float)
         self.start, self.rate = np.asarray(velocity[0], float), np.asarray(velocity[1], float)
         self.mass, self.gyration, center = mass or (0.0, 1.0, (0.0, 0.0))
-        self.center, self.guess = np.asarray(center, float), None
+        self.center, self.guess, self.radius = np.asarray(center, float), None, radius
 
     def finger(self, t):
-        """Place and velocity of the finger."""
-        return self.start * t + self.rate * t * t / 2, self.start + self.rate * t
+        """Place and velocity of the finger's center; the contact is at the origin at time 0."""
+        place = self.start * t + self.rate * t * t / 2
+        return place - (0.0, self.radius), self.start + self.rate * t
 
     def axes(self, angle):
         """Tangent and normal of the side, and the body frame in the world."""
@@ -55,7 +56,7 @@ class Pushed:
         """Rates of (x, y, angle) of the slider's centre; friction balances the finger's force."""
         place, w = self.finger(t)
         tangent, normal, body = self.axes(state[2])
-        r, e = state[:2] - place, self.edge(tangent, normal)
+        r, e = state[:2] - (place + self.radius * normal), self.edge(tangent, normal)
 
         def lacks(twist):
             v, omega = twist[:2], twist[2]
@@ -69,6 +70,19 @@ class Pushed:
         self.guess = found.x
         return found.x
 
+    def sticking(self, t, state):
+        """Rates of (x, y, angle) where the contact's point moves with the finger: no torque about it."""
+        place, w = self.finger(t)
+        _, normal, body = self.axes(state[2])
+        r = state[:2] - (place + self.radius * normal)
+
+        def about(omega):
+            f, torque = self.friction(body, w + omega * np.array([-r[1], r[0]]), omega)
+            return torque + (r[0] * f[1] - r[1] * f[0])
+
+        omega = brentq(about, -50.0, 50.0, xtol=1e-14, rtol=1e-14)
+        return np.array([*(w + omega * np.array([-r[1], r[0]])), omega])
+
     def dynamic(self, t, state):
         """Rates of place, angle, velocity and rotation of the centre of mass."""
         place, w = self.finger(t)
@@ -76,6 +90,7 @@ class Pushed:
         tangent, normal, body = self.axes(angle)
         offset = body @ self.center
         r, e = state[:2] - place, self.edge(tangent, normal)
+        arm = r - self.radius * normal
         f, torque = self.friction(body, v + omega * np.array([offset[1], -offset[0]]), omega)
         drag = -torque + (offset[0] * f[1] - offset[1] * f[0])
         moment = self.mass * self.gyration**2
@@ -83,7 +98,7 @@ class Pushed:
         def lifts(size):
             """Second derivative of n . (c - F), for the centre of mass c."""
             a = (size * e - f) / self.mass
-            turn = (drag - size * (r[0] * e[1] - r[1] * e[0])) / moment
+            turn = (drag - size * (arm[0] * e[1] - arm[1] * e[0])) / moment
             own = -turn * (tangent @ r) - omega**2 * (normal @ r) - 2 * omega * (tangent @ (v - w))
             # The side is not at rest in the body frame of the centre of mass: its distance is.
             return own + normal @ (a - self.rate), a, turn
@@ -96,7 +111,7 @@ class Pushed:
         """The state at the end, the place of the finger along the side there, and the time of the end."""
         _, _, body = self.axes(self.psi)
         start = self.rod * np.array([math.cos(self.psi), math.sin(self.psi)])
-        rates = self.quasi_static
+        rates = self.quasi_static if self.sense else self.sticking
         if self.mass:
             rates, offset, (v, omega) = self.dynamic, body @ self.center, (twist[:2], twist[2])
             start = [

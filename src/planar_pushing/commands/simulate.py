@@ -37,8 +37,12 @@ OPTIONS: dict[str, tuple[type, str, str]] = {
     ),
     "pusher-shape": (
         str, "NAME",
-        f"{' or '.join(Shape)}: a line against a point of the slider, or a point against a flat side of it "
-        f"(default: the scene file's, or {Shape.FENCE})",
+        f"{' or '.join(Shape)}: a line against a point of the slider, or a point or a disc against a flat "
+        f"side of it (default: the scene file's, or {Shape.FENCE})",
+    ),
+    "pusher-radius": (
+        float, "NUMBER",
+        "radius of the finger, in the scene's length, >= 0 (default: the scene file's, or 0, a point)",
     ),
     "duration": (
         float, "NUMBER",
@@ -110,6 +114,8 @@ def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
     names = (name.replace("-", "_") for name in OPTIONS)
     given = {name: getattr(args, name) for name in names}
     section: dict[str, Any] = file.simulate.model_dump(exclude_none=True) if file.simulate else {}
+    if given["pusher_shape"] == Shape.FENCE:
+        section.pop("pusher_radius", None)
     if given["pusher_angle"] is not None:
         for other in ("pusher", "waypoints"):
             section.pop(other, None)

@@ -82,8 +82,10 @@ def _options(state: State) -> dict[str, Any]:
     options = settings(state)
     if state.start == Start.ACCELERATION:
         x, y = acceleration(state)
-        shape = options["pusher"].shape
-        options["pusher"] = Pusher(velocity=lambda time: (x * time, y * time), shape=shape)
+        given = options["pusher"]
+        options["pusher"] = Pusher(
+            velocity=lambda time: (x * time, y * time), shape=given.shape, radius=given.radius
+        )
     return options
 
 

@@ -61,6 +61,7 @@ def solved(state: State) -> Push:
     side = scene.slider.side if state.shape == Shape.FINGER else None
     sketch = Sketch.of(
         scene, angle, state.magnitude, found=found, chosen=chosen, side=side,
+        finger_radius=state.finger_radius,
         drawn=arrow_length(state),
     )  # fmt: skip
     return Push(state, solutions, chosen, sketch)

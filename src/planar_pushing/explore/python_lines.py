@@ -50,14 +50,20 @@ def _simulate(state: State) -> Iterator[str]:
         yield "def velocity(time):"
         yield f"    return {x!r} * time, {y!r} * time"
         yield ""
-        yield f"pusher = pp.Pusher(velocity=velocity, shape={str(pusher.shape)!r})"
+        yield f"pusher = pp.Pusher(velocity=velocity, {_kind(pusher)})"
     else:
         pieces = [(time, tuple(each)) for time, each in pusher.pieces]
-        yield f"pusher = pp.Pusher(velocity={code(pieces)}, shape={str(pusher.shape)!r})"
+        yield f"pusher = pp.Pusher(velocity={code(pieces)}, {_kind(pusher)})"
     yield "log = pp.simulate("
     yield "    scene, pusher=pusher,"
     yield from (f"    {name}={code(each)}," for name, each in options.items())
     yield ")"
+
+
+def _kind(pusher: Any) -> str:
+    """Shape of the pusher, and radius of a finger that has one."""
+    radius = f", radius={pusher.radius!r}" if pusher.radius else ""
+    return f"shape={str(pusher.shape)!r}{radius}"
 
 
 def settings(state: State) -> dict[str, Any]:

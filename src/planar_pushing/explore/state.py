@@ -69,6 +69,12 @@ class State:
         return Shape(self.file.simulate.pusher_shape) if self.file.simulate else Shape.FENCE
 
     @property
+    def finger_radius(self) -> float:
+        """Radius of the finger, 0 of a point."""
+        given = self.file.simulate
+        return (given.pusher_radius or 0.0) if given else 0.0
+
+    @property
     def duration(self) -> float:
         """Time over which the push is followed."""
         return self.file.simulate.duration if self.file.simulate else 1.0

@@ -91,6 +91,13 @@ def _number(name: str) -> pn.widgets.FloatInput:
     )
 
 
+def _radius(state: State, shape: str) -> dict[str, Any]:
+    """The radius of the finger of a file; a fence has none."""
+    given = state.file.simulate
+    radius = given.pusher_radius if given else None
+    return {"pusher_radius": radius if shape == Shape.FINGER else None}
+
+
 # -- the push ----------------------------------------------------------------------------------------
 
 
@@ -111,7 +118,7 @@ def _push() -> dict[str, Field]:
         "shape": Field(
             _buttons({"Fence": Shape.FENCE, "Finger": Shape.FINGER}),
             lambda state: state.shape,
-            lambda state, shape: simulated(state, pusher_shape=str(shape)),
+            lambda state, shape: simulated(state, pusher_shape=str(shape), **_radius(state, shape)),
         ),
         "start": Field(
             _buttons({"Moving at once": Start.VELOCITY, "From rest": Start.ACCELERATION}),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -11,7 +12,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.figures.colors import DARK, FENCE, PUSHER, SLIDER, tint
-from planar_pushing.figures.marks import AREAS, ARROWS, LINES, NOTE, Hatch, Picture, Place
+from planar_pushing.figures.marks import AREAS, ARROWS, LINES, NOTE, Hatch, Picture, Place, arc
 from planar_pushing.figures.supports import OUTLINE, Ink, Pose, add_support, extents
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
@@ -29,6 +30,8 @@ RIM = 0.07
 NAMES = {"pressure": "center of\npressure", "mass": "center\nof mass"}
 #: How much of its color the area of an outline has.
 OBJECT = 0.06
+#: Order of the disc of a finger.
+FINGER = AREAS + 0.9
 #: Distance of two strokes of a fence's hatch, in units of its depth.
 APART = 0.8
 
@@ -164,7 +167,19 @@ def add_fence(
         picture.add(Hatch(np.stack([tops, tops - depth], axis=1), color))
 
 
-def add_finger(picture: Picture, side: Array, place: Place, color: str = SLIDER) -> None:
-    """The flat side of the slider as a line, and the finger that touches it as a disc."""
+def add_finger(
+    picture: Picture, side: Array, place: Place, color: str = SLIDER, center: Place | None = None
+) -> None:
+    """The flat side of the slider as a line, and the finger that touches it at a place.
+
+    A finger that is a point is a dot; one with a center elsewhere is a disc of its own radius.
+    """
     picture.line(side, color, width=1.2, order=OUTLINE)
-    picture.dot(place, 6.0, tint(PUSHER, 0.5), edge=PUSHER, width=0.9, order=ARROWS + 1)
+    away = np.zeros(2) if center is None else np.subtract(place, center)
+    if not away.any():
+        picture.dot(place, 6.0, tint(PUSHER, 0.5), edge=PUSHER, width=0.9, order=ARROWS + 1)
+        return
+    start = math.atan2(away[1], away[0])
+    rim = np.asarray(center) + math.hypot(*away) * arc(start, start + 2 * math.pi)
+    picture.area(rim, color=tint(PUSHER, 0.5), order=FINGER)
+    picture.line(rim, PUSHER, width=0.9, order=OUTLINE)

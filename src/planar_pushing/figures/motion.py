@@ -22,7 +22,16 @@ from planar_pushing.figures.colors import (
 from planar_pushing.figures.marks import ARROWS, LINES, NOTE, Arrow, Picture, corners
 from planar_pushing.figures.scene import add_center_mark
 from planar_pushing.figures.supports import Ink, Pose
-from planar_pushing.figures.timeline import contact, pivots, rod_end, rows, runs
+from planar_pushing.figures.timeline import (
+    contact,
+    finger_center,
+    finger_radius,
+    normal,
+    pivots,
+    rod_end,
+    rows,
+    runs,
+)
 from planar_pushing.mechanics.plane import Array
 
 #: How much of its color the first of the snapshots keeps.
@@ -57,7 +66,10 @@ def box(data: xr.Dataset) -> Array:
     points += [body.box(pose(data, row)) for row in range(data.sizes["time"])]
     ends = np.array([[-half, -0.1 * half], [half, 0.0]])
     if "path_side" in data:
+        # Of a finger much larger than the slider only what is near to the side.
+        reach = min(finger_radius(data), half)
         points.append(data["path_side"].values)
+        points += [contact(data) - reach * normal(data) + end * reach for end in (-1.0, 1.0)]
     else:
         points += [data["path_pusher"].values + end for end in ends]
     return corners(points)
@@ -78,7 +90,8 @@ def add_instant(picture: Picture, data: xr.Dataset, row: int, strength: float = 
     touch, size = contact(data)[row], span(data)
     ink, whole = Ink(tint(SLIDER, strength), 1.5), strength == 1
     if "path_side" in data:
-        add_finger(picture, data["path_side"].values[row], touch, ink.color)
+        side, center = data["path_side"].values[row], finger_center(data)[row]
+        add_finger(picture, side, touch, ink.color, center)
     else:
         x, y = data["path_pusher"].values[row]
         half, depth = FENCE_HALF * size, DEPTH * size

@@ -65,7 +65,8 @@ def add_slider(
         add_fence(picture, float(low), float(high), depth=DEPTH * sketch.reach)
     else:
         ends = tuple(float(np.clip(end, -half, half)) for end in sketch.side)
-        add_finger(picture, np.array([(end, 0.0) for end in ends]), (0.0, 0.0))
+        side = np.array([(end, 0.0) for end in ends])
+        add_finger(picture, side, (0.0, 0.0), center=(0.0, -sketch.finger_radius))
     add_body(picture, sketch.body, sketch.pose)
 
 

@@ -59,6 +59,8 @@ class Sketch:
         Letter of the motions: "a" where inertia resists, else "v".
     side : tuple of float, optional
         Ends of the side that a finger pushes; None is a fence.
+    finger_radius : float
+        Radius of that finger, 0 of a point.
     rubbing : tuple of ndarray
         Places where the support rubs, and its friction there in the chosen solution, shapes (n, 2).
     curve, flats : ndarray, sequence of slice
@@ -79,6 +81,7 @@ class Sketch:
     chosen: int = -1
     symbol: str = "v"
     side: tuple[float, float] | None = None
+    finger_radius: float = 0.0
     rubbing: tuple[Array, Array] = field(default_factory=lambda: NOWHERE)
     curve: Array = field(default_factory=lambda: NOWHERE[0])
     flats: Sequence[slice] = ()
@@ -223,6 +226,8 @@ class Sketch:
         points: list[Any] = [(0.0, 0.0), self.center, self.body.box(self.pose) + rubs * rim]
         points += [(sign * 0.7 * self.reach, -0.15 * self.reach) for sign in (-1.0, 1.0)]
         points += [MOTION_CONE * self.reach * direction(np.linspace(*self.motion, 13))]
+        finger = min(self.finger_radius, self.reach)
+        points += [(-finger, 0.0), (finger, -2 * finger)]
         if len(self.curve):
             points.append(self.curve_scale * self.curve)
         if self.pusher is not None:

@@ -70,6 +70,8 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     data["rod_length"].attrs["long_name"] = "rod length, from the contact to the slider's center"
     if log.attrs.get("pusher_shape") == Shape.FINGER:
         data["path_side"] = side_of(log, slider)
+        if radius := float(log.attrs.get("pusher_radius", 0.0)):
+            data["pusher_radius"] = ((), radius, described("length", "radius of the finger"))
     data = data.drop_attrs(deep=False)
     if body != Body(support=Ring(float(slider["radius"]))):
         data["path_pivot"] = log["pivot"]
@@ -129,8 +131,27 @@ def _unit(angle: Array) -> Array:
 
 
 def contact(data: xr.Dataset) -> Array:
-    """Place of the contact at every row: of the finger, or of the rod's end."""
-    return data["path_pusher"].values if "path_side" in data else rod_end(data)
+    """Place of the contact at every row: of the finger's point nearest to the side, or of the rod's end."""
+    if "path_side" not in data:
+        return rod_end(data)
+    return finger_center(data) + finger_radius(data) * normal(data)
+
+
+def finger_radius(data: xr.Dataset) -> float:
+    """Radius of the finger, 0 of a point."""
+    return float(data["pusher_radius"]) if "pusher_radius" in data else 0.0
+
+
+def finger_center(data: xr.Dataset) -> Array:
+    """Place of the finger's center at every row."""
+    return np.asarray(data["path_pusher"].values - (0.0, finger_radius(data)))
+
+
+def normal(data: xr.Dataset) -> Array:
+    """Normal of the side into the slider, at every row."""
+    along = np.diff(data["path_side"].values, axis=-2)[..., 0, :]
+    x, y = np.moveaxis(along / np.hypot(along[..., :1], along[..., 1:]), -1, 0)
+    return np.stack([-y, x], axis=-1)
 
 
 def rod_end(data: xr.Dataset) -> Array:

@@ -26,7 +26,7 @@ from planar_pushing.terms.options import Policy, PolicyName, Shape
 
 #: Variables of the dataset that are those of a row.
 SAMPLED = (
-    "time", "position", "rod_angle", "slip", "gap", "mode", "solutions", "pivot", "stopped",
+    "time", "position", "rod_angle", "slip", "gap", "force", "mode", "solutions", "pivot", "stopped",
 )  # fmt: skip
 #: Types of those that are no variables of a log.
 TYPES = {"time": "f8", "stopped": "i1"}
@@ -51,8 +51,8 @@ def simulate_batch(
     scene : Scene
         Parameters of slider, law and effects may be arrays of shape (scenes,), or labelled arrays.
     pusher : Pusher
-        One for every scene; the two parts of its velocity may be arrays. Scenes under a pusher that follows
-        a function of time run one by one.
+        One for every scene; the two parts of its velocity, alone or in each piece, and the radius of a
+        finger may be arrays. Scenes under a pusher that follows a function of time run one by one.
     duration, gap : array_like
         As in `simulate`. All arrays are broadcast against one another, labelled ones by name.
     twist : (v_x, v_y, omega)
@@ -68,7 +68,7 @@ def simulate_batch(
     -------
     xarray.Dataset
         Over `scene`, or the dimensions of the labelled arrays, and `part` of the duration where samples are
-        asked for; angles are degrees. The numbers are those of `simulate`.
+        asked for; angles are degrees. The numbers are those of `simulate`; `force` is that at the instant.
 
     Raises
     ------
@@ -112,20 +112,21 @@ class Given(NamedTuple):
 def _given(problem: Problem) -> Given:
     """Scenes of arrays that are broadcast against one another."""
     scene, pusher = problem.scene, problem.pusher
-    velocity = pusher.arrays or (0.0, 0.0)
-    numbers = columns(scene, problem.twist, problem.gap)
-    columns_, dims, shape, own = _broadcast(
-        [*numbers, scene.slider.radius, problem.duration, *velocity]
+    velocities = [part for _, velocity in pusher.arrays for part in velocity]
+    numbers = columns(scene, problem.twist, problem.gap, pusher.radius)
+    flat, dims, shape, own = _broadcast(
+        [*numbers, scene.slider.radius, problem.duration, *velocities]
     )
-    *rows, radius, ends, v_x, v_y = columns_
-    moves = np.stack([v_x, v_y], axis=-1) if pusher.arrays else None
+    count = len(numbers)
+    rows, (radius, ends), parts = flat[:count], flat[count : count + 2], flat[count + 2 :]
+    moves = np.stack(parts, axis=-1).reshape(len(ends), -1, 2) if parts else None
     fences = _fences(problem, ends, radius, moves)
     return Given(Scenes(np.stack(rows, axis=-1), ends, radius, fences), dims, shape, own)
 
 
 def _require_free(given: Given) -> None:
     """Refuse dimensions and coordinates with the names of results."""
-    taken = {*SAMPLED, *FINGER, "mode_changes", "evaluations", "part", "xy"}
+    taken = {*SAMPLED, *FINGER, "mode_changes", "evaluations", "part", "piece", "xy"}
     for name in (*given.dims, *map(str, given.own)):
         if name in taken:
             raise InvalidValue(
@@ -172,7 +173,8 @@ def _fences(problem: Problem, ends: Array, radius: Array, moves: Any) -> Fences:
             return fence[None], np.array([len(fence)])
 
         return function
-    starts, velocities = (np.zeros(1), moves[:, None]) if moves is not None else pusher.steps
+    times = np.array([time for time, _ in pusher.arrays])
+    starts, velocities = pusher.steps if moves is None else (times, moves)
     every = np.broadcast_to(velocities, (len(ends), len(starts), 2)) / radius[:, None, None]
 
     def constant(part: slice) -> tuple[Any, Array]:
@@ -214,10 +216,23 @@ def _coordinates(problem: Problem, given: Given) -> dict[str, Any]:
     for name, each in every.items():
         if name not in found:
             found[name] = _over(each, given)
+    if np.ndim(problem.pusher.radius) and "pusher_radius" not in found:
+        found["pusher_radius"] = _over(problem.pusher.radius, given)
     if problem.pusher.arrays and "velocity" not in found:
-        parts = [_over(each, given)[1] for each in problem.pusher.arrays]
-        found["velocity"] = (*given.dims, "xy"), np.stack(parts, axis=-1)
+        found |= _velocities(problem.pusher, given)
     return found
+
+
+def _velocities(pusher: Pusher, given: Given) -> dict[str, Any]:
+    """Velocities of the pushers, over their pieces where there are several."""
+    parts = [[_over(part, given)[1] for part in velocity] for _, velocity in pusher.arrays]
+    every = np.moveaxis(np.array(parts), (0, 1), (-2, -1))
+    if len(parts) == 1:
+        return {"velocity": ((*given.dims, "xy"), every[..., 0, :])}
+    starts = [time for time, _ in pusher.arrays]
+    return {
+        "piece": ("piece", starts), "velocity": ((*given.dims, "piece", "xy"), every),
+    }  # fmt: skip
 
 
 def _coefficients(law: Any) -> Any:

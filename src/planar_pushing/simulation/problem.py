@@ -5,7 +5,7 @@ displacement is ``(X, Y)``. The rod angle is any real number. The contact is the
 the model holds as long as the slider's center is above the fence; where it comes down to it, the rod
 lies along the fence or under it, and a simulation stops there. An outline, where the slider has one, ends
 it where another of its points meets the fence. A finger is the point ``(X, Y)``, against a
-side of the slider that lies along x at time 0.
+side of the slider that lies along x at time 0, or a disc whose center is a radius below the contact then.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from planar_pushing.mechanics.world import World, required_pose, world_of
 from planar_pushing.simulation.outlines import require_above
 from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.terms.domain import SPEEDS, Number, require_fields
+from planar_pushing.terms.domain import SPEEDS, Number, require_fields, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape
 
@@ -65,6 +65,8 @@ class Problem:
         require_held(self.scene)
         if self.shape == Shape.FENCE:
             require_above(self.scene.slider, self.gap)
+        else:
+            _require_narrow(self.pusher.radius, self.scene.slider.radius)
         if self.object_pose is not None:
             object.__setattr__(self, "object_pose", required_pose(self.object_pose))
         object.__setattr__(self, "pusher", self._pusher_along_the_fence())
@@ -93,12 +95,21 @@ class Problem:
     @property
     def follows_function(self) -> bool:
         """Whether the pusher's velocity is a function of time."""
-        return not self.pusher.pieces and self.pusher.arrays is None
+        return not self.pusher.pieces and not self.pusher.arrays
 
     def fence(self, duration: float, radius: float) -> Any:
         """The motion of a `Pusher` as an array of pieces, each with its policy; errors as of the pusher."""
         cuts = starts_of(self.on_ambiguity)
         return marked(self.pusher.fence(duration, radius, cuts), self.on_ambiguity)
+
+
+def _require_narrow(radius: Number, slider_radius: Number) -> None:
+    """Refuse a finger whose radius is out of proportion to the slider's."""
+    try:
+        ratio = radius / slider_radius
+    except ValueError:  # shapes that do not match, which a batch refuses by themselves
+        return
+    required_ratio("finger_ratio", ratio)
 
 
 def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.plane import Array
@@ -17,11 +18,13 @@ from planar_pushing.simulation.chebyshev import Piece, pieces_of
 from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.timed import timed
-from planar_pushing.terms.domain import SPEEDS, required
+from planar_pushing.terms.domain import SPEEDS, Number, required, required_finger_radius
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_option, suggestion
 from planar_pushing.terms.options import PusherFrame, Shape
 
 Vector = tuple[float, float]
+#: A velocity, or the velocities of many pushers.
+Vectors = tuple[npt.ArrayLike, npt.ArrayLike]
 Motion = Callable[[float], Vector]
 
 #: What `velocity` and `waypoints` may be, and what to do otherwise.
@@ -51,13 +54,14 @@ def required_shape(given: object) -> Shape:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pusher:
-    """What pushes, and its velocity: a fence, which stays parallel to x, or a finger, which is a point.
+    """What pushes, and its velocity: a fence, which stays parallel to x, or a finger, a disc or a point.
 
     Parameters
     ----------
     velocity : (v_x, v_y), sequence of (start_time, (v_x, v_y)), or callable
-        Length per time. The pieces start at 0 and follow one another; each holds until the next starts.
-        For `simulate_batch` v_x and v_y may be arrays.
+        Length per time; of a finger that of its center. The pieces start at 0 and follow one another; each
+        holds until the next starts. For `simulate_batch` v_x and v_y may be arrays over the scenes, shape
+        (scenes,), or labelled arrays, also in each piece.
     waypoints : sequence of (time, (x, y)), instead of a velocity
         Places of the pusher with their times, the first at time 0: straight from one to the next at
         constant velocity, and at rest after the last. Only the way between them counts, as the pusher
@@ -69,7 +73,13 @@ class Pusher:
         Times at which a callable velocity is not smooth.
     shape : {"fence", "finger"}
         A fence meets the rod's free end. A finger meets a flat side of the slider (`Slider.side`), which is
-        along x at time 0, turns with the slider, and along which the contact travels as it slips.
+        along x at time 0, turns with the slider, and along which the contact travels as it slips. A finger
+        does not rotate.
+    radius : float
+        Radius of the finger in the scene's length, >= 0: by default 0, a point. The side is tangent to the
+        disc, so the contact also travels where it sticks while the slider turns, by ``-radius`` times the
+        turn; along the side ``ds/dt = tangent . (v_finger - v_slider) - radius omega``. For
+        `simulate_batch` it may be an array. A fence has none.
     frame : {"fence", "world"}
         Axes of velocity and waypoints: along the fence and normal to it (the finger's side, at time 0), or
         those of the world, for which `simulate` takes the object's pose.
@@ -78,24 +88,30 @@ class Pusher:
     ------
     InvalidValue
         Where the velocity has another shape, times do not increase, the pusher's shape or its frame is
-        unknown, or not exactly one of velocity and waypoints is given.
+        unknown, the radius is negative or that of a fence, or not exactly one of velocity and waypoints is
+        given.
     """
 
-    velocity: Vector | Sequence[tuple[float, Vector]] | Motion | None = None
+    velocity: Vectors | Sequence[tuple[float, Vectors]] | Motion | None = None
     waypoints: Sequence[tuple[float, Vector]] | None = None
     acceleration: Motion | None = None
     breakpoints: Sequence[float] = ()
     shape: Shape | Literal["fence", "finger"] = Shape.FENCE
+    radius: npt.ArrayLike = 0.0
     frame: PusherFrame | Literal["fence", "world"] = PusherFrame.FENCE
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
-    arrays: tuple[Any, Any] | None = field(init=False, default=None, repr=False)
+    arrays: tuple[tuple[float, tuple[Any, Any]], ...] = field(init=False, default=(), repr=False)
 
     def __post_init__(self) -> None:
         if self.waypoints is not None:
             _require_alone(self.velocity)
             object.__setattr__(self, "pieces", _legs(self.waypoints))
         elif _are_arrays(self.velocity):
-            object.__setattr__(self, "arrays", _required_arrays(self.velocity))
+            object.__setattr__(self, "arrays", ((0.0, _required_arrays(self.velocity)),))
+        elif _hold_arrays(self.velocity):
+            given: Any = self.velocity
+            pieces = timed("velocity", given, _required_arrays, ALLOWED, REMEDY)
+            object.__setattr__(self, "arrays", pieces)
         elif not callable(self.velocity):
             object.__setattr__(self, "pieces", _pieces(self.velocity))
         times = as_floats(self.breakpoints)
@@ -106,6 +122,7 @@ class Pusher:
             )
         object.__setattr__(self, "breakpoints", times)
         object.__setattr__(self, "shape", required_shape(self.shape))
+        object.__setattr__(self, "radius", _required_radius(self.radius, self.shape))
         remedy = suggestion(self.frame, PusherFrame, "name one of these frames")
         object.__setattr__(self, "frame", require_option("frame", self.frame, PusherFrame, remedy))
 
@@ -123,12 +140,12 @@ class Pusher:
             return x, y
 
         if self.pieces:
-            return Pusher(velocity=[(t, turned(v)) for t, v in self.pieces], shape=self.shape)
+            given = [(t, turned(v)) for t, v in self.pieces]
+            return Pusher(velocity=given, shape=self.shape, radius=self.radius)
         return Pusher(
-            velocity=lambda time: turned(given(time)),
-            breakpoints=self.breakpoints,
-            shape=self.shape,
-        )
+            velocity=lambda time: turned(given(time)), breakpoints=self.breakpoints,
+            shape=self.shape, radius=self.radius,
+        )  # fmt: skip
 
     def fence(self, duration: float, radius: float, cuts: Sequence[float] = ()) -> Any:
         """The fence's motion as an array of pieces, from 0 to the duration; a span ends at each cut.
@@ -201,8 +218,28 @@ def _are_arrays(given: Any) -> bool:
     return pair and any(getattr(each, "ndim", 0) > 0 for each in given)
 
 
+def _hold_arrays(given: Any) -> bool:
+    """Whether a velocity is pieces, of which one at least holds arrays."""
+    pieces = given if isinstance(given, (tuple, list)) else ()
+    pairs = (each for each in pieces if isinstance(each, (tuple, list)) and len(each) == 2)
+    return any(_are_arrays(velocity) for _, velocity in pairs)
+
+
+def _required_radius(given: Number, shape: str) -> Number:
+    """The radius of a finger, or of many; that of a fence is 0. Or `InvalidValue`."""
+    radius = required_finger_radius(given)
+    if shape == Shape.FENCE and np.any(np.asarray(radius) != 0):
+        raise InvalidValue(
+            "radius", given, "0 for a fence, which is a line",
+            'leave the radius out, or push with shape="finger"',
+        )  # fmt: skip
+    return radius
+
+
 def _required_arrays(given: Any) -> tuple[Any, Any]:
     """The parts of the velocities of many pushers, or `InvalidValue`."""
+    if not isinstance(given, (tuple, list)) or len(given) != 2:
+        raise InvalidValue("velocity", given, ALLOWED, REMEDY)
     x, y = given
     for each in given:
         numbers = np.asarray(each)

@@ -89,8 +89,8 @@ def simulate(
         the end of a step, and events are not located.
     object_pose : (x, y, angle), optional
         Pose of the object's frame in the world at time 0, the angle in radians. With it the log holds
-        `object_pose`, whose angles are degrees, and `pusher_position`, the place of the finger or of the
-        point of the fence that is under the contact at time 0. The object's frame is that of
+        `object_pose`, whose angles are degrees, and `pusher_position`, the place of the finger's center or
+        of the point of the fence that is under the contact at time 0. The object's frame is that of
         `Scene.placement`, by default the body frame.
     path : path, optional
         A file to which the log is streamed; memory then stays bounded, and the dataset that is returned
@@ -115,13 +115,12 @@ def simulate(
         Where `path` cannot be written.
     """
     required_single(required_scene(scene))
-    if require_kind("pusher", pusher, Pusher).arrays is not None:
-        raise InvalidValue(
-            "velocity",
-            "arrays",
-            "one velocity",
-            "take the pushers one by one, or call simulate_batch",
-        )
+    require_kind("pusher", pusher, Pusher)
+    for name, several in (("velocity", pusher.arrays), ("radius", np.ndim(pusher.radius))):
+        if several:
+            raise InvalidValue(
+                name, "arrays", f"one {name}", "take the pushers one by one, or call simulate_batch"
+            )
     for name, given in (("duration", duration), ("gap", gap)):
         require_number(name, required(name, given), math.isfinite, "one number", "give one")
     problem = Problem(

@@ -53,7 +53,9 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
 
 def _pusher(entry: SimulateEntry) -> Pusher:
     """The pusher, by its velocities or its waypoints."""
-    kind = {"shape": entry.pusher_shape, "frame": entry.pusher_frame}
+    kind: dict[str, Any] = {"shape": entry.pusher_shape, "frame": entry.pusher_frame}
+    if entry.pusher_radius is not None:
+        kind["radius"] = entry.pusher_radius
     if entry.waypoints is not None:
         return Pusher(waypoints=[(each.time, (each.x, each.y)) for each in entry.waypoints], **kind)
     return Pusher(velocity=[(piece.time, velocity(piece)) for piece in entry.pieces], **kind)

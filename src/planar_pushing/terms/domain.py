@@ -24,6 +24,9 @@ Numbers = npt.NDArray[Any] | list[Any]
 
 #: Longest rod, and range of the radius of gyration, in radii of the slider.
 LONGEST, GYRATION = 1e6, (1e-4, 1e4)
+#: Greatest radius of a finger, in radii of the slider: with a larger one the contact travels so fast that a
+#: simulation takes a step for each part of a second.
+WIDEST = 1e4
 #: Greatest coefficient of friction of Coulomb's law; infinite friction is a law of its own.
 ROUGHEST = 1e9
 #: Range of s = m |a| / W for a push from rest with friction and inertia.
@@ -105,6 +108,11 @@ SIDE = (
     "(start, end) with start < 0 < end, infinite for a side without an end",
     "measure both ends along the side from the contact, which is between them, the one towards -x first",
 )
+#: What the radius of a finger may be.
+FINGER_RADIUS = Range(
+    lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
+    "give the radius of the finger in the scene's length, or leave it out for a point",
+)  # fmt: skip
 #: Ranges of dimensionless combinations: of which parameter the refusal speaks, and its range.
 RATIOS = {
     "length_ratio": ("rod_length", Range(
@@ -115,6 +123,10 @@ RATIOS = {
         lambda x: (x >= GYRATION[0]) & (x <= GYRATION[1]),
         f"{GYRATION[0]:g} to {GYRATION[1]:g} times the slider's radius",
         "no slider is so far from its support: model a point mass or a longer rod",
+    )),
+    "finger_ratio": ("radius", Range(
+        lambda x: x <= WIDEST, f"at most {WIDEST:g} times the slider's radius",
+        "give the radius of the finger in the unit of the rod length",
     )),
     "conservative_gyration": ("gyration_radius", Range(
         lambda x: abs(x - 1) <= 1e-12, "the radius of the ring",
@@ -166,6 +178,11 @@ def required_side(given: Any) -> tuple[Number, Number]:
     start, end = given
     before, behind = Range(lambda x: x < 0, *SIDE), Range(lambda x: x > 0, *SIDE)
     return _required("side", start, before), _required("side", end, behind)
+
+
+def required_finger_radius(given: Number) -> Number:
+    """The radius of a finger, or of many; errors as of `required`."""
+    return _required("radius", given, FINGER_RADIUS)
 
 
 def require_fields(value: object, *names: str) -> None:

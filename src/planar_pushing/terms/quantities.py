@@ -180,6 +180,8 @@ BATCH: Quantities = {
     "initial_rod_angle": ("degree", "rod angle at time 0"),
     "mode_changes": ("1", "number of changes of mode"),
     "part": ("1", "part of the duration"),
+    "piece": ("time", "start of a piece of the pusher's velocity"),
+    "pusher_radius": ("length", "radius of the finger"),
     **{name: FINGER[name] for name in ("contact_position", "parted")},
     "rod_angle": DATASET["rod_angle"],
     "solutions": ("1", "number of modes that were consistent when the mode was chosen"),

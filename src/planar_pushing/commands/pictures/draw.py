@@ -54,25 +54,30 @@ def drawn(args: argparse.Namespace) -> dict[str, Any]:
     scene = file.build()
     if args.force_angle is not None:
         _require_force(scene, args.force_angle)
-    angle, magnitude, side = _push(args, file, scene)
-    sketch = Sketch.of(scene, radians(angle), magnitude, side=side)
+    angle, magnitude = _push(args, file, scene)
+    sketch = Sketch.of(scene, radians(angle), magnitude, **_finger(file, scene))
     if args.limit_curve:
         sketch = with_curve(sketch, scene)
     save_drawn(lambda figure: draw_on(figure, sketch), SCENE, [args.output])
     return {"written": str(args.output)}
 
 
-def _push(
-    args: argparse.Namespace, file: SceneFile, scene: Scene
-) -> tuple[float, float, tuple[float, float] | None]:
-    """Angle in degrees and magnitude of the push, and the side that a finger pushes."""
-    from planar_pushing.study.datasets.scenes import pusher_angle
-    from planar_pushing.study.files.study_model import PushEntry
+def _finger(file: SceneFile, scene: Scene) -> dict[str, Any]:
+    """The side that a finger pushes, and its radius; nothing of a fence."""
     from planar_pushing.terms.options import Shape
 
     section = file.simulate
-    own = file.pieces[0] if section else None
-    finger = section is not None and section.pusher_shape == Shape.FINGER
+    if section is None or section.pusher_shape != Shape.FINGER:
+        return {}
+    return {"side": scene.slider.side, "finger_radius": section.pusher_radius or 0.0}
+
+
+def _push(args: argparse.Namespace, file: SceneFile, scene: Scene) -> tuple[float, float]:
+    """Angle in degrees and magnitude of the push."""
+    from planar_pushing.study.datasets.scenes import pusher_angle
+    from planar_pushing.study.files.study_model import PushEntry
+
+    own = file.pieces[0] if file.simulate else None
     angle = args.pusher_angle
     if args.force_angle is not None:
         push = PushEntry(file=str(args.scene), force_angle=args.force_angle)
@@ -82,7 +87,7 @@ def _push(
     # The file gives a velocity; a scene with inertia is pushed from rest, by an acceleration.
     speed = own.speed if own and own.speed and not scene.stores_energy else 1.0
     magnitude = args.pusher_magnitude or speed
-    return float(angle), float(magnitude), scene.slider.side if finger else None
+    return float(angle), float(magnitude)
 
 
 def _require_force(scene: Scene, angle: float) -> None:

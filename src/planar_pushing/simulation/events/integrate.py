@@ -36,7 +36,7 @@ class EventDriven:
         scene = problem.scene
         self.radius = float(scene.slider.radius)
         fence = problem.fence(float(problem.duration), self.radius)
-        row = row_of(scene, problem.twist, problem.gap)
+        row = row_of(problem)
         self.system = system_of(problem, row, fence)
         self.task = Task(problem.rtol, np.asarray(times, float))
         self.run, self.effects = records(run_type(size_of(scene)), 1)[0], len(self.system.effects)

@@ -95,7 +95,10 @@ def _placed(rows: Any, problem: Problem) -> dict[str, Any]:
         return {}
     return {
         "object_pose": problem.world.object_pose(rows["position"], rows["rod_angle"]),
-        "pusher_position": problem.world.fence.point_out(rows["pusher"]),
+        # The center of a finger is its radius below the contact at time 0.
+        "pusher_position": problem.world.fence.point_out(
+            rows["pusher"] - (0.0, problem.pusher.radius)
+        ),
     }
 
 
@@ -153,6 +156,8 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
     """Attributes of the log that are known before the run."""
     pusher, policies = problem.pusher, problem.on_ambiguity
     finger = {"pusher_shape": str(problem.shape)} if problem.shape == Shape.FINGER else {}
+    radius: Any = pusher.radius
+    disc = {"pusher_radius": float(radius)} if radius else {}
     return {
         "title": "motion of the pushed slider",
         "source": f"{quantities.PAPER}, Secs. 2-5, over time",
@@ -160,6 +165,7 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
         "scene": to_json(scene_entry(problem.scene)),
         "pusher": to_json(pusher.pieces) if pusher.pieces else "function of time",
         **finger,
+        **disc,
         "duration": problem.duration,
         "initial_twist": np.array(problem.twist),
         "initial_gap": problem.gap,

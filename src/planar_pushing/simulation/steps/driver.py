@@ -6,10 +6,10 @@ A step sees the rod angle of its start, and the contact's frame there. The conta
 least ``w_n - gap / h``, so that the gap never closes past zero; a contact mode takes it for equal.
 
 While the contact lasts, the contact point itself is moved by its own motion and the slider's center follows
-from the rod: a stick is then a stick and the gap is closed to rounding, whatever the step. In flight the
-slider's center is moved; over a fence the contact's path is then above its tangent, so the step's condition
-on the gap keeps the true gap open as well. Over a finger a flight may end below zero by the square of a
-step; the next step lifts it.
+from the rod: a stick is then a stick and the gap is closed to rounding, whatever the step. A finger of
+finite radius also rolls along the side. In flight the slider's center is moved; over a fence the contact's
+path is then above its tangent, so the step's condition on the gap keeps the true gap open as well. Over a
+finger a flight may end below zero by the square of a step; the next step lifts it.
 """
 
 from __future__ import annotations
@@ -156,10 +156,11 @@ def _move(system, run):
         )
     else:
         state[base.GAP] = 0.0
+        slip = 0.0
         if run.kind != base.STICK:
             slip = h * contact_motion(now, v_x, v_y, spin)[0] - way_x
-            state[base.SLIP] += slip
-            state[base.ALONG] += slip
+        state[base.SLIP] += slip
+        state[base.ALONG] += shapes.travel(system.shape, slip, h * spin)
     _turn(system, run, v_x, v_y, spin)
     run.fence[0] += run.way[0]
     run.fence[1] += run.way[1]

@@ -55,7 +55,7 @@ class TimeStepping:
             raise InvalidValue("step", step, f"at most {MOST_STEPS:g} steps", "take longer steps")
         self.radius = float(problem.scene.slider.radius)
         fence = problem.fence(duration, self.radius)
-        row = setup.row_of(problem.scene, problem.twist, problem.gap)
+        row = setup.row_of(problem)
         self.system = setup.system_of(problem, row, fence)
         self.plan = _plan(fence, np.asarray(times, float), size)
         entries, self.effects = setup.size_of(problem.scene), len(self.system.effects)

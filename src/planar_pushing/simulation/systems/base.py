@@ -26,7 +26,7 @@ from planar_pushing.simulation.systems.frame import (
 from planar_pushing.simulation.systems.shapes import base as shapes
 from planar_pushing.terms.options import Event
 
-#: Entries of the state: position of the contact relative to the fence, rod angle, slip accumulated, energy
+#: Entries of the state: position of the contact relative to the pusher, rod angle, slip accumulated, energy
 #: dissipated at the contact, and work of the fence. A system with inertia adds the velocity of the contact
 #: over the fence and the rotation. The last entries are the energies that each effect dissipates.
 ALONG, GAP, ANGLE, SLIP, LOST, WORK, OVER, RISE, SPIN = range(9)

@@ -33,7 +33,8 @@ def rates_and_guards(system, mode, time, state, found, guarded):
 
 @compiled
 def _rates(system, mode, state, now, found):
-    found[base.ALONG], found[base.GAP], found[base.ANGLE] = now.slip, now.rise, now.spin
+    found[base.ALONG] = shapes.travel(system.shape, now.slip, now.spin)
+    found[base.GAP], found[base.ANGLE] = now.rise, now.spin
     # The contact does not slip while the slider rests or flies over the fence.
     found[base.SLIP] = now.slip if base.contact_mode(mode.kind) != base.SEPARATE else 0.0
     found[base.LOST] = -now.f_x * now.slip - now.f_y * now.rise

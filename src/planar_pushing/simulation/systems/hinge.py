@@ -60,7 +60,7 @@ def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
 
 
 @compiled
-def passing_friction(system, now, q_x, q_y, free, fence, velocity, share):
+def passing_friction(system, now, q_x, q_y, free, held, velocity, share):
     """Friction at a support point through which the center of rotation passes while the contact sticks.
 
     Along the line to the contact, the contact's motion takes the point from one side to the other, and its
@@ -74,7 +74,8 @@ def passing_friction(system, now, q_x, q_y, free, fence, velocity, share):
         From the center of mass to the point.
     free : (a_x, a_y, turn)
         Accelerations of the center of mass and of the rotation without point and contact.
-    fence : (a_x, a_y)
+    held : (a_x, a_y)
+        Acceleration of the slider's point at the contact.
     velocity : (w_x, w_y)
         Of the point.
     share : float
@@ -86,10 +87,10 @@ def passing_friction(system, now, q_x, q_y, free, fence, velocity, share):
     size = sqrt(w_x * w_x + w_y * w_y)
     if reach > 0.0:
         whole = body.moment + body.mass * (now.arm_x * now.arm_x + now.arm_y * now.arm_y)
-        held = -(fence[1] * d_x - fence[0] * d_y) / (reach * reach)
+        held_turn = -(held[1] * d_x - held[0] * d_y) / (reach * reach)
         torque = body.moment * turn + body.mass * (now.arm_x * a_y - now.arm_y * a_x)
-        torque -= body.mass * (now.arm_x * fence[1] - now.arm_y * fence[0])
-        across = (whole * held - torque) / reach
+        torque -= body.mass * (now.arm_x * held[1] - now.arm_y * held[0])
+        across = (whole * held_turn - torque) / reach
         if abs(across) < share:
             along = -copysign(sqrt(share * share - across * across), w_x * d_x + w_y * d_y)
             return (along * d_x - across * d_y) / reach, (along * d_y + across * d_x) / reach

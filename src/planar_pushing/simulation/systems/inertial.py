@@ -24,7 +24,7 @@ from planar_pushing.simulation.systems.frame import (
     to_contact,
 )
 from planar_pushing.simulation.systems.hinge import hinged_motion, passing_friction
-from planar_pushing.simulation.systems.shapes.base import relative, seen
+from planar_pushing.simulation.systems.shapes.base import pinned, relative, seen
 
 #: Fraction of the typical force below which a force has no direction of its own.
 NO_FORCE = 1e-9
@@ -174,8 +174,9 @@ def motion(system, mode, time, state):
     q_x, q_y = foot_x + now.x - now.arm_x, foot_y + now.y - now.arm_y
     if turns and sticks:
         w_x, w_y = v_x - t_x, v_y - t_y
+        held = pinned(system.shape, spin, turn_x, turn_y)
         p_x, p_y = passing_friction(
-            system, now, q_x, q_y, (a_x, a_y, turn), (turn_x, turn_y), (w_x, w_y), found.most
+            system, now, q_x, q_y, (a_x, a_y, turn), held, (w_x, w_y), found.most
         )
         a_x, a_y = a_x + p_x / body.mass, a_y + p_y / body.mass
         turn += (q_x * p_y - q_y * p_x) / body.moment

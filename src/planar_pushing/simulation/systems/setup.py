@@ -25,19 +25,21 @@ from planar_pushing.simulation.systems.shapes import fence as fences
 from planar_pushing.simulation.systems.shapes import finger
 from planar_pushing.terms.options import Shape
 
-#: Numbers of a row behind those of the effects; twist, gap and ends of the side in radii, and the radius in
-#: tolerances of the outline.
+#: Numbers of a row behind those of the effects; twist, gap, ends of the side and radius of the finger in
+#: radii of the slider, and that radius in tolerances of the outline.
 WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, LOAD_X, LOAD_Y, CROSS, DOT = range(9)
-LENGTH, ANGLE, RIGHT, LEFT, SLIPS_AT, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP, START, END, FINE = range(
-    9, 23
-)
-NUMBERS = FINE + 1
+LENGTH, ANGLE, RIGHT, LEFT, SLIPS_AT, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(9, 20)
+START, END, FINE, FINGER = range(20, 24)
+NUMBERS = FINGER + 1
 #: Systems by whether they have inertia.
 KINDS = {False: base.QuasiStatic, True: base.Inertial}
 base.SYSTEMS.update({base.QuasiStatic: quasi_static, base.Inertial: inertial})
 shapes.SHAPES.update({fences.Fence: fences, finger.Finger: finger})
 #: The pusher, without the numbers of a scene.
-PUSHERS = {Shape.FENCE: fences.Fence(), Shape.FINGER: finger.Finger(1.0, 1.0, 1.0, 0.0, -1.0, 1.0)}
+PUSHERS = {
+    Shape.FENCE: fences.Fence(),
+    Shape.FINGER: finger.Finger(1.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0),
+}
 
 
 class Kinds(NamedTuple):
@@ -78,8 +80,8 @@ def _in_order(friction: list[Any], scene: Scene) -> list[Any]:
     return [friction[i] for i in sorted(range(len(kinds)), key=lambda i: kinds[i], reverse=True)]
 
 
-def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
-    """The numbers of a scene, or arrays of them, and its initial state.
+def columns(scene: Scene, twist: Any, gap: Any, finger_radius: Any) -> list[Any]:
+    """The numbers of a scene, or arrays of them, its initial state, and the radius of the finger.
 
     The core has lengths in radii, so its mass is the scene's times the radius, as are coefficients of
     viscous friction; without friction the weight is zero, and without inertia the mass.
@@ -96,7 +98,7 @@ def columns(scene: Scene, twist: Any, gap: Any) -> list[Any]:
         mass * radius if scene.stores_energy else 0.0,
         gyration, *scene.mass_center, *_loads(scene), slider.length_ratio, slider.rod_angle,
         *scene.law, v_x / radius, v_y / radius, omega, gap / radius,
-        *(end / radius for end in slider.side), _fineness(slider),
+        *(end / radius for end in slider.side), _fineness(slider), finger_radius / radius,
     ]  # fmt: skip
 
 
@@ -166,7 +168,7 @@ def put(system, row, state):
 @compiled
 def shape_of(shape, row):
     """The pusher of the scene of a row."""
-    return shapes.made(shape, row[LENGTH], row[ANGLE], row[START], row[END])
+    return shapes.made(shape, row[LENGTH], row[ANGLE], row[START], row[END], row[FINGER])
 
 
 def new_room(scene: Scene) -> base.Room:
@@ -204,6 +206,7 @@ def system_of(problem: Problem, row: Array, fence: Any) -> Any:
     )  # fmt: skip
 
 
-def row_of(scene: Scene, twist: Any, gap: float) -> Array:
-    """The row of one scene."""
-    return np.array([float(each) for each in columns(scene, twist, gap)])
+def row_of(problem: Problem) -> Array:
+    """The row of a problem of one scene."""
+    given = problem.twist, problem.gap, problem.pusher.radius
+    return np.array([float(each) for each in columns(problem.scene, *given)])

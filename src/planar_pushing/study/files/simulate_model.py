@@ -117,6 +117,7 @@ class SimulateEntry(FileModel):
     pusher_angle: Degrees | None = None
     pusher_speed: NonNegative | None = None
     pusher_shape: ShapeName = Shape.FENCE.value
+    pusher_radius: NonNegative | None = None
     pusher_frame: FrameName = PusherFrame.FENCE.value
     pusher: Annotated[tuple[PieceEntry, ...], NotEmpty] | None = None
     waypoints: tuple[WaypointEntry, ...] | None = None
@@ -139,6 +140,8 @@ class SimulateEntry(FileModel):
             raise refuse(
                 "pusher_speed with pusher_angle only; the pieces of pusher hold a speed each"
             )
+        if self.pusher_radius and self.pusher_shape != Shape.FINGER:
+            raise refuse("pusher_radius with pusher_shape finger only; a fence is a line")
         if self.waypoints is not None and len(self.waypoints) < 2:
             raise refuse("at least two waypoints")
         if self.pusher_frame == PusherFrame.WORLD and self.object_pose is None:

@@ -13,7 +13,8 @@ from planar_pushing.mechanics.compiled import by_kind
 
 #: Of each kind of shape, its module.
 SHAPES: dict[type, Any] = {}
-#: The shape with the numbers of a scene: shape, l / R and rod angle at time 0, start and end of the side.
+#: The shape with the numbers of a scene: shape, l / R and rod angle at time 0, start and end of the side,
+#: and radius of the finger.
 made = by_kind(SHAPES, "made")
 #: Angle of body x in the contact's frame: shape, rod angle.
 frame_angle = by_kind(SHAPES, "frame_angle")
@@ -22,9 +23,14 @@ pose = by_kind(SHAPES, "pose")
 #: A vector of the world in the contact's frame, and back: shape, rod angle, x, y.
 seen = by_kind(SHAPES, "seen")
 shown = by_kind(SHAPES, "shown")
+#: Rate of the contact's position along the pusher; a finger also rolls: shape, slip, spin.
+travel = by_kind(SHAPES, "travel")
 #: Rates of the contact's motion over the pusher, from its acceleration there; a frame that turns takes
-#: Coriolis' part: shape, spin, slip, rise, and the acceleration along and across.
+#: Coriolis' part, and a contact that rolls on that of its own travel: shape, spin, slip, rise, and the
+#: acceleration along and across.
 relative = by_kind(SHAPES, "relative")
+#: Acceleration of the slider's point at a contact that sticks, from the pusher's: shape, spin, x, y.
+pinned = by_kind(SHAPES, "pinned")
 #: Position of the slider's center: shape, rod angle, pose, contact along and across, pusher's position.
 center = by_kind(SHAPES, "center")
 #: Where a flight takes the contact, along and across: shape, pose, its position before, displacements of

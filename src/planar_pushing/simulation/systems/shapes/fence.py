@@ -15,7 +15,7 @@ class Fence(NamedTuple):
 
 
 @compiled
-def made(shape, length, angle, start, end):
+def made(shape, length, angle, start, end, radius):
     return shape
 
 
@@ -38,8 +38,18 @@ shown = seen
 
 
 @compiled
+def travel(shape, slip, spin):
+    return slip
+
+
+@compiled
 def relative(shape, spin, slip, rise, a_x, a_y):
     return a_x, a_y
+
+
+@compiled
+def pinned(shape, spin, x, y):
+    return x, y
 
 
 @compiled

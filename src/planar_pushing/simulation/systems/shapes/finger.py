@@ -1,7 +1,10 @@
-"""A finger: a point against a flat side of the slider.
+"""A finger: a disc that does not rotate, or a point, against a flat side of the slider.
 
 Its frame is fixed to the side and turns with the slider. In it body x keeps its direction, and the contact,
-which is the finger, travels along the side.
+which is the finger's point nearest to the side, travels along the side. The finger's center is a radius r
+below it. With w the velocity of the slider's point there over the finger, the contact travels along the
+side at ``-(w_x + r spin)``, also where it sticks, and w changes with the accelerations a of that point and
+a_F of the finger: ``dw/dt = a - a_F - 2 spin x w - spin x (r spin, 0)``.
 """
 
 from __future__ import annotations
@@ -15,7 +18,7 @@ from planar_pushing.simulation.systems.frame import pose_at
 
 
 class Finger(NamedTuple):
-    """Length, angle and direction of the rod at time 0; ends of the side, from the contact at time 0."""
+    """Length, angle and direction of the rod at time 0; ends of the side, from the contact then; radius."""
 
     length: float
     angle: float
@@ -23,11 +26,12 @@ class Finger(NamedTuple):
     y: float
     start: float
     end: float
+    radius: float
 
 
 @compiled
-def made(shape, length, angle, start, end):
-    return Finger(length, angle, cos(angle), sin(angle), start, end)
+def made(shape, length, angle, start, end, radius):
+    return Finger(length, angle, cos(angle), sin(angle), start, end, radius)
 
 
 @compiled
@@ -37,7 +41,7 @@ def frame_angle(shape, angle):
 
 @compiled
 def pose(shape, body, frame, along, gap):
-    # The finger is at (-along, -gap) from the end of the rod.
+    # The contact is at (-along, -gap) from the end of the rod.
     x = -shape.length - (along * shape.x + gap * shape.y)
     return pose_at(frame, contact_at(x, along * shape.y - gap * shape.x), body.center)
 
@@ -55,13 +59,28 @@ def shown(shape, angle, x, y):
 
 
 @compiled
+def travel(shape, slip, spin):
+    return slip + shape.radius * spin
+
+
+@compiled
 def relative(shape, spin, slip, rise, a_x, a_y):
-    return a_x + 2.0 * spin * rise, a_y - 2.0 * spin * slip
+    rolling = shape.radius * spin * spin
+    return a_x + 2.0 * spin * rise, a_y - 2.0 * spin * slip - rolling
+
+
+@compiled
+def pinned(shape, spin, x, y):
+    return x, y + shape.radius * spin * spin
 
 
 @compiled
 def center(shape, angle, now, along, gap, x, y):
     x_there, y_there = shown(shape, angle, now.x, now.y)
+    turn = angle - shape.angle
+    half = sin(turn / 2.0)
+    # From the finger's center the contact turns with the side.
+    x, y = x - shape.radius * sin(turn), y - 2.0 * shape.radius * half * half
     return x + x_there, y + y_there
 
 
@@ -69,7 +88,11 @@ def center(shape, angle, now, along, gap, x, y):
 def flown(shape, now, along, gap, x, y, way_x, way_y, turn):
     c, s = cos(turn), sin(turn)
     x, y = now.x + x - way_x, now.y + y - way_y
-    return c * x + s * y - shape.length * shape.x, c * y - s * x - shape.length * shape.y
+    along, across = c * x + s * y, c * y - s * x
+    half = sin(turn / 2.0)
+    # The side turns about the finger's center, and the contact is again a radius above that.
+    along, across = along + shape.radius * s, across - 2.0 * shape.radius * half * half
+    return along - shape.length * shape.x, across - shape.length * shape.y
 
 
 @compiled
