@@ -9,8 +9,17 @@ from simulation.random_runs import random_run
 from simulation.runs import check, final, heading, imbalance, run, run_slow_uncompiled
 from simulation.straight import Pushed
 from simulation.test_finger import (
-    ASIDE, EFFECTS, HEAVY, POINTS, RIM, SHARES, TRIPOD, every_effect, of_each, scene,
-)  # fmt: skip
+    ASIDE,
+    EFFECTS,
+    HEAVY,
+    POINTS,
+    RIM,
+    SHARES,
+    TRIPOD,
+    every_effect,
+    of_each,
+    scene,
+)
 
 RADIUS, SLIPPING = 0.4, heading(68)
 BOX = pp.SupportFriction(support=pp.Polygon.rectangle(2, 2))
@@ -94,7 +103,9 @@ def test_a_contact_that_sticks_rolls(effects, method):
     assert not log.slip.any()
     assert log.contact_position.values == pytest.approx(-RADIUS * np.deg2rad(turned(log)), abs=1e-9)
     center = log.pusher.values - (0.0, RADIUS)
-    away = [at(log, row, along) - center[row] for row, along in enumerate(log.contact_position.values)]
+    away = [
+        at(log, row, along) - center[row] for row, along in enumerate(log.contact_position.values)
+    ]
     assert np.hypot(*np.transpose(away)) == pytest.approx(RADIUS, abs=1e-9)
     assert np.ptp(turned(log)) > 1
 
@@ -298,7 +309,9 @@ def test_the_radius_is_relative_to_no_unit_of_length():
     large = pp.Scene(slider=slider, contact=pp.Coulomb(0.1), effects=EFFECTS["ring"])
     other = pushed(large, [25 * each for each in SLIPPING], radius=25 * RADIUS)
     assert other.rod_angle.values == pytest.approx(one.rod_angle.values, abs=1e-9)
-    assert other.contact_position.values == pytest.approx(25 * one.contact_position.values, abs=1e-8)
+    assert other.contact_position.values == pytest.approx(
+        25 * one.contact_position.values, abs=1e-8
+    )
 
 
 def test_a_world_frame_keeps_the_radius_and_holds_the_center():
@@ -358,5 +371,7 @@ def test_a_radius_in_another_unit_is_refused():
 
 def test_simulate_refuses_an_array_of_radii():
     finger = pp.Pusher(velocity=(0, 1), shape="finger", radius=np.array([0.1, 0.2]))
-    with pytest.raises(pp.InvalidValue, match=r"radius: 'arrays' given; allowed: one radius; .*_batch"):
+    with pytest.raises(
+        pp.InvalidValue, match=r"radius: 'arrays' given; allowed: one radius; .*_batch"
+    ):
         pp.simulate(scene(EFFECTS["ring"]), pusher=finger, duration=1.0)
