@@ -122,7 +122,7 @@ SETS = {"box": (BOX,), "mass": (HEAVY,), "box, aside": (BOX, ASIDE)}
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=() if name == "box" else pytest.mark.slow) for name in SETS]
 )
-@pytest.mark.parametrize("gap", [0.0, 0.15])
+@pytest.mark.parametrize("gap", [0.0, 0.1523])
 @METHODS
 def test_without_friction_a_disc_is_a_point_against_the_side_moved_outwards(name, gap, method):
     """The center of the disc is then the point, and the line of force is the same."""
