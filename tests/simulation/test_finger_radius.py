@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from scipy.optimize import brentq
 
 import planar_pushing as pp
@@ -337,6 +338,32 @@ def test_a_radius_in_another_unit_is_refused():
             "radius: 30000.0 given; allowed: at most 10000 times the slider's radius; give the radius of "
             "the finger in the unit of the rod length"
         )
+
+
+def test_radii_of_another_shape_are_refused():
+    finger = pp.Pusher(velocity=(0, 1), shape="finger", radius=np.array([0.1, 0.2]))
+    slider = pp.Slider(rod_length=2.0, rod_angle=1.2, radius=np.ones(3))
+    scenes = pp.Scene(slider=slider, contact=pp.Coulomb(0.1), effects=EFFECTS["ring"])
+    with pytest.raises(pp.InvalidValue) as caught:
+        pp.simulate_batch(scenes, finger, duration=1.0)
+    assert str(caught.value) == (
+        "shapes: ((2,), (3,)) given; allowed: () or (scenes,); give one number for each scene"
+    )
+
+
+def test_labelled_radii_are_broadcast_by_name():
+    radius = xr.DataArray([0.0, 0.2], dims="disc", coords={"disc": ["point", "disc"]})
+    scenes = pp.Scene(
+        slider=pp.Slider(rod_length=xr.DataArray([1.0, 2.0, 3.0], dims="rod"), rod_angle=1.2),
+        contact=pp.Coulomb(0.1), effects=EFFECTS["ring"],
+    )  # fmt: skip
+    finger = pp.Pusher(velocity=SLIPPING, shape="finger", radius=radius)
+    found = pp.simulate_batch(scenes, finger, duration=0.5)
+    assert found.sizes == {"rod": 3, "disc": 2, "xy": 2}
+    assert (found.pusher_radius == radius).all()
+    one = pushed(scene(EFFECTS["ring"]), SLIPPING, 0.5, radius=0.2)
+    here = found.sel(disc="disc").isel(rod=1)
+    assert here.contact_position.item() == final(one, "contact_position")
 
 
 def test_simulate_refuses_an_array_of_radii():
