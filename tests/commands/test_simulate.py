@@ -107,6 +107,26 @@ def test_a_finger_leaves_the_side_of_the_scene(run, tmp_path):
     assert "contact_position" not in read_dataset(path)
 
 
+def test_the_radius_of_a_finger(run, tmp_path):
+    scene, path = tmp_path / "finger.yaml", tmp_path / "log.nc"
+    text = FINGER.replace("finger,", "finger, pusher_radius: 0.4,").replace("0.2]", "2]")
+    scene.write_text(text, encoding="utf-8")
+    told = []
+    for given, radius in (
+        ((), 0.4),
+        (("--pusher-radius", "0.1"), 0.1),
+        (("--pusher-radius", "0"), 0),
+    ):
+        code, out, _ = run("simulate", str(scene), "-o", str(path), "--json", *given)
+        assert (code, read_dataset(path).attrs.get("pusher_radius", 0)) == (0, radius)
+        told.append(json.loads(out)["contact_position"])
+    assert len(set(told)) == 3
+    assert run("simulate", str(scene), "-o", str(path), "--pusher-shape", "fence")[0] == 0
+    code, _, said = run("simulate", str(scene), "-o", str(path), "--pusher-radius", "-1")
+    assert code != 0
+    assert "pusher_radius: -1.0 given; allowed: a finite number >= 0; change the value" in said
+
+
 def test_a_finger_is_animated(run, tmp_path):
     scene, path = tmp_path / "finger.yaml", tmp_path / "log.nc"
     scene.write_text(FINGER, encoding="utf-8")

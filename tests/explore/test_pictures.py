@@ -149,3 +149,9 @@ def test_a_finger_has_its_side():
     state = simulated(preset("figure_03"), pusher_shape="finger")
     assert solved(state).sketch.side == (-np.inf, np.inf)
     assert "path_side" in followed(simulated(state, duration=0.2)).data
+
+
+def test_a_finger_has_its_radius():
+    state = simulated(preset("figure_03"), pusher_shape="finger", pusher_radius=0.3)
+    assert solved(state).sketch.finger_radius == 0.3
+    assert followed(simulated(state, duration=0.2)).log.attrs["pusher_radius"] == 0.3

@@ -192,3 +192,14 @@ def test_a_fence_is_hatched_below_its_edge_and_a_finger_is_on_its_side():
     side, finger = picture.marks
     assert side.points.tolist() == [[-1, 0], [2, 0]]
     assert finger.place.tolist() == [0.5, 0]
+
+
+def test_a_finger_of_finite_radius_is_a_disc_that_touches_the_side():
+    picture = Picture()
+    add_finger(picture, np.array([(-1, 0), (2, 0)]), (0.5, 0), center=(0.5, -0.4))
+    _, disc, rim = picture.marks
+    (points,) = disc.rings
+    assert np.array_equal(points, rim.points)
+    assert np.hypot(*(points - (0.5, -0.4)).T) == pytest.approx(0.4)
+    assert points.max(axis=0)[1] == pytest.approx(0.0, abs=1e-15)
+    assert points[[0, -1]] == pytest.approx(np.array([(0.5, 0)] * 2))

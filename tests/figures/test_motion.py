@@ -139,6 +139,31 @@ def test_frames_and_their_box_hold_the_side(pushed_side):
     assert np.array_equal(finger.place, contact(data)[3])
 
 
+def test_a_disc_is_drawn_where_it_is_tangent_to_the_side():
+    slider = pp.Slider(rod_length=2.0, rod_angle=1.2)
+    scene = pp.Scene(slider=slider, contact=pp.PerfectlyRough(), effects=(pp.RingFriction(),))
+    for radius in (0.4, 40.0):
+        pusher = pp.Pusher(velocity=heading(90), shape="finger", radius=radius)
+        log = run(scene, pusher, 0.5, samples=9, method="time-stepping")
+        data, picture = resampled(plotted(log), 4), Picture()
+        add_instant(picture, data, 3)
+        side, disc, rim = picture.marks[:3]
+        middle = rim.points[:-1].mean(axis=0)
+        assert middle == pytest.approx(log.pusher.values[-1] - (0, radius), abs=1e-9)
+        along = np.diff(side.points, axis=0)[0] / np.hypot(*np.diff(side.points, axis=0)[0])
+        heights = (rim.points - side.points[0]) @ (-along[1], along[0])
+        assert heights.max() == pytest.approx(0.0, abs=1e-9)
+        end = rod_end(data)[3] + float(log.contact_position[-1]) * along
+        assert rim.points[heights.argmax()] == pytest.approx(end, abs=1e-9)
+        assert np.array_equal(disc.rings[0], rim.points)
+        low, high = box(data)
+        if radius < 1:
+            assert (rim.points >= low).all()
+            assert (rim.points <= high).all()
+        else:
+            assert (high - low).max() < 10
+
+
 # -- marks -------------------------------------------------------------------------------------------
 
 

@@ -209,6 +209,18 @@ def test_a_finger_takes_the_place_of_the_fence():
     ] == [[0, 0]]
 
 
+def test_a_finger_of_finite_radius_is_below_its_side():
+    found = Sketch.of(scene(coulomb(0.5)), np.deg2rad(100), side=(-0.5, np.inf), finger_radius=0.3)
+    (rim,) = (
+        m.points for m in scene_picture(found).marks if isinstance(m, Line) and m.color == PUSHER
+    )
+    assert rim.max(axis=0) == pytest.approx([0.3, 0.0])
+    assert rim.min(axis=0) == pytest.approx([-0.3, -0.6])
+    assert found.box[0, 1] <= -0.6
+    huge = Sketch.of(scene(coulomb(0.5)), np.deg2rad(100), side=(-0.5, np.inf), finger_radius=1e3)
+    assert np.ptp(huge.box[:, 1]) < 4 * found.span
+
+
 @pytest.mark.parametrize(("length", "whole"), [(0.3, 0.2), (1.0, 1.0), (79.0, 50.0), (2e-4, 2e-4)])
 def test_a_scale_has_a_round_length_and_lies_in_the_corner(length, whole):
     picture = Picture()

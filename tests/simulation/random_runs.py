@@ -24,12 +24,13 @@ class RandomRun:
     shape: str
     duration: float
     twist: tuple[float, float, float]
+    radius: float = 0.0
 
     def log(self, method, finer=1):
         """The log of the run by a method; steps of equal length may be so many times finer."""
         step = {"step": self.duration / STEPS / finer}
         steps = step if method == "time-stepping" else {}
-        pusher = pp.Pusher(velocity=self.velocity, shape=self.shape)
+        pusher = pp.Pusher(velocity=self.velocity, shape=self.shape, radius=self.radius)
         twist = {"twist": self.twist} if self.scene.stores_energy else {}
         return log_of(
             self.scene, pusher, self.duration, method=method, samples=41, **twist, **steps

@@ -16,8 +16,8 @@ from scipy.optimize import brentq, root
 class Pushed:
     """A slider that slips along a finger; its support is points, in the body frame.
 
-    `sense` is the sign of the slip, 0 of a contact that sticks (without a mass), `mass` (m, gyration radius,
-    center), `velocity` of the finger is a + b t, given as (a, b), and `radius` is that of the finger.
+    `sense` is the sign of the slip, 0 of a contact that sticks (without a mass), `mass` (m, gyration
+    radius, center), `velocity` of the finger is a + b t, given as (a, b), `radius` is that of the finger.
     """
 
     def __init__(self, rod, psi, points, weights, mu, sense, velocity, mass=None, radius=0.0):

@@ -198,7 +198,7 @@ LAWS = (
 PIECES = [(0, (0.5, 1)), (0.5, (0, 0)), (0.8, (0.3, -1)), (1.1, (0, 2))]
 OVER_TIME = [(0, "slip-left"), (0.3, "stay-in-mode"), (0.9, "slip-right"), (1.2, "stick")]
 #: Variables that the log of a scene shares with its part of a batch.
-SHARED = ("time", "rod_angle", "slip", "gap", "mode", "pivot", "solutions", "position")
+SHARED = ("time", "rod_angle", "slip", "gap", "force", "mode", "pivot", "solutions", "position")
 
 
 @pytest.mark.parametrize("policy", ["keep-contact", "separate", "stay-in-mode", OVER_TIME], ids=str)
@@ -351,3 +351,81 @@ def test_a_batch_shows_progress_on_demand(capsys):
     assert "scene" in capsys.readouterr().err
     pp.simulate_batch(scenes, AHEAD, duration=0.1)
     assert capsys.readouterr().err == ""
+
+
+# -- velocities in pieces ------------------------------------------------------------------------------
+
+
+STARTS, ANGLES_OF_PIECES = (
+    [0.0, 0.3, 0.7],
+    np.deg2rad([[95.0, 60, 90], [80, 120, -60], [150, 20, 90]]),
+)
+
+
+def velocities(index=None):
+    """Pieces of the velocity of three pushers, or those of one."""
+    parts = [(np.cos(angles), np.sin(angles)) for angles in ANGLES_OF_PIECES]
+    chosen = slice(None) if index is None else index
+    return [(t, (x[chosen], y[chosen])) for t, (x, y) in zip(STARTS, parts, strict=True)]
+
+
+@pytest.mark.parametrize("shape", ["fence", "finger"])
+def test_velocities_in_pieces_may_be_arrays(shape):
+    """Each piece differs from scene to scene, and one scene ends before the last piece."""
+    durations, options = (
+        np.array([0.5, 1.0, 0.9]),
+        {"on_ambiguity": [(0, "stick"), (0.4, "separate")]},
+    )
+    scene = make_scene(2.0, 0.5, psi=1.0, radius=0.7)
+    pusher = pp.Pusher(velocity=velocities(), shape=shape)
+    found = pp.simulate_batch(scene, pusher, duration=durations, **options)
+    assert found.piece.values.tolist() == STARTS
+    assert found.velocity.dims == ("scene", "piece", "xy")
+    for index, duration in enumerate(durations):
+        one = pp.Pusher(velocity=velocities(index), shape=shape)
+        log = last(scene, one, duration=float(duration), **options)
+        here = found.isel(scene=index)
+        assert same(here, log)
+        for piece, (_, own) in enumerate(velocities(index)):
+            assert here.velocity[piece].values.tolist() == list(own)
+    assert len(set(found.rod_angle.values)) == 3
+
+
+def test_a_piece_may_be_one_velocity_for_all():
+    """Beside pieces of labelled arrays; a piece at rest, say."""
+    speed = xr.DataArray([0.5, 1.0], dims="speed")
+    along = xr.DataArray([-0.1, 0.0, 0.1], dims="along", coords={"along": [-0.1, 0.0, 0.1]})
+    pusher = pp.Pusher(velocity=[(0, (0.0, speed)), (0.2, (along, speed)), (0.5, (0.0, 0.0))])
+    found = pp.simulate_batch(make_scene(2.0, 0.5), pusher, duration=0.8, samples=3)
+    assert found.sizes == {"along": 3, "speed": 2, "part": 3, "piece": 3, "xy": 2}
+    for i, j in np.ndindex(3, 2):
+        x, y = float(along[i]), float(speed[j])
+        one = pp.Pusher(velocity=[(0, (0.0, y)), (0.2, (x, y)), (0.5, (0.0, 0.0))])
+        here = found.isel(along=i, speed=j)
+        assert same(here.isel(part=-1), last(make_scene(2.0, 0.5), one, duration=0.8))
+        assert here.velocity.values.tolist() == [[0.0, y], [x, y], [0.0, 0.0]]
+
+
+@pytest.mark.parametrize(
+    ("velocity", "said"),
+    [
+        ([(0, (0, 1)), (0, (np.ones(2), 1))], "velocity: .* start times that begin at 0 and increase"),
+        ([(0, (np.ones(2), 1)), (1, 3)], r"velocity: 3 given; allowed: \(v_x, v_y\), a sequence"),
+        ([(0, (np.ones(2), 1)), (1, (0, np.nan))], "velocity: nan given; allowed: finite numbers"),
+        ([(0, (np.ones(2), np.ones(3)))], "velocity: .* allowed: two arrays of one shape"),
+        ([(0, (np.ones(2), 1)), (1, (0, 1e200))], "velocity: 1e[+]200 given; allowed: a speed"),
+        ([(0, (np.ones(2), 1)), (1, (0, 1), 2)], "velocity: .* given; allowed: .* a sequence"),
+    ],
+)  # fmt: skip
+def test_pieces_that_are_not_allowed(velocity, said):
+    with pytest.raises(pp.InvalidValue, match=said) as caught:
+        pp.Pusher(velocity=velocity)
+    assert "\n" not in str(caught.value)
+
+
+def test_pieces_of_several_shapes_are_refused():
+    pusher = pp.Pusher(velocity=[(0, (np.ones(2), 1)), (1, (np.ones(3), 1))])
+    with pytest.raises(pp.InvalidValue, match=r"shapes: .* given"):
+        pp.simulate_batch(make_scene(2.0, 0.5), pusher, duration=1.0)
+    with pytest.raises(pp.InvalidValue, match=r"velocity: 'arrays' given; allowed: one velocity"):
+        pp.simulate(make_scene(2.0, 0.5), pusher=pusher, duration=1.0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -52,6 +54,20 @@ def apart(exact, stepped):
 def test_runs_without_inertia(kind, shape):
     for seed in range(3):
         check_run(random_run(seed, False, kind, shape))
+
+
+@pytest.mark.parametrize("kind", ["points", "symmetric", "polygon"])
+def test_runs_under_a_finger_of_finite_radius(kind):
+    for seed, radius in enumerate((0.05, 0.5, 5.0)):
+        check_run(replace(random_run(seed, False, kind, "finger"), radius=radius))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("block", range(10))
+def test_runs_with_inertia_under_a_finger_of_finite_radius(block):
+    for seed in range(10 * block, 10 * (block + 1)):
+        radius = (0.05, 0.5, 2.0)[seed % 3]
+        check_run(replace(random_run(seed, True, None, "finger"), radius=radius))
 
 
 @pytest.mark.slow

@@ -37,6 +37,15 @@ def test_a_finger_is_one():
     assert arguments(SimulateEntry(pusher_angle=90, duration=1))["pusher"].shape == "fence"
 
 
+def test_a_finger_has_the_radius_of_the_file():
+    finger = {"pusher_shape": "finger", "duration": 1}
+    places = [{"time": 0, "x": 1, "y": 2}, {"time": 0.5, "x": 1, "y": 3}]
+    for way in ({"pusher_angle": 90}, {"waypoints": places}):
+        for given in (0.2, 0.0, None):
+            entry = SimulateEntry(pusher_radius=given, **way, **finger)
+            assert arguments(entry)["pusher"].radius == (given or 0.0)
+
+
 def test_waypoints_are_those_of_the_pusher():
     places = [{"time": 0, "x": 1, "y": 2}, {"time": 0.5, "x": 1, "y": 3}]
     given = {"pusher_frame": "world", "object_pose": {"x": 1, "y": 2, "angle": 90}}

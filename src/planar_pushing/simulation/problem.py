@@ -104,11 +104,14 @@ class Problem:
 
 
 def _require_narrow(radius: Number, slider_radius: Number) -> None:
-    """Refuse a finger whose radius is out of proportion to the slider's."""
+    """Refuse a finger whose radius is out of proportion to the slider's, or of another shape."""
     try:
         ratio = radius / slider_radius
-    except ValueError:  # shapes that do not match, which a batch refuses by themselves
-        return
+    except ValueError:
+        shapes = np.shape(radius), np.shape(slider_radius)
+        raise InvalidValue(
+            "shapes", shapes, "() or (scenes,)", "give one number for each scene"
+        ) from None
     required_ratio("finger_ratio", ratio)
 
 

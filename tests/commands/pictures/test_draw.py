@@ -74,7 +74,10 @@ def test_a_finger_is_drawn_as_one(sketched, tmp_path):
     path = tmp_path / "finger.yaml"
     path.write_text(f"{text}  pusher_shape: finger\n", encoding="utf-8")
     assert sketched(str(path)).side == (-np.inf, np.inf)
+    assert sketched(str(path)).finger_radius == 0
     assert sketched("workflow/scenes/figure_15.yaml").side is None
+    path.write_text(f"{text}  pusher_shape: finger\n  pusher_radius: 0.3\n", encoding="utf-8")
+    assert sketched(str(path)).finger_radius == 0.3
 
 
 def test_a_perfectly_rough_contact_transmits_every_force(run, tmp_path):

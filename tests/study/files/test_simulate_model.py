@@ -25,8 +25,8 @@ simulate:
          "simulate.duration: 0 given; allowed: a finite number > 0; change the value"),
         ("duration: 1.5", "durations: 1.5",
          "simulate.durations: 1.5 given; allowed: the keys pusher_angle, pusher_speed, pusher_shape, "
-         "pusher_frame, pusher, waypoints, duration, method, on_ambiguity, rtol, initial_twist, "
-         "initial_gap, object_pose, until, samples, step; "
+         "pusher_radius, pusher_frame, pusher, waypoints, duration, method, on_ambiguity, rtol, "
+         "initial_twist, initial_gap, object_pose, until, samples, step; "
          "did you mean duration?"),
         ("  duration: 1.5\n", "",
          "simulate.duration: missing; allowed: a value for this key; add it"),
@@ -44,6 +44,8 @@ simulate:
          "simulate.pusher_shape: 'fingr' given; allowed: 'fence' or 'finger'; did you mean finger?"),
         ("duration: 1.5", "duration: 1.5\n  pusher_shape: 3",
          "simulate.pusher_shape: 3 given; allowed: 'fence' or 'finger'; change the value"),
+        ("duration: 1.5", "duration: 1.5\n  pusher_shape: finger\n  pusher_radius: -0.1",
+         "simulate.pusher_radius: -0.1 given; allowed: a finite number >= 0; change the value"),
         ("duration: 1.5", "duration: 1.5\n  on_ambiguity: any",
          "simulate.on_ambiguity: 'any' given; allowed: 'keep-contact', 'separate', 'stay-in-mode', "
          "'stick', 'slip-right' or 'slip-left'; change the value"),
@@ -84,7 +86,8 @@ def test_error(tmp_path, written, instead, said):
          "waypoints: [{time: 0, x: 0, y: 0}, {time: 0, x: 0, y: 1}]",
          "times of waypoints that begin at 0 and increase"),
         ("duration", "pusher_frame: world\n  duration", "pusher_frame world with an object_pose only"),
-
+        ("duration", "pusher_radius: 0.1\n  duration",
+         "pusher_radius with pusher_shape finger only; a fence is a line"),
         ("duration", "pusher_speed: 3\n  duration", "pusher_speed with pusher_angle only"),
         ("{time: 0, ", "{time: 0.1, ", "times of pusher that begin at 0 and increase"),
         ("time: 0.5", "time: 0", "times of pusher that begin at 0 and increase"),
