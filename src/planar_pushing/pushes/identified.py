@@ -26,7 +26,7 @@ class Identified:
         mu_s W, the support's friction in a translation, in the force's unit; NaN where no force was
         measured.
     contact_friction : float
-        Friction coefficient between finger and object; NaN where the pushes do not tell.
+        Friction coefficient between finger and object; a lower bound where `undetermined` says so.
     center_of_pressure : ndarray, shape (2,)
     spin_torque : float
         Mean distance of the pressure from its center: the torque of friction in spinning about it, over
