@@ -179,7 +179,9 @@ def corner_pushes(count=6, forces=False):
 
 
 def test_pushes_at_a_corner_have_no_residual_without_forces():
-    sides = small(displacement=(("push", "xy"), [(0, 0.15), (0, 0.2), (-0.17, 0.02)], {"units": "mm"}))
+    sides = small(
+        displacement=(("push", "xy"), [(0, 0.15), (0, 0.2), (-0.17, 0.02)], {"units": "mm"})
+    )
     pushes = pp.concat_pushes([sides, corner_pushes(2).assign_coords(object=["square"]).assign(
         pushed=("push", ["square"] * 2)
     )])  # fmt: skip
@@ -250,7 +252,9 @@ def identified(places, weights, spacing):
 
 def test_feet_of_a_support():
     """Points next to each other, also diagonally, are one foot at their center of pressure."""
-    found = identified([(0, 0), (1, 1), (5, 5), (5, 7), (5, 6)], [0.1, 0.3, 0.2, 0.2, 0.2], 1.0).feet
+    found = identified(
+        [(0, 0), (1, 1), (5, 5), (5, 7), (5, 6)], [0.1, 0.3, 0.2, 0.2, 0.2], 1.0
+    ).feet
     order = np.argsort(np.array(found.positions)[:, 0])
     assert np.array(found.positions)[order] == pytest.approx(np.array([(0.75, 0.75), (5.0, 6.0)]))
     assert np.array(found.weights)[order] == pytest.approx([0.4, 0.6])

@@ -182,7 +182,7 @@ def _identified(
         for low, high in (np.percentile([row[name] for row in rows], ENDS),)
     }
     center, torque = moments_of(family.places, weights)
-    shares = drawn[:, kept] / drawn.sum(axis=1, keepdims=True)
+    shares = np.maximum(drawn[:, kept] / drawn.sum(axis=1, keepdims=True), 0.0)
     number = np.cumsum(kept) - 1
     return Identified(
         support=Points(places, carried), weight=float(weights.sum()) if forces else np.nan,
