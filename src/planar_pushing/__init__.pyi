@@ -58,6 +58,8 @@ from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
 from .pushes.combine import concat_pushes
 from .pushes.files import load_pushes, save_pushes
+from .pushes.identified import Identified
+from .pushes.identify import identify
 from .pushes.mit import read_mit
 from .pushes.poses import pushes_from_poses
 from .pushes.simulated import simulate_pushes
@@ -91,6 +93,7 @@ __all__ = [
     "Event",
     "ForceDerivatives",
     "ForceMotion",
+    "Identified",
     "Inertia",
     "InfiniteFriction",
     "InvalidFile",
@@ -130,6 +133,7 @@ __all__ = [
     "first_touch",
     "fit_ellipsoid",
     "friction_cone",
+    "identify",
     "limit_curve",
     "load_pushes",
     "load_scene",
