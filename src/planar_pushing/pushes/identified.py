@@ -42,7 +42,7 @@ class Identified:
         Number of the point of the support about which the object turned under less than its full friction;
         -1 elsewhere, and where no force was measured.
     length : float
-        Turns angles into lengths and torques into forces: the outline's radius of gyration.
+        Turns angles into lengths and torques into forces: half the outline's extent.
     spacing : float
         Distance between candidates.
     optimality : float

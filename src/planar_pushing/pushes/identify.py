@@ -18,7 +18,7 @@ from planar_pushing.pushes.schema import required_pushes
 from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
 
 #: Candidates along the outline's extent by default, with forces and without; they are fewer for few pushes.
-WITH_FORCES, WITHOUT = 15, 6
+WITH_FORCES, WITHOUT = 15, 5
 #: Columns of a family that a push may determine at most: with forces weights >= 0 settle the others.
 COLUMNS_WITH_FORCES, COLUMNS_WITHOUT = 12.0, 2.5
 #: Ends of the intervals, percent.
@@ -50,7 +50,7 @@ def identify(
         Corners of the object in its frame; by default those of the dataset.
     spacing : float, optional
         Distance between candidate points; by default a fifteenth of the outline's extent with forces and a
-        sixth without, and more for few pushes.
+        fifth without, and more for few pushes.
     known : Points, or array_like of shape (n, 2), optional
         Places of the feet, where only their weights are sought.
     family : {"points", "even_and_corners", "ellipse", "map"}

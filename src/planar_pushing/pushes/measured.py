@@ -39,7 +39,7 @@ class Measured:
     radius : ndarray, shape (n,)
         Of the finger.
     force : ndarray, shape (n, 2)
-        Mean force on the object, along the object's axes midway; NaN where there is none.
+        Mean force on the object, along the object's axes; NaN where there is none.
     path : ndarray, shape (n, parts, 2)
         Displacements of the finger's center over equal parts of its way.
     noise : tuple of float
@@ -70,15 +70,8 @@ class Measured:
 
     @property
     def length(self) -> float:
-        """Length that turns angles into distances: the radius of gyration of the outline.
-
-        Its even plate's, about the centroid.
-        """
-        corners = self.outline - self.center
-        following = np.roll(corners, -1, axis=0)
-        cross = corners[:, 0] * following[:, 1] - corners[:, 1] * following[:, 0]
-        square = (corners**2 + corners * following + following**2).sum(axis=1)
-        return float(np.sqrt((cross * square).sum() / (6.0 * cross.sum())))
+        """Length that turns angles into distances: half the extent of the outline."""
+        return self.size / 2.0
 
     @property
     def center(self) -> Array:
@@ -135,10 +128,32 @@ class Measured:
         return np.column_stack([f_x, f_y, x * f_y - y * f_x])
 
     @property
+    def centered_twists(self) -> Array:
+        """Mean twists of the centroid, shape (n, 3)."""
+        return twists_at(self.twists, self.center)
+
+    @property
+    def centered_wrenches(self) -> Array:
+        """Wrenches about the centroid, shape (n, 3)."""
+        return wrenches_about(self.wrenches, self.center)
+
+    @property
     def at_corner(self) -> Array:
         """Whether each push touches a convex corner first."""
         apart = self.contact[:, None] - self.outline
         return np.asarray(np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) <= 1e-9 * self.size)
+
+
+def twists_at(twists: Array, point: Array) -> Array:
+    """Twists of a point of the object, of those of its frame's origin."""
+    v_x, v_y, turn = twists.T
+    return np.column_stack([v_x - turn * point[1], v_y + turn * point[0], turn])
+
+
+def wrenches_about(wrenches: Array, point: Array) -> Array:
+    """Wrenches about a point, of those about the origin."""
+    f_x, f_y, torque = wrenches.T
+    return np.column_stack([f_x, f_y, torque - point[0] * f_y + point[1] * f_x])
 
 
 def measured(pushes: xr.Dataset, outline: Any = None) -> Measured:

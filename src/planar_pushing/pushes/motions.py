@@ -11,6 +11,7 @@ from tqdm import tqdm
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
+from planar_pushing.pushes.balance import ridge
 from planar_pushing.pushes.candidates import Family
 from planar_pushing.pushes.contacts import Contacts, contacts_of
 from planar_pushing.pushes.measured import Measured
@@ -27,8 +28,6 @@ CHANGE = 1e-3
 USUAL_AMOUNT, USUAL_FRICTION = 1.0, 0.2
 #: Derivatives of a search at most, and the relative change of its parameters or its sum at which it ends.
 EVALUATIONS, DONE = 15, 1e-4
-#: Pull towards even amounts, in standard deviations of all residuals: it settles those that no push knows.
-RIDGE = 0.1
 
 
 class Linear(NamedTuple):
@@ -203,7 +202,7 @@ def _slopes(problem: MotionProblem, parameters: Array) -> tuple[Array, Array]:
 def _further(linear: Linear | None, parameters: Array, number: int) -> tuple[Array, Array]:
     """Residuals of the pull towards even amounts and of pushes with forces, and their derivatives."""
     count = len(parameters) - 1
-    pull = RIDGE * np.sqrt(number / count)
+    pull = ridge(number, count)
     residuals = pull * (parameters[:-1] - USUAL_AMOUNT)
     slopes = pull * np.eye(count, count + 1)
     if linear is None:
