@@ -57,6 +57,7 @@ from .objects.mjcf import to_mjcf
 from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
 from .pushes.combine import concat_pushes
+from .pushes.compare import compare
 from .pushes.files import load_pushes, save_pushes
 from .pushes.identified import Identified
 from .pushes.identify import identify
@@ -127,6 +128,7 @@ __all__ = [
     "WrenchSet",
     "animate",
     "can_pull",
+    "compare",
     "concat_pushes",
     "conservative_motion_cone",
     "draw",

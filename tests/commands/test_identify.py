@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -74,10 +75,20 @@ def test_what_is_printed_is_what_identify_finds(run, files, tmp_path, found):
     assert said["in_a_facet"] == f"{(found.facet >= 0).sum()} of 8 pushes"
     assert float(said["residual_of_wrench"]) == pytest.approx(np.median(found.residuals), rel=1e-3)
     assert out.count("undetermined: ") == len(found.undetermined) > 0
-    feet = np.array([row.split() for row in out.partition("fraction\n")[2].splitlines()
-                     if row[0] in "-0123456789"], float)  # fmt: skip
-    np.testing.assert_allclose(feet[:, :2], found.feet.positions, rtol=1e-3)
-    np.testing.assert_allclose(feet[:, 2], found.feet.weights, rtol=1e-3)
+
+
+def test_feet_are_joined_and_a_patch_has_none(pushes, found):
+    beside = [(x + 5.0, y) for x, y in FEET.positions]
+    places, loads = [*FEET.positions, *beside], [0.2, 0.2, 0.35, 0.05, 0.05, 0.15]
+    feet = replace(found, support=pp.Points(places, loads), spacing=5.0, spin_torque=47.0)
+    printed = command.lines({"written": "support.yaml"} | command.summary(feet, pushes))
+    rows = printed.partition("fraction\n")[2].splitlines()[:3]
+    np.testing.assert_allclose(
+        sorted([float(each) for each in row.split()] for row in rows),
+        [[-39, -40, 0.25], [1.5, 40, 0.5], [41, -40, 0.25]],
+    )
+    patch = replace(feet, spacing=60.0)
+    assert command.summary(patch, pushes)["feet"] is None
 
 
 def test_as_json(run, files, tmp_path, found):
