@@ -7,6 +7,7 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
+from planar_pushing.commands import compare as command
 from planar_pushing.pushes.compare import MODELS
 from planar_pushing.study.store import read_dataset
 
@@ -96,7 +97,19 @@ def test_a_support_is_identified_where_that_is_asked_for(run, files, pushes):
     assert got == pytest.approx(float(expected["median"]), rel=1e-6)
 
 
-def test_quantities_and_models_that_are_not_known_are_left_out(run, files):
+def test_quantities_and_models_that_are_not_known_are_left_out(found):
+    known = found.copy(deep=True)
+    for name in ("median", "ratio"):
+        known[name].loc[{"quantity": ["wrench", "motion"]}] = np.nan
+        known[name].loc[{"model": "exact"}] = np.nan
+    told = command.summary(known)
+    assert told["units"] == {"pose": "mm"}
+    assert {name: list(rows) for name, rows in told["comparison"].items()} == {"pose": FAST[1:]}
+    assert list(tables(command.lines(told))) == ["pose [mm]"]
+
+
+@pytest.mark.slow
+def test_several_objects_and_one_of_them_without_forces(run, files):
     code, out, _ = run("compare", str(files / "two.nc"), "--object", "plate")
     assert code == 0
     assert out.splitlines()[:2] == ["objects: plate", "pushes: 10"]

@@ -60,7 +60,7 @@ def compared(args: argparse.Namespace) -> dict[str, Any]:
         write_dataset(found, args.output)
         written = {"written": str(args.output)}
     told = written | summary(found)
-    return told if args.json else {"": _lines(told)}
+    return told if args.json else {"": lines(told)}
 
 
 def summary(found: xr.Dataset) -> dict[str, Any]:
@@ -101,12 +101,12 @@ def _unit(found: xr.Dataset, quantity: str) -> str:
     return str(found.attrs["pose_units"]) if quantity == "pose" else "degree"
 
 
-def _lines(told: dict[str, Any]) -> str:
+def lines(told: dict[str, Any]) -> str:
     """The numbers as lines, and a table for each quantity."""
-    tables = told.pop("comparison")
-    units = told.pop("units")
+    units, tables = told["units"], told["comparison"]
+    rest = {name: each for name, each in told.items() if name not in ("units", "comparison")}
     return "\n".join(
-        [text(told), *(_table(name, units[name], each) for name, each in tables.items())]
+        [text(rest), *(_table(name, units[name], each) for name, each in tables.items())]
     )
 
 
