@@ -16,7 +16,7 @@ from scipy import sparse
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.candidates import Family
-from planar_pushing.pushes.measured import Measured
+from planar_pushing.pushes.measured import Index, Measured
 
 #: Fraction by which friction differs from one push to the next, as Coulomb's law does not know.
 REPEATABILITY = 0.05
@@ -59,14 +59,14 @@ class Balance:
 
     loads: Array
     wrenches: Array
-    pairs: Array
+    pairs: Index
     reaches: Array
     whitening: Array
     columns: Array
     even: float
     pull: float
 
-    def part(self, rows: Array) -> Balance:
+    def part(self, rows: Index) -> Balance:
         """The problem of some of the pushes, of which one may come more than once."""
         chosen = [np.flatnonzero(self.pairs[:, 0] == row) for row in rows]
         which = np.concatenate([*chosen, np.zeros(0, dtype=int)]).astype(int)
@@ -88,7 +88,7 @@ class Balanced:
     forces : ndarray, shape (m, 2)
         Of the places that may be at rest.
     residuals : ndarray, shape (n, 3)
-        In standard deviations.
+        As the problem weighs them.
     optimality : float
         Largest violation of the conditions of Karush, Kuhn and Tucker, relative to the data: of any
         amounts, those with none are optimal.
@@ -142,8 +142,11 @@ def ridge(residuals: int, columns: int) -> float:
     return RIDGE * float(np.sqrt(residuals / columns))
 
 
-def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced]:
-    """Amounts of a family's columns from pushes with forces, by weighed least squares."""
+def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced, Array]:
+    """Amounts of a family's columns from pushes with forces, by weighed least squares.
+
+    Returns the problem, its solution, and the error of each push in standard deviations, shape (n,).
+    """
     newtons = float(np.median(np.hypot(*pushes.force.T)))
     count = family.columns.shape[1]
     amounts = np.full(count, newtons / count)
@@ -155,7 +158,7 @@ def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced]:
         amounts = found.amounts
         error = np.sqrt((found.residuals**2).mean(axis=1)) / trust
         trust = np.minimum(1.0, np.sqrt(LARGE / np.maximum(error, LARGE)))
-    return problem, found
+    return problem, found, error
 
 
 def solve_balance(problem: Balance) -> Balanced:
@@ -178,7 +181,8 @@ def solve_balance(problem: Balance) -> Balanced:
     solver = clarabel.DefaultSolver(
         sparse.diags(weights).tocsc(), slope, sparse.vstack([links, positive, cones]).tocsc(),
         np.concatenate([target, np.zeros(count + 3 * pairs)]),
-        [clarabel.ZeroConeT(rows), clarabel.NonnegativeConeT(count)] + [clarabel.SecondOrderConeT(3)] * pairs,
+        [clarabel.ZeroConeT(rows), clarabel.NonnegativeConeT(count)]
+        + [clarabel.SecondOrderConeT(3)] * pairs,
         settings,
     )  # fmt: skip
     found = np.array(solver.solve().x)

@@ -10,7 +10,6 @@ import numpy as np
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import nearest, sides_of
 
-
 #: Places per extent that stand for an even pressure.
 EVEN = 12
 #: Ellipses, as fractions of the ellipse with the outline's moments that are no larger than it.

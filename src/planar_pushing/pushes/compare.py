@@ -18,7 +18,7 @@ from planar_pushing.pushes.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fitted import fitted_ellipsoid
 from planar_pushing.pushes.friction import contact_friction
 from planar_pushing.pushes.identify import identify
-from planar_pushing.pushes.measured import Measured, measured, twists_at, wrenches_about
+from planar_pushing.pushes.measured import Mask, Measured, measured, twists_at, wrenches_about
 from planar_pushing.pushes.schema import required_pushes, without_padding
 from planar_pushing.pushes.statistics import QUANTITIES, REFERENCE, statistics
 from planar_pushing.pushes.supported import OnSupport
@@ -38,17 +38,17 @@ class Half(NamedTuple):
     options: dict[str, Any]
 
 
-def _feet(half: Half) -> Points | None:
-    """The feet of an object, where they and their loads are known."""
-    if "feet" not in half.dataset or "foot_weight" not in half.dataset:
+def feet_of(dataset: xr.Dataset) -> Points | None:
+    """The feet of the object of a dataset, where they and their loads are known."""
+    if "feet" not in dataset or "foot_weight" not in dataset:
         return None
-    places = without_padding(half.dataset["feet"].values[0])
-    loads = half.dataset["foot_weight"].values[0][: len(places)]
+    places = without_padding(dataset["feet"].values[0])
+    loads = dataset["foot_weight"].values[0][: len(places)]
     return Points(places, loads) if len(places) and np.isfinite(loads).all() else None
 
 
 def _exact(half: Half) -> tuple[Model, float] | None:
-    feet = _feet(half)
+    feet = feet_of(half.dataset)
     return None if feet is None else on_support(feet, half.pushes)
 
 
@@ -62,7 +62,7 @@ def _identified(half: Half) -> tuple[Model, float]:
 
 
 def _exact_ellipsoid(half: Half) -> tuple[Model, float] | None:
-    feet = _feet(half)
+    feet = feet_of(half.dataset)
     return None if feet is None else on_ellipsoid(feet, half.pushes)
 
 
@@ -247,7 +247,8 @@ def _require_halves(name: str, pushes: Measured) -> None:
     usable = pushes.has_force | ~pushes.at_corner
     if usable.sum() < LEAST:
         raise InvalidValue(
-            "pushes", f"{int(usable.sum())} pushes of {name} that a model can be fitted to", f"at least {LEAST}",
+            "pushes", f"{int(usable.sum())} pushes of {name} to which a model can be fitted",
+            f"at least {LEAST}",
             "measure more pushes: half of them are for the fit",
         )  # fmt: skip
 
@@ -255,7 +256,7 @@ def _require_halves(name: str, pushes: Measured) -> None:
 def _described(
     error: xr.DataArray,
     pushes: xr.Dataset,
-    corner: Array,
+    corner: Mask,
     lengths: Array,
     resamples: int,
     seed: int,

@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.numerics.arrays import same
@@ -15,6 +16,9 @@ from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.schema import corners_of
 from planar_pushing.terms.errors import InvalidValue
 
+#: Flags and numbers of pushes.
+Mask = npt.NDArray[np.bool_]
+Index = npt.NDArray[np.intp]
 #: Standard deviations of motion capture and of a force sensor, where a dataset names none: fractions of
 #: the outline's size and of the median force, and an angle in degrees.
 POSITION, ANGLE, FORCE = 0.003, 0.3, 0.02
@@ -115,7 +119,7 @@ class Measured:
         return (self.contact + self.last_contacts) / 2.0
 
     @property
-    def has_force(self) -> Array:
+    def has_force(self) -> Mask:
         """Whether the force of each push was measured."""
         return np.asarray(
             np.isfinite(self.force).all(axis=1) & (np.abs(self.force).max(axis=1) > 0.0)
@@ -138,7 +142,7 @@ class Measured:
         return wrenches_about(self.wrenches, self.center)
 
     @property
-    def at_corner(self) -> Array:
+    def at_corner(self) -> Mask:
         """Whether each push touches a convex corner first."""
         apart = self.contact[:, None] - self.outline
         return np.asarray(np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) <= 1e-9 * self.size)

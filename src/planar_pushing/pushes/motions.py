@@ -14,7 +14,7 @@ from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.balance import ridge
 from planar_pushing.pushes.candidates import Family
 from planar_pushing.pushes.contacts import Contacts, contacts_of
-from planar_pushing.pushes.measured import Measured
+from planar_pushing.pushes.measured import Index, Measured
 from planar_pushing.pushes.supported import BodyFrames, body_frames, simulated
 
 #: Friction coefficients that are tried before the searches, and those that a search may find.
@@ -139,7 +139,7 @@ def fit_motions(
     )  # fmt: skip
 
 
-def resampled(fitted: Fitted, linear: Linear | None, rows: Array) -> Array:
+def resampled(fitted: Fitted, linear: Linear | None, rows: Index) -> Array:
     """Parameters of the pushes in `rows`, of which some come twice, by one step from the best ones."""
     count = len(fitted.amounts)
     errors = fitted.residuals.ravel() / fitted.scale

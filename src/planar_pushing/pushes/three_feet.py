@@ -135,7 +135,7 @@ def planar(poses: Array) -> Array:
 
 
 def mean_force(record: Record) -> Array:
-    """Mean force of the finger on the object along the axes that the object has midway; NaN without samples.
+    """Mean force of the finger on the object along the axes that the object has midway; NaN without any.
 
     Each sample counts along the object's axes at its time, as the object turns evenly from the pose before
     to the pose after; the mean is turned back into the world's axes.
