@@ -58,7 +58,10 @@ from .objects.mjcf import to_mjcf
 from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
 from .pushes.combine import concat_pushes
+from .pushes.compare import compare
 from .pushes.files import load_pushes, save_pushes
+from .pushes.identified import Identified
+from .pushes.identify import identify
 from .pushes.mit import read_mit
 from .pushes.poses import pushes_from_poses
 from .pushes.simulated import simulate_pushes
@@ -92,6 +95,7 @@ __all__ = [
     "Event",
     "ForceDerivatives",
     "ForceMotion",
+    "Identified",
     "Inertia",
     "InfiniteFriction",
     "InvalidFile",
@@ -125,12 +129,14 @@ __all__ = [
     "WrenchSet",
     "animate",
     "can_pull",
+    "compare",
     "concat_pushes",
     "conservative_motion_cone",
     "draw",
     "first_touch",
     "fit_ellipsoid",
     "friction_cone",
+    "identify",
     "limit_curve",
     "load_pushes",
     "load_scene",

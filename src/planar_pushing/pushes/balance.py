@@ -16,7 +16,7 @@ from scipy import sparse
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.candidates import Family
-from planar_pushing.pushes.measured import Measured
+from planar_pushing.pushes.measured import Index, Measured
 
 #: Fraction by which friction differs from one push to the next, as Coulomb's law does not know.
 REPEATABILITY = 0.05
@@ -25,6 +25,8 @@ REPEATABILITY = 0.05
 AT_REST = 2.45
 #: How often residuals are weighed anew: amounts then change by less than a tenth of their errors.
 ROUNDS = 6
+#: Pull towards even amounts, relative to the residuals together: it settles what no push tells.
+RIDGE = 0.1
 #: Residual of a push, in standard deviations, from which on it counts in proportion to its magnitude.
 LARGE = 1.5
 
@@ -49,23 +51,29 @@ class Balance:
         Takes residuals to standard deviations.
     columns : ndarray, shape (k, c)
         Weights of the family's places per amount.
+    even : float
+        Amount of each column towards which all are pulled.
+    pull : float
+        Strength of this pull: standard deviations of all residuals per amount.
     """
 
     loads: Array
     wrenches: Array
-    pairs: Array
+    pairs: Index
     reaches: Array
     whitening: Array
     columns: Array
+    even: float
+    pull: float
 
-    def part(self, rows: Array) -> Balance:
+    def part(self, rows: Index) -> Balance:
         """The problem of some of the pushes, of which one may come more than once."""
         chosen = [np.flatnonzero(self.pairs[:, 0] == row) for row in rows]
         which = np.concatenate([*chosen, np.zeros(0, dtype=int)]).astype(int)
         push = np.repeat(np.arange(len(rows)), [len(each) for each in chosen])
         return Balance(
             self.loads[rows], self.wrenches[rows], np.column_stack([push, self.pairs[which, 1]]),
-            self.reaches[which], self.whitening[rows], self.columns,
+            self.reaches[which], self.whitening[rows], self.columns, self.even, self.pull,
         )  # fmt: skip
 
 
@@ -80,7 +88,7 @@ class Balanced:
     forces : ndarray, shape (m, 2)
         Of the places that may be at rest.
     residuals : ndarray, shape (n, 3)
-        In standard deviations.
+        As the problem weighs them.
     optimality : float
         Largest violation of the conditions of Karush, Kuhn and Tucker, relative to the data: of any
         amounts, those with none are optimal.
@@ -98,9 +106,8 @@ def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
     places = family.places - center
     # Displacements of the places, and directions of their friction.
     x, y = places.T
-    twists = pushes.twists
-    v_x = (twists[:, :1] - twists[:, 2:] * center[1]) - twists[:, 2:] * y
-    v_y = (twists[:, 1:2] + twists[:, 2:] * center[0]) + twists[:, 2:] * x
+    c_x, c_y, turn = pushes.centered_twists.T[..., None]
+    v_x, v_y = c_x - turn * y, c_y + turn * x
     far = np.hypot(v_x, v_y)
     position, angle, force = pushes.noise
     known = np.sqrt(position**2 + (angle**2) * (places**2).sum(axis=1))
@@ -122,15 +129,24 @@ def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
     plain = force**2 + (REPEATABILITY * newtons) ** 2
     covariance = change @ motion @ change.transpose(0, 2, 1) + plain[:, None, None] * np.eye(3)
     covariance[:, 2, 2] += (position * newtons / length) ** 2
-    f_x, f_y, torque = pushes.wrenches.T
-    wrenches = np.column_stack([f_x, f_y, (torque - center[0] * f_y + center[1] * f_x) / length])
+    wrenches = pushes.centered_wrenches / [1.0, 1.0, length]
+    even = float(weights.sum()) / family.columns.shape[1]
     return Balance(
-        loads, wrenches, pairs, reaches, np.linalg.inv(np.linalg.cholesky(covariance)), family.columns
+        loads, wrenches, pairs, reaches, np.linalg.inv(np.linalg.cholesky(covariance)), family.columns,
+        even, ridge(3 * len(pushes), family.columns.shape[1]) / even,
     )  # fmt: skip
 
 
-def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced]:
-    """Amounts of a family's columns from pushes with forces, by weighed least squares."""
+def ridge(residuals: int, columns: int) -> float:
+    """Strength of the pull towards even amounts, in standard deviations per even amount."""
+    return RIDGE * float(np.sqrt(residuals / columns))
+
+
+def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced, Array]:
+    """Amounts of a family's columns from pushes with forces, by weighed least squares.
+
+    Returns the problem, its solution, and the error of each push in standard deviations, shape (n,).
+    """
     newtons = float(np.median(np.hypot(*pushes.force.T)))
     count = family.columns.shape[1]
     amounts = np.full(count, newtons / count)
@@ -142,7 +158,7 @@ def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced]:
         amounts = found.amounts
         error = np.sqrt((found.residuals**2).mean(axis=1)) / trust
         trust = np.minimum(1.0, np.sqrt(LARGE / np.maximum(error, LARGE)))
-    return problem, found
+    return problem, found, error
 
 
 def solve_balance(problem: Balance) -> Balanced:
@@ -153,8 +169,9 @@ def solve_balance(problem: Balance) -> Balanced:
     target = np.einsum("nab,nb->na", problem.whitening, problem.wrenches).ravel()
     rows, variables = 3 * number, count + 2 * pairs
     # Variables are amounts, forces and residuals.
-    free = sparse.csc_matrix((variables, variables))
-    quadratic = sparse.block_diag([free, sparse.eye(rows)]).tocsc()
+    square = problem.pull**2
+    weights = np.concatenate([np.full(count, square), np.zeros(2 * pairs), np.ones(rows)])
+    slope = np.concatenate([np.full(count, -square * problem.even), np.zeros(2 * pairs + rows)])
     links = sparse.hstack([matrix, -sparse.eye(rows)])
     positive = sparse.hstack([-sparse.eye(count), sparse.csc_matrix((count, 2 * pairs + rows))])
     cones = _cones(problem, variables + rows)
@@ -162,9 +179,10 @@ def solve_balance(problem: Balance) -> Balanced:
     settings.verbose = False
     settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = 1e-10
     solver = clarabel.DefaultSolver(
-        quadratic, np.zeros(variables + rows), sparse.vstack([links, positive, cones]).tocsc(),
+        sparse.diags(weights).tocsc(), slope, sparse.vstack([links, positive, cones]).tocsc(),
         np.concatenate([target, np.zeros(count + 3 * pairs)]),
-        [clarabel.ZeroConeT(rows), clarabel.NonnegativeConeT(count)] + [clarabel.SecondOrderConeT(3)] * pairs,
+        [clarabel.ZeroConeT(rows), clarabel.NonnegativeConeT(count)]
+        + [clarabel.SecondOrderConeT(3)] * pairs,
         settings,
     )  # fmt: skip
     found = np.array(solver.solve().x)
@@ -215,7 +233,8 @@ def _violation(problem: Balance, amounts: Array, residuals: Array, target: Array
         bounded = np.hypot(*pull.T) @ problem.columns[place] if len(push) else 0.0
         return np.asarray(np.einsum("nac,na->c", problem.loads, whitened) - bounded)
 
-    now, before = slopes(residuals), slopes(-target.reshape(-1, 3))
+    now = slopes(residuals) + problem.pull**2 * (amounts - problem.even)
+    before = slopes(-target.reshape(-1, 3))
     size = float(np.abs(before).max())
     least = float(-now.min() / size)
     complementary = float(np.abs(amounts * now).max() / (size * max(amounts.max(), 1e-300)))

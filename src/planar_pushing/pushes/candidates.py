@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import nearest, sides_of
-from planar_pushing.terms.errors import InvalidValue
 
-#: Places per extent of the outline, where forces were measured and where not.
-FINE, COARSE = 15, 6
 #: Places per extent that stand for an even pressure.
 EVEN = 12
 #: Ellipses, as fractions of the ellipse with the outline's moments that are no larger than it.
 ELLIPSES = np.linspace(0.2, 1.2, 6)
-#: Most candidates that are allowed.
-MOST = 5000
 
 
 class Family(NamedTuple):

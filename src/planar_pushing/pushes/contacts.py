@@ -13,7 +13,7 @@ import numpy as np
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import nearest, sides_of
-from planar_pushing.pushes.measured import Measured
+from planar_pushing.pushes.measured import Index, Mask, Measured
 
 #: A finger that leaves a side within this fraction of its way does not push it.
 AT_ONCE = 1e-3
@@ -42,14 +42,14 @@ class Contacts:
         Cosine of the angle between this normal and that of the finger at first touch.
     """
 
-    push: Array
+    push: Index
     point: Array
     normal: Array
     start: Array
     end: Array
     path: Array
     radius: Array
-    sticks: Array
+    sticks: Mask
     aligned: Array
 
     @property

@@ -32,7 +32,7 @@ class Ellipsoid:
         return cls(moved.T @ matrix @ moved)
 
     def wrenches(self, twists: Array) -> Array:
-        return np.linalg.solve(self.matrix, twists.T).T
+        return np.asarray(np.linalg.solve(self.matrix, twists.T).T, dtype=float)
 
     def motions(self, wrenches: Array) -> Array:
         return wrenches @ self.matrix

@@ -10,7 +10,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.balance import Balance, Balanced, fit_balance, solve_balance
 from planar_pushing.pushes.candidates import Family
 from planar_pushing.pushes.friction import contact_friction
-from planar_pushing.pushes.measured import Measured
+from planar_pushing.pushes.measured import Index, Measured
 from planar_pushing.pushes.motions import Linear, MotionProblem, fit_motions, resampled
 
 #: Slipping pushes from which their median is a friction coefficient.
@@ -50,7 +50,7 @@ class Estimate:
     friction: float
     frictions: Array
     residuals: Array
-    facet: Array
+    facet: Index
     optimality: float
     told: Array
     doubts: tuple[str, ...]
@@ -60,39 +60,57 @@ def from_forces(
     pushes: Measured, family: Family, resamples: int, generator: np.random.Generator
 ) -> tuple[Estimate, Linear]:
     """The estimate of pushes with forces, and the residuals that it leaves, as linear ones."""
-    problem, found = fit_balance(pushes, family)
-    number = len(pushes)
+    problem, found, errors = fit_balance(pushes, family)
+    number, share = len(pushes), found.amounts.sum() / len(found.amounts)
+    changes = np.einsum("nab,nbc->nac", problem.whitening, problem.loads) * share
+    changes = changes.reshape(3 * number, -1)
+    told = _singular_values(changes)
     rows = [generator.integers(number, size=number) for _ in range(resamples)]
-    draws = np.array([solve_balance(problem.part(each)).amounts for each in rows])
+    drawn = np.array([solve_balance(problem.part(each)).amounts for each in rows])
+    friction, frictions, doubts = _friction(pushes, resamples, generator)
+    estimate = Estimate(
+        amounts=found.amounts, draws=_widened(drawn, found.amounts, number, told), friction=friction,
+        frictions=frictions, residuals=errors, facet=_facets(problem, found, errors),
+        optimality=found.optimality, told=told, doubts=doubts,
+    )  # fmt: skip
+    return estimate, Linear(changes, changes @ found.amounts / share - found.residuals.ravel())
+
+
+def _friction(
+    pushes: Measured, resamples: int, generator: np.random.Generator
+) -> tuple[float, Array, tuple[str, ...]]:
+    """Friction of the contact, that of draws of the pushes, and a sentence where too few slip."""
     ratios = contact_friction(pushes)
     slipping = ratios.slipping
-    told = len(slipping) >= FEWEST
-    friction = ratios.coefficient if told else float(ratios.sticking.max(initial=0.0))
-    again = generator.integers(max(len(slipping), 1), size=(resamples, len(slipping)))
-    frictions = np.median(slipping[again], axis=1) if told else np.full(resamples, friction)
-    share = found.amounts.sum() / len(found.amounts)
-    changes = (
-        np.einsum("nab,nbc->nac", problem.whitening, problem.loads).reshape(3 * number, -1) * share
+    if len(slipping) >= FEWEST:
+        again = generator.integers(len(slipping), size=(resamples, len(slipping)))
+        return ratios.coefficient, np.median(slipping[again], axis=1), ()
+    least = float(ratios.sticking.max(initial=0.0))
+    count = f"{len(slipping)} of the pushes" if len(slipping) else "none of the pushes"
+    doubt = f"contact_friction: {count} with forces slip; {least:.3g} is a lower bound"
+    return least, np.full(resamples, least), (doubt,)
+
+
+def _singular_values(matrix: Array) -> Array:
+    return np.asarray(np.linalg.svd(matrix, compute_uv=False), dtype=float)
+
+
+def _widened(drawn: Array, amounts: Array, pushes: int, told: Array) -> Array:
+    """Draws further apart: a fit leaves less than the errors, by the numbers that it is free to choose."""
+    free = min(int((told > 1.0).sum()), pushes // 2)
+    return np.asarray(
+        np.maximum(amounts + np.sqrt(pushes / (pushes - free)) * (drawn - amounts), 0.0)
     )
-    estimate = Estimate(
-        amounts=found.amounts, draws=draws, friction=friction, frictions=frictions,
-        residuals=np.sqrt((found.residuals**2).mean(axis=1)), facet=_facets(problem, found),
-        optimality=found.optimality, told=np.linalg.svd(changes, compute_uv=False),
-        doubts=() if told else (
-            f"contact_friction: {len(slipping) or 'no'} pushes with forces slip; {friction:.3g} is a lower bound",
-        ),
-    )  # fmt: skip
-    return estimate, Linear(changes, (changes @ found.amounts / share) - found.residuals.ravel())
 
 
-def _facets(problem: Balance, found: Balanced) -> Array:
+def _facets(problem: Balance, found: Balanced, errors: Array) -> Index:
     """Of each push the place at rest that carries the largest weight, if its force is less than that."""
     facets = np.full(len(found.residuals), -1)
     weights = problem.columns[problem.pairs[:, 1]] @ found.amounts
     held = np.hypot(*found.forces.T) < WITHIN * weights
     for k in np.argsort(weights):
         push, place = problem.pairs[k]
-        if held[k] and np.sqrt((found.residuals[push] ** 2).mean()) < FAR:
+        if held[k] and errors[push] < FAR:
             facets[push] = place
     return facets
 
@@ -124,5 +142,5 @@ def from_motions(
     return Estimate(
         amounts=fitted.amounts * unit, draws=draws[:, :-1] * units, friction=fitted.friction,
         frictions=draws[:, -1], residuals=np.hypot(x, y) + np.abs(turn), facet=np.full(number, -1),
-        optimality=fitted.optimality, told=np.linalg.svd(changes, compute_uv=False), doubts=doubts,
+        optimality=fitted.optimality, told=_singular_values(changes), doubts=doubts,
     )  # fmt: skip

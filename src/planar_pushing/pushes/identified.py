@@ -11,6 +11,7 @@ from scipy.cluster.hierarchy import fcluster, linkage
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
+from planar_pushing.pushes.measured import Index
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -42,7 +43,7 @@ class Identified:
         Number of the point of the support about which the object turned under less than its full friction;
         -1 elsewhere, and where no force was measured.
     length : float
-        Turns angles into lengths and torques into forces: the outline's radius of gyration.
+        Turns angles into lengths and torques into forces: half the outline's extent.
     spacing : float
         Distance between candidates.
     optimality : float
@@ -60,7 +61,7 @@ class Identified:
     intervals: dict[str, tuple[float, float]]
     weight_intervals: Array
     residuals: Array
-    facet: Array
+    facet: Index
     length: float
     spacing: float
     optimality: float
@@ -79,7 +80,7 @@ class Identified:
 
     @property
     def feet(self) -> Points:
-        """The support with neighboring points joined: a foot between candidates shares its weight with them.
+        """The support with neighboring points joined, as a foot between candidates loads several.
 
         Points within one and a half spacings of each other are one foot at their center of pressure.
         """

@@ -13,12 +13,12 @@ from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.candidates import FAMILIES, Family
 from planar_pushing.pushes.estimate import Estimate, from_forces, from_motions
 from planar_pushing.pushes.identified import Identified, moments_of, summary
-from planar_pushing.pushes.measured import Measured, measured
+from planar_pushing.pushes.measured import Index, Mask, Measured, measured
 from planar_pushing.pushes.schema import required_pushes
 from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
 
 #: Candidates along the outline's extent by default, with forces and without; they are fewer for few pushes.
-WITH_FORCES, WITHOUT = 15, 6
+WITH_FORCES, WITHOUT = 15, 5
 #: Columns of a family that a push may determine at most: with forces weights >= 0 settle the others.
 COLUMNS_WITH_FORCES, COLUMNS_WITHOUT = 12.0, 2.5
 #: Ends of the intervals, percent.
@@ -50,12 +50,12 @@ def identify(
         Corners of the object in its frame; by default those of the dataset.
     spacing : float, optional
         Distance between candidate points; by default a fifteenth of the outline's extent with forces and a
-        sixth without, and more for few pushes.
+        fifth without, and more for few pushes.
     known : Points, or array_like of shape (n, 2), optional
         Places of the feet, where only their weights are sought.
     family : {"points", "even_and_corners", "ellipse", "map"}
-        Supports among which one is sought: a weight at each candidate; an even pressure and a weight at each
-        corner; even pressures within ellipses; a pressure that is linear between candidates.
+        Supports among which one is sought: a weight at each candidate; an even pressure and a weight at
+        each corner; even pressures within ellipses; a pressure that is linear between candidates.
     resamples : int
         How often the pushes are drawn anew for the intervals.
     seed : int
@@ -70,12 +70,13 @@ def identify(
     Raises
     ------
     InvalidValue
-        Where the pushes are those of several objects, or too few for the candidates; a value is not allowed.
+        Where the pushes are those of several objects or too few for the candidates, or a value is not
+        allowed.
 
     Notes
     -----
-    At a measured twist t each load is linear in the weights, ``w = sum_j p_j l(r_j, t)``, so with forces the
-    weights follow by least squares over p >= 0, each residual in its standard deviations. A point that
+    At a measured twist t each load is linear in the weights, ``w = sum_j p_j l(r_j, t)``, so with forces
+    the weights follow by least squares over p >= 0, each residual in its standard deviations. A point that
     moves less than its motion is known carries any force up to p_j, and the residual is the distance from
     that set: a cone program. Without forces weights and contact friction are those whose simulated pushes
     (`simulate_batch`) end nearest to the measured poses. With forces of some pushes only, both. Pushes that
@@ -87,8 +88,13 @@ def identify(
     count = int(require_positive("resamples", resamples, "draw the pushes at least once"))
     generator = np.random.default_rng(seed)
     forced = every.has_force
-    chosen, distance = _family(every, forced, spacing, known, family)
     posed = ~forced & ~every.at_corner
+    if not (forced | posed).any():
+        raise InvalidValue(
+            "pushes", "pushes that touch a corner first", "some that touch a side, or have a force",
+            "push the sides of the object",
+        )  # fmt: skip
+    chosen, distance = _family(every, forced, spacing, known, family)
     parts, first = [], None
     if forced.any():
         first = from_forces(every.part(forced), chosen, count, generator)
@@ -104,7 +110,7 @@ def identify(
 
 
 def _family(
-    pushes: Measured, forced: Array, spacing: float | None, known: Any, name: str
+    pushes: Measured, forced: Mask, spacing: float | None, known: Any, name: str
 ) -> tuple[Family, float]:
     """The candidates, few enough for the pushes, and their distance."""
     if known is not None:
@@ -157,7 +163,7 @@ def _identified(
     spacing: float,
     estimate: Estimate,
     residuals: Array,
-    facet: Array,
+    facet: Index,
 ) -> Identified:
     """The result, of the places that carry weight."""
     weights = family.columns @ estimate.amounts
@@ -170,8 +176,9 @@ def _identified(
         for row, mu in zip(drawn, estimate.frictions, strict=True)
     ]
     intervals = {
-        name: tuple(map(float, np.percentile([row[name] for row in rows], ENDS)))
+        name: (float(low), float(high))
         for name in rows[0]
+        for low, high in (np.percentile([row[name] for row in rows], ENDS),)
     }
     center, torque = moments_of(family.places, weights)
     shares = drawn[:, kept] / drawn.sum(axis=1, keepdims=True)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.numerics.arrays import same
@@ -15,6 +16,9 @@ from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.schema import corners_of
 from planar_pushing.terms.errors import InvalidValue
 
+#: Flags and numbers of pushes.
+Mask = npt.NDArray[np.bool_]
+Index = npt.NDArray[np.intp]
 #: Standard deviations of motion capture and of a force sensor, where a dataset names none: fractions of
 #: the outline's size and of the median force, and an angle in degrees.
 POSITION, ANGLE, FORCE = 0.003, 0.3, 0.02
@@ -39,7 +43,7 @@ class Measured:
     radius : ndarray, shape (n,)
         Of the finger.
     force : ndarray, shape (n, 2)
-        Mean force on the object, along the object's axes midway; NaN where there is none.
+        Mean force on the object, along the object's axes; NaN where there is none.
     path : ndarray, shape (n, parts, 2)
         Displacements of the finger's center over equal parts of its way.
     noise : tuple of float
@@ -70,15 +74,8 @@ class Measured:
 
     @property
     def length(self) -> float:
-        """Length that turns angles into distances: the radius of gyration of the outline.
-
-        Its even plate's, about the centroid.
-        """
-        corners = self.outline - self.center
-        following = np.roll(corners, -1, axis=0)
-        cross = corners[:, 0] * following[:, 1] - corners[:, 1] * following[:, 0]
-        square = (corners**2 + corners * following + following**2).sum(axis=1)
-        return float(np.sqrt((cross * square).sum() / (6.0 * cross.sum())))
+        """Length that turns angles into distances: half the extent of the outline."""
+        return self.size / 2.0
 
     @property
     def center(self) -> Array:
@@ -122,7 +119,7 @@ class Measured:
         return (self.contact + self.last_contacts) / 2.0
 
     @property
-    def has_force(self) -> Array:
+    def has_force(self) -> Mask:
         """Whether the force of each push was measured."""
         return np.asarray(
             np.isfinite(self.force).all(axis=1) & (np.abs(self.force).max(axis=1) > 0.0)
@@ -135,10 +132,32 @@ class Measured:
         return np.column_stack([f_x, f_y, x * f_y - y * f_x])
 
     @property
-    def at_corner(self) -> Array:
+    def centered_twists(self) -> Array:
+        """Mean twists of the centroid, shape (n, 3)."""
+        return twists_at(self.twists, self.center)
+
+    @property
+    def centered_wrenches(self) -> Array:
+        """Wrenches about the centroid, shape (n, 3)."""
+        return wrenches_about(self.wrenches, self.center)
+
+    @property
+    def at_corner(self) -> Mask:
         """Whether each push touches a convex corner first."""
         apart = self.contact[:, None] - self.outline
         return np.asarray(np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) <= 1e-9 * self.size)
+
+
+def twists_at(twists: Array, point: Array) -> Array:
+    """Twists of a point of the object, of those of its frame's origin."""
+    v_x, v_y, turn = twists.T
+    return np.column_stack([v_x - turn * point[1], v_y + turn * point[0], turn])
+
+
+def wrenches_about(wrenches: Array, point: Array) -> Array:
+    """Wrenches about a point, of those about the origin."""
+    f_x, f_y, torque = wrenches.T
+    return np.column_stack([f_x, f_y, torque - point[0] * f_y + point[1] * f_x])
 
 
 def measured(pushes: xr.Dataset, outline: Any = None) -> Measured:

@@ -11,9 +11,10 @@ from tqdm import tqdm
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
+from planar_pushing.pushes.balance import ridge
 from planar_pushing.pushes.candidates import Family
 from planar_pushing.pushes.contacts import Contacts, contacts_of
-from planar_pushing.pushes.measured import Measured
+from planar_pushing.pushes.measured import Index, Measured
 from planar_pushing.pushes.supported import BodyFrames, body_frames, simulated
 
 #: Friction coefficients that are tried before the searches, and those that a search may find.
@@ -27,8 +28,6 @@ CHANGE = 1e-3
 USUAL_AMOUNT, USUAL_FRICTION = 1.0, 0.2
 #: Derivatives of a search at most, and the relative change of its parameters or its sum at which it ends.
 EVALUATIONS, DONE = 15, 1e-4
-#: Pull towards even amounts, in standard deviations of all residuals: it settles those that no push knows.
-RIDGE = 0.1
 
 
 class Linear(NamedTuple):
@@ -140,7 +139,7 @@ def fit_motions(
     )  # fmt: skip
 
 
-def resampled(fitted: Fitted, linear: Linear | None, rows: Array) -> Array:
+def resampled(fitted: Fitted, linear: Linear | None, rows: Index) -> Array:
     """Parameters of the pushes in `rows`, of which some come twice, by one step from the best ones."""
     count = len(fitted.amounts)
     errors = fitted.residuals.ravel() / fitted.scale
@@ -203,7 +202,7 @@ def _slopes(problem: MotionProblem, parameters: Array) -> tuple[Array, Array]:
 def _further(linear: Linear | None, parameters: Array, number: int) -> tuple[Array, Array]:
     """Residuals of the pull towards even amounts and of pushes with forces, and their derivatives."""
     count = len(parameters) - 1
-    pull = RIDGE * np.sqrt(number / count)
+    pull = ridge(number, count)
     residuals = pull * (parameters[:-1] - USUAL_AMOUNT)
     slopes = pull * np.eye(count, count + 1)
     if linear is None:

@@ -60,7 +60,7 @@ VARIABLES: dict[str, Variable] = {
     "rotation": Variable(("push",), "degree", "rotation of the object, counter-clockwise"),
     "force": Variable(
         ("push", "xy"), "force",
-        "mean force of the finger on the object, along the object's axes midway in its rotation",
+        "mean force of the finger on the object, along the object's axes, which turn with it",
         False, False,
     ),
 }  # fmt: skip

@@ -107,8 +107,7 @@ def simulate_pushes(
     -----
     Places are uniform over the outline but for 5 % at either end of each side, directions are uniform
     within 60 degrees of the normal. A push during which the finger leaves its side is drawn anew. The force
-    is the mean over the last 70 % of the push along the world's axes, turned into the object's axes midway
-    in its rotation.
+    is the mean over the last 70 % of the push along the object's axes, which turn with it.
     """
     friction = _required_friction(effects)
     count = _whole("n", n, 1)
@@ -168,12 +167,15 @@ def _pushed(
     centers = start + log["time"].values[:, None] * drawn.direction
     if (nearest(sides, turned(centers - pose, -angle)).gap < radius - slack).any():
         return None  # the finger would pass through another side
-    force = _mean_force(log, distance, drawn)
+    force = _mean_force(log, distance, drawn, angle)
     return Pushed(start, centers[-1], np.append(pose[-1], angle[-1]), force)
 
 
-def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn) -> Array:
-    """Mean force along the world's axes over the last part of a push, at even intervals of time."""
+def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) -> Array:
+    """Mean force over the last part of a push, at even intervals of time, along the object's axes.
+
+    It is turned into the world's axes as the object has them midway.
+    """
     times, force = log["time"].values, log["force"].values
     # A log's +y is the normal at the start, its +x the normal turned by -90 degrees.
     n_x, n_y = drawn.normal
@@ -181,7 +183,8 @@ def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn) -> Array:
         [force[:, 0] * n_y + force[:, 1] * n_x, -force[:, 0] * n_x + force[:, 1] * n_y], axis=-1
     )
     even = np.linspace(SETTLING * duration, duration, SAMPLES)
-    return np.array([np.interp(even, times, part).mean() for part in world.T])
+    own = turned(world, angle[-1] / 2.0 - angle)
+    return np.array([np.interp(even, times, part).mean() for part in own.T])
 
 
 def _measured(

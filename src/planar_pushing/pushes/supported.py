@@ -80,7 +80,8 @@ def body_frames(contacts: Contacts, center: Array, extent: float) -> BodyFrames:
     axis, origin = rod / length[:, None], contacts.point + rod
     angle = np.arctan2((rod * contacts.normal).sum(axis=1), (rod * contacts.tangent).sum(axis=1))
     frames = [
-        Frame((*map(float, o),), (*map(float, a),)) for o, a in zip(origin, axis, strict=True)
+        Frame((o_x, o_y), (a_x, a_y))
+        for (o_x, o_y), (a_x, a_y) in zip(origin.tolist(), axis.tolist(), strict=True)
     ]
     return BodyFrames(frames, origin, axis, length, angle)
 
@@ -95,7 +96,7 @@ def simulated(
     count = len(contacts.push)
     times = len(supports) // count
 
-    def repeated(values: Array) -> Array:
+    def repeated(values: Any) -> Any:
         return np.tile(values, (times, *(1,) * (values.ndim - 1)))
 
     laws = [

@@ -62,7 +62,8 @@ def read_three_feet(*files: PathLike) -> xr.Dataset:
     xarray.Dataset
         As `load_pushes` returns it, in mm and N. Each file is an object, named by the file without its
         ending, with feet, their weights by the center of mass, center of mass and mass. Forces are means of
-        the samples after the first 30 % that are not weaker than their mean. Pushes that do not touch the
+        the samples after the first 30 % that are not weaker than their mean, each along the object's axes
+        at its time. Pushes that do not touch the
         object are left out, their number is the attribute `left_out`.
 
     Raises
@@ -134,14 +135,24 @@ def planar(poses: Array) -> Array:
 
 
 def mean_force(record: Record) -> Array:
-    """Mean force of the finger on the object along the world's axes; NaN without samples."""
+    """Mean force of the finger on the object along the axes that the object has midway; NaN without any.
+
+    Each sample counts along the object's axes at its time, as the object turns evenly from the pose before
+    to the pose after; the mean is turned back into the world's axes.
+    """
     forces = record.forces[:, 1:] - record.forces[:1, 1:]
-    settled = forces[int(SETTLING * len(forces)) :]
-    strength = np.hypot(*settled.T)
-    if not len(settled):
+    kept = np.arange(len(forces)) >= int(SETTLING * len(forces))
+    if not kept.any():
         return np.full(2, np.nan)
-    measured = settled[strength >= strength.mean()].mean(axis=0)
-    return turned(-(measured @ SENSOR.T), yaw(record.tools[0, 4:]))
+    strength = np.hypot(*forces.T)
+    kept &= strength >= strength[kept].mean()
+    before, after = (yaw(each[3:]) for each in (record.before, record.after))
+    turn = np.remainder(after - before + np.pi, 2.0 * np.pi) - np.pi
+    times = record.forces[:, 0] - record.forces[0, 0]
+    passed = times / times[-1] if times[-1] > 0.0 else np.full(len(times), 0.5)
+    # The sensor turns with the tool, which does not turn; half a turn of the object is midway.
+    measured = turned(-(forces[kept] @ SENSOR.T), turn * (0.5 - passed[kept])).mean(axis=0)
+    return turned(measured, yaw(record.tools[0, 4:]))
 
 
 def read_records(file: Path) -> list[Record]:

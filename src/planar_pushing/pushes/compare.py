@@ -1,0 +1,280 @@
+"""`compare`: how well models of an object's friction predict its pushes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
+from planar_pushing.mechanics.supports.base import Support
+from planar_pushing.pushes.combine import of_object
+from planar_pushing.pushes.contacts import Model, final_poses
+from planar_pushing.pushes.ellipsoid import Ellipsoid
+from planar_pushing.pushes.fitted import fitted_ellipsoid
+from planar_pushing.pushes.friction import contact_friction
+from planar_pushing.pushes.identify import identify
+from planar_pushing.pushes.measured import Mask, Measured, measured, twists_at, wrenches_about
+from planar_pushing.pushes.schema import required_pushes, without_padding
+from planar_pushing.pushes.statistics import QUANTITIES, REFERENCE, statistics
+from planar_pushing.pushes.supported import OnSupport
+from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
+
+#: Friction coefficients among which one is chosen for a support that is given, where no force tells it.
+FRICTIONS = np.geomspace(0.05, 1.2, 20)
+#: Pushes of an object at least, half of which have to tell five numbers of an ellipsoid.
+LEAST = 8
+
+
+class Half(NamedTuple):
+    """Pushes of an object to which models are fitted: the dataset, its arrays, and the options."""
+
+    dataset: xr.Dataset
+    pushes: Measured
+    options: dict[str, Any]
+
+
+def feet_of(dataset: xr.Dataset) -> Points | None:
+    """The feet of the object of a dataset, where they and their loads are known."""
+    if "feet" not in dataset or "foot_weight" not in dataset:
+        return None
+    places = without_padding(dataset["feet"].values[0])
+    loads = dataset["foot_weight"].values[0][: len(places)]
+    return Points(places, loads) if len(places) and np.isfinite(loads).all() else None
+
+
+def _exact(half: Half) -> tuple[Model, float] | None:
+    feet = feet_of(half.dataset)
+    return None if feet is None else on_support(feet, half.pushes)
+
+
+def _uniform(half: Half) -> tuple[Model, float]:
+    return on_support(Polygon(half.pushes.outline), half.pushes)
+
+
+def _identified(half: Half) -> tuple[Model, float]:
+    found = identify(half.dataset, half.pushes.outline, resamples=1, **half.options)
+    return OnSupport(found.support), found.contact_friction
+
+
+def _exact_ellipsoid(half: Half) -> tuple[Model, float] | None:
+    feet = feet_of(half.dataset)
+    return None if feet is None else on_ellipsoid(feet, half.pushes)
+
+
+def _uniform_ellipsoid(half: Half) -> tuple[Model, float]:
+    return on_ellipsoid(Polygon(half.pushes.outline), half.pushes)
+
+
+def _fitted_ellipsoid(half: Half) -> tuple[Model, float]:
+    return fitted_ellipsoid(half.pushes)
+
+
+#: Of each model how it is fitted to pushes, with the friction of the contact; None where it does not apply.
+MODELS: dict[str, Callable[[Half], tuple[Model, float] | None]] = {
+    "exact": _exact, "identified": _identified, "uniform": _uniform, "exact_ellipsoid": _exact_ellipsoid,
+    "uniform_ellipsoid": _uniform_ellipsoid, REFERENCE: _fitted_ellipsoid,
+}  # fmt: skip
+
+
+def compare(
+    pushes: xr.Dataset,
+    models: Any = None,
+    *,
+    seed: int = 0,
+    resamples: int = 1000,
+    spacing: float | None = None,
+    family: str = "points",
+    progress: bool = False,
+) -> xr.Dataset:
+    """Compare how well models of friction predict measured pushes.
+
+    Parameters
+    ----------
+    pushes : xarray.Dataset
+        Of one object or of several (`load_pushes`, `pushes_from_poses`).
+    models : sequence of str, or mapping of names to supports, optional
+        Of "exact" (the dataset's feet), "identified" (`identify`), "uniform" (an even pressure on the
+        outline), "exact_ellipsoid" and "uniform_ellipsoid" (`fit_ellipsoid` of these supports) and
+        "fitted_ellipsoid" (fitted to the same pushes); by default all that apply. A mapping compares
+        supports of one's own, in the object's frame, beside those.
+    seed : int
+        Of the halves and of the draws.
+    resamples : int
+        How often pushes are drawn anew for the intervals.
+    spacing, family
+        As in `identify`.
+    progress : bool
+        Whether to show a progress bar while a support is identified.
+
+    Returns
+    -------
+    xarray.Dataset
+        `error` over (quantity, model, push), and medians, 90th percentiles, ratios and paired differences
+        to the fitted ellipsoid, with 95 percent intervals over `bound`. Quantities are the wrench under the
+        measured twist and the motion under the measured force, both as angles in degrees between vectors
+        whose torques and rotations count by half the outline's extent (`length`), and the final
+        pose, as the distance plus `length` times the angle. NaN where no force was measured or a model
+        does not apply.
+
+    Raises
+    ------
+    InvalidValue
+        Where a model is unknown, or an object has too few pushes for two halves.
+
+    Notes
+    -----
+    The pushes of each object are divided into halves at random. What is fitted, the friction of the contact
+    included, is fitted to one half and scored on the other, and the other way round. A push that touches a
+    corner first meets either of its sides, or sticks there (`at_corner`); no model is fitted to these.
+    """
+    checked = required_pushes(pushes)
+    draws = int(require_positive("resamples", resamples, "draw the pushes at least once"))
+    fits = _required_models(models)
+    options = {"spacing": spacing, "family": family, "progress": progress}
+    count, lengths = checked.sizes["push"], []
+    errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
+    corner = np.zeros(count, dtype=bool)
+    for name in map(str, checked["object"].values):
+        rows = np.flatnonzero(checked["pushed"].values == name)
+        own = of_object(checked, name)
+        every = measured(own)
+        _require_halves(name, every)
+        lengths.append(every.length)
+        corner[rows] = every.at_corner
+        generator = np.random.default_rng(seed)
+        order = generator.permutation(len(rows))
+        parts = np.array_split(order, 2)
+        for fit, score in (parts, parts[::-1]):
+            half = Half(own.isel(push=np.sort(fit)), every.part(np.sort(fit)), options)
+            scored = every.part(score)
+            for k, made in enumerate(fits.values()):
+                found = made(half)
+                if found is not None:
+                    errors[:, k, rows[score]] = errors_of(*found, scored)
+    kept = np.isfinite(errors).any(axis=(0, 2))
+    error = xr.DataArray(
+        errors[:, kept], dims=("quantity", "model", "push"),
+        coords={"quantity": list(QUANTITIES), "model": [n for n, k in zip(fits, kept, strict=True) if k]},
+    )  # fmt: skip
+    return _described(error, checked, corner, np.array(lengths), draws, seed)
+
+
+def errors_of(model: Model, friction: float, pushes: Measured) -> Array:
+    """Errors of a model in wrench and motion, degrees, and in final pose, a length; shape (3, n)."""
+    scale = np.array([1.0, 1.0, pushes.length])
+    found = np.full((3, len(pushes)), np.nan)
+    forced = pushes.has_force
+    if forced.any():
+        part = pushes.part(forced)
+        wrenches = wrenches_about(model.wrenches(part.twists), pushes.center)
+        twists = twists_at(model.motions(part.wrenches), pushes.center)
+        found[0, forced] = angles(wrenches / scale, part.centered_wrenches / scale)
+        found[1, forced] = angles(twists * scale, part.centered_twists * scale)
+    apart = final_poses(model, pushes, friction) - pushes.observed
+    found[2] = np.hypot(*apart[:, :2].T) + pushes.length * np.abs(apart[:, 2])
+    return found
+
+
+def angles(a: Array, b: Array) -> Array:
+    """Angles between vectors of shape (n, 3), degrees; accurate where they are small."""
+    across = np.linalg.norm(np.cross(a, b), axis=1)
+    return np.asarray(np.rad2deg(np.arctan2(across, (a * b).sum(axis=1))))
+
+
+def on_support(support: Any, pushes: Measured) -> tuple[Model, float]:
+    """A given support, and the friction of the contact that fits it best."""
+    model = OnSupport(support)
+    return model, _friction(model, pushes)
+
+
+def on_ellipsoid(support: Any, pushes: Measured) -> tuple[Model, float]:
+    """The ellipsoid of a support, and the friction of the contact that fits it best."""
+    fit = fit_ellipsoid(support)
+    model = Ellipsoid.about(np.array(fit.center), fit.matrix)
+    return model, _friction(model, pushes)
+
+
+def _friction(model: Model, pushes: Measured) -> float:
+    """Friction of the contact: from forces, otherwise that under which a model's poses are nearest."""
+    if pushes.has_force.any():
+        return contact_friction(pushes).coefficient
+    sides = pushes.part(~pushes.at_corner)
+    scale = [1.0, 1.0, sides.length]
+    errors = [
+        np.median(np.abs((final_poses(model, sides, mu) - sides.observed) * scale).sum(axis=1))
+        for mu in FRICTIONS
+    ]
+    return float(FRICTIONS[int(np.argmin(errors))])
+
+
+def _required_models(given: Any) -> dict[str, Callable[[Half], tuple[Model, float] | None]]:
+    """The models to compare, the reference among them, or `InvalidValue`."""
+    if given is None:
+        return dict(MODELS)
+    names = [] if isinstance(given, (str, Mapping)) else list(given)
+    unknown = [each for each in names if each not in MODELS]
+    if isinstance(given, str) or unknown:
+        wrong = given if isinstance(given, str) else unknown[0]
+        raise InvalidValue(
+            "models", wrong, f"a sequence of {', '.join(MODELS)}, or a mapping of names to supports",
+            suggestion(wrong, MODELS, "name some of these"),
+        )  # fmt: skip
+    if not isinstance(given, Mapping):
+        return {name: MODELS[name] for name in dict.fromkeys((*names, REFERENCE))}
+    wrong = [
+        name for name, each in given.items() if name in MODELS or not isinstance(each, Support)
+    ]
+    if wrong:
+        raise InvalidValue(
+            "models", {wrong[0]: given[wrong[0]]}, "supports by names of your own",
+            f"give Points or another support, and none of the names {', '.join(MODELS)}",
+        )  # fmt: skip
+    own = {name: partial(_given, support) for name, support in given.items()}
+    return {**own, **MODELS}
+
+
+def _given(support: Any, half: Half) -> tuple[Model, float]:
+    return on_support(support, half.pushes)
+
+
+def _require_halves(name: str, pushes: Measured) -> None:
+    """Refuse pushes of which a half is too few for an ellipsoid."""
+    usable = pushes.has_force | ~pushes.at_corner
+    if usable.sum() < LEAST:
+        raise InvalidValue(
+            "pushes", f"{int(usable.sum())} pushes of {name} to which a model can be fitted",
+            f"at least {LEAST}",
+            "measure more pushes: half of them are for the fit",
+        )  # fmt: skip
+
+
+def _described(
+    error: xr.DataArray,
+    pushes: xr.Dataset,
+    corner: Mask,
+    lengths: Array,
+    resamples: int,
+    seed: int,
+) -> xr.Dataset:
+    """The errors with their statistics, the pushes' objects, and attributes."""
+    unit = str(pushes["displacement"].attrs["units"])
+    found = statistics(error, resamples, seed)
+    found["pushed"] = (
+        "push",
+        pushes["pushed"].values,
+        {"long_name": "name of the object that is pushed"},
+    )
+    found["at_corner"] = "push", corner, {"long_name": "whether the push touches a corner first"}
+    found["length"] = (
+        "object", lengths, {"units": unit, "long_name": "half the extent of the outline"},
+    )  # fmt: skip
+    found = found.assign_coords(object=pushes["object"].values)
+    return found.assign_attrs(
+        seed=seed, resamples=resamples, reference=REFERENCE, pose_units=unit,
+        angle_units="degree", source=str(pushes.attrs.get("source", "")),
+    )  # fmt: skip

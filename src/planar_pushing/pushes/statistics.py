@@ -1,0 +1,65 @@
+"""Statistics of errors of models: medians, percentiles, and how they compare with the reference."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.plane import Array
+
+#: Quantities that are predicted, and the model with which the others are compared.
+QUANTITIES, REFERENCE = ("wrench", "motion", "pose"), "fitted_ellipsoid"
+#: Ends of the intervals, percent.
+ENDS = (2.5, 97.5)
+#: Variables, and what they are.
+VARIABLES = {
+    "median": "median error",
+    "percentile_90": "90th percentile of the error",
+    "ratio": "median error over that of the reference",
+    "difference": "median of the paired differences to the errors of the reference",
+}
+
+
+def statistics(error: xr.DataArray, resamples: int = 1000, seed: int = 0) -> xr.Dataset:
+    """Statistics of errors over (quantity, model, push), each with an interval over `bound`.
+
+    Of a quantity and a model they are those of the pushes at which both the model and the reference have
+    an error. The intervals hold 95 percent of the statistics of pushes drawn anew, the same for all models.
+    """
+    values = error.transpose("quantity", "model", "push").values
+    reference = list(error["model"].values).index(REFERENCE)
+    count = values.shape[2]
+    draws = np.random.default_rng(seed).integers(count, size=(resamples, count))
+    shape = values.shape[:2]
+    found: dict[str, Any] = {name: np.full(shape, np.nan) for name in VARIABLES}
+    ends: dict[str, Any] = {name: np.full((*shape, 2), np.nan) for name in VARIABLES}
+    for place in np.ndindex(shape):
+        own, other = values[place], values[place[0], reference]
+        both = np.isfinite(own) & np.isfinite(other)
+        if not both.any():
+            continue
+        whole = _statistics(own[both][None], other[both][None])
+        index = draws[:, : int(both.sum())] % int(both.sum())
+        again = _statistics(own[both][index], other[both][index])
+        for name in VARIABLES:
+            found[name][place] = whole[name][0]
+            ends[name][place] = np.percentile(again[name], ENDS)
+    dims = ("quantity", "model")
+    variables: dict[str, Any] = {"error": error}
+    for name, text in VARIABLES.items():
+        variables[name] = dims, found[name], {"long_name": text}
+        variables[f"{name}_interval"] = (
+            (*dims, "bound"), ends[name], {"long_name": f"95 percent interval of the {text}"},
+        )  # fmt: skip
+    return xr.Dataset(variables, {"bound": ["low", "high"]})
+
+
+def _statistics(own: Array, other: Array) -> dict[str, Array]:
+    """The statistics of rows of pushes."""
+    median, reference = np.median(own, axis=1), np.median(other, axis=1)
+    return {
+        "median": median, "percentile_90": np.percentile(own, 90.0, axis=1),
+        "ratio": median / reference, "difference": np.median(own - other, axis=1),
+    }  # fmt: skip
