@@ -27,6 +27,10 @@ def compared(models, quantities=QUANTITIES, factor=1.0):
         quantity: {
             name: {
                 "median": factor * scale * ANGLES[name],
+                "median_interval": [
+                    0.8 * factor * scale * ANGLES[name],
+                    1.1 * factor * scale * ANGLES[name],
+                ],
                 "percentile_90": 2.5 * factor * scale * ANGLES[name],
                 "ratio": ANGLES[name] / reference,
                 "ratio_interval": [0.9 * ANGLES[name] / reference, 1.1 * ANGLES[name] / reference],
@@ -77,7 +81,7 @@ def measured_pushes():
             "comparison": compared(OTHERS, factor=1.5),
         },
         "polygons": {
-            "selection": "pushes that touch a side first", "pushes": 300, "corner_pushes": 40,
+            "selection": "pushes that touch the object", "pushes": 340, "corner_pushes": 40,
             "length": {"abs_rect1": 37.0, "abs_hex": 40.0},
             "logs": {name: log(None, cross, SQUARE, None, 170) for name in ("abs_rect1", "abs_hex")},
             "comparison": compared(OTHERS, pose),

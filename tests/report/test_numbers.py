@@ -170,6 +170,7 @@ def numbers(results):
         ("pushes-feet-logs", "4"),
         ("pushes-face", "50"),
         ("pushes-objects", "2"),
+        ("pushes-sides", "300"),
         ("pushes-objects-better", "1"),
         ("pushes-feet-motion-exact", "6.0"),
         ("pushes-feet-pose-fitted-ellipsoid", "2.5"),

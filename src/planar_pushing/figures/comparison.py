@@ -121,7 +121,7 @@ def panel(ax: Axes, one: xr.Dataset, *, named: bool = True) -> None:
             median[row], row, look.marker, color=look.color, mfc=face, ms=4.2, mew=1.1, zorder=4
         )
     ax.set(ylim=(len(shown) - 0.4, -0.6), xlim=(0.0, 1.06 * float(np.nanmax([*most, *median]))))
-    ax.set_yticks(range(len(shown)), [look.name for look in shown.values()] if named else [])
+    ax.set_yticks(range(len(shown)), [look.name if named else "" for look in shown.values()])
     ax.tick_params(axis="y", length=0)
     ax.minorticks_off()
     ax.locator_params(axis="x", nbins=4)

@@ -91,7 +91,7 @@ def draw(figure: Any, data: dict[str, Any]) -> None:
         row, column = divmod(number, columns)
         rect = column / columns, (whole - (row + 1) * side) / whole, 1 / columns, side / whole
         sheet = to_axes(_picture(log, letter, zoom), schematic(figure, rect), _box(log), PAD)
-    key_sheet = Sheet.around([(0, 0), (wide, key)], (wide, key), 0.0)
+    key_sheet = Sheet.around(np.array([(0, 0), (wide, key)]), (wide, key), 0.0)
     picture = _key(lines, wide, WHOLE * _extent(found[-1]) * sheet.scale, sheet.scale)
     to_axes(picture, schematic(figure, (0.0, 0.0, 1.0, key / whole)), key_sheet.box, 0.0)
 

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
+import numpy as np
 import xarray as xr
 
 from planar_pushing.figures.axes import is_column
 from planar_pushing.figures.colors import DARK
 from planar_pushing.figures.comparison import (
     AROUND,
+    LOOKS,
     NAMES,
     RATIOS,
     ROW,
@@ -19,7 +21,7 @@ from planar_pushing.figures.comparison import (
     title,
 )
 from planar_pushing.figures.figure import COLUMN, PAGE, Figure
-from planar_pushing.figures.parts.measured import PUSHES_FILE, statistics
+from planar_pushing.figures.parts.measured import PUSHES_FILE
 
 FIGURE = Figure(
     title="Errors of models on measured pushes",
@@ -27,6 +29,10 @@ FIGURE = Figure(
     size=(PAGE, 4.6),
     column=(COLUMN, 8.6),
 )
+#: Statistics of a model, and the sizes of their last axes.
+STATISTICS = {
+    "median": (), "median_interval": (2,), "percentile_90": (), "ratio": (), "ratio_interval": (2,)
+}  # fmt: skip
 #: Panels in a row.
 COLUMNS = 3
 
@@ -58,15 +64,15 @@ class Part(NamedTuple):
 
 def caption(data: dict[str, Any]) -> str:
     """Caption of the figure."""
-    counts = {name: data[name]["pushes"] for name in ("three_feet", "patch", "polygons")}
+    feet, face, every = (data[name]["pushes"] for name in ("three_feet", "patch", "polygons"))
     return (
         "Errors of models of friction on the half of the pushes to which they are not fitted. A marker is "
-        "the median, and a line ends at the 90th percentile; behind it stands the ratio of the median to "
-        "that of the ellipsoid fitted to the same pushes, with its 95 percent interval. Circles are "
-        "pressures with exact mechanics, hollow diamonds are ellipsoids. A triangle on three feet "
-        f"({counts['three_feet']} pushes), on its whole face ({counts['patch']}), and polygons that are "
-        f"pushed at a side ({counts['polygons']}), or at a side or a corner "
-        f"({counts['polygons'] + data['polygons']['corner_pushes']})."
+        "the median, a thick line its 95 percent interval, and a thin line ends at the 90th percentile. "
+        "Behind it stands the ratio of the median to that of the ellipsoid fitted to the same pushes, with "
+        "its 95 percent interval. Circles are pressures with exact mechanics, hollow diamonds are "
+        f"ellipsoids. A triangle on three feet ({feet} pushes) and on its whole face ({face}), and "
+        f"polygons that are pushed at a side ({every - data['polygons']['corner_pushes']}), or at a side "
+        f"or a corner ({every})."
     )
 
 
@@ -78,6 +84,30 @@ def parts(data: dict[str, Any]) -> list[list[Part]]:
 def _parts(data: dict[str, Any], group: Group) -> list[Part]:
     found = by_quantity(statistics(data[group.part][group.key], "mm"))
     return [Part(group, one) for one in found.values()]
+
+
+def statistics(comparison: Mapping[str, Mapping[str, Any]], unit: str) -> xr.Dataset:
+    """A comparison of the file as `compare` returns it, with models in the order of `LOOKS`."""
+    quantities, models = list(comparison), _in_order(comparison.values())
+    found: dict[str, Any] = {}
+    for name, rest in STATISTICS.items():
+        every = np.full((len(quantities), len(models), *rest), np.nan)
+        for i, quantity in enumerate(quantities):
+            for j, model in enumerate(models):
+                if model in comparison[quantity]:
+                    every[i, j] = comparison[quantity][model][name]
+        found[name] = ("quantity", "model", *(["bound"] if rest else [])), every
+    return xr.Dataset(
+        found,
+        {"quantity": quantities, "model": models},
+        {"pose_units": unit, "angle_units": "degree"},
+    )
+
+
+def _in_order(given: Iterable[Mapping[str, Any]]) -> list[str]:
+    """Models that some quantity has, those with a look of their own first."""
+    every = dict.fromkeys(name for each in given for name in each)
+    return [name for name in LOOKS if name in every] + [name for name in every if name not in LOOKS]
 
 
 def draw(figure: Any, data: dict[str, Any]) -> None:

@@ -72,6 +72,11 @@ def _medians(group: str, quantity: str, *models: str) -> Numbers:
     }
 
 
+def _sides(found: dict[str, Any]) -> int:
+    """Pushes of polygons that touch a side first."""
+    return int(found["polygons"]["pushes"] - found["polygons"]["corner_pushes"])
+
+
 def _better(found: dict[str, Any]) -> int:
     """Objects whose poses an identified pressure predicts better than the fitted ellipsoid does."""
     return sum(each[IDENTIFIED] < each[FITTED] for each in found["polygons"]["objects"].values())
@@ -82,7 +87,7 @@ MEASURED: Numbers = {
     "pushes-feet": _at("three_feet", "pushes"),
     "pushes-face": _at("patch", "pushes"),
     "pushes-objects": _read(lambda found: len(found["polygons"]["logs"]), "polygons"),
-    "pushes-sides": _at("polygons", "pushes"),
+    "pushes-sides": _read(_sides, "polygons: pushes less corner_pushes"),
     "pushes-corners": _at("polygons", "corner_pushes"),
     "pushes-seed": _at("seed"),
     **_medians("feet", "motion", "exact", "exact_ellipsoid", FITTED, "uniform"),
