@@ -143,6 +143,7 @@ def test_a_finger_that_leaves_its_side():
 def test_a_finger_that_parts_leaves_the_object():
     found = ROUND.ends(from_below(0.0, [(0.0, 0.2), (0.0, -0.5)]), 0.3)
     assert found.poses[0] == pytest.approx([0.0, 0.2, 0.0], abs=1e-12)
+    assert found.lasted[0] == pytest.approx(0.5)
 
 
 def test_twists_and_wrenches_of_an_ellipsoid_about_a_center():

@@ -136,7 +136,7 @@ def test_the_motion_under_a_wrench_has_that_wrench(kind):
 
 
 def test_motions_maximize_the_power_of_a_wrench():
-    """Over random twists of the same dissipation none yields more (maximum dissipation), pivots included."""
+    """Over random twists of the same dissipation none yields more, pivots included."""
     support = SUPPORTS["points"]
     model, random = OnSupport(support), np.random.default_rng(4)
     wrenches = random.normal(size=(12, 3)) * [1, 1, 60]

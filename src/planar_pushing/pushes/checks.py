@@ -98,8 +98,8 @@ def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:
         ("displacement", object_, "the finger moves by", finger),
     )
     for variable, given, known, other in pairs:
-        ratio = max(given, other) / max(min(given, other), np.finfo(float).tiny)
-        if THOUSAND[0] < ratio < THOUSAND[1]:
+        less, more = sorted((given, other))
+        if THOUSAND[0] * less < more < THOUSAND[1] * less:
             size = given / 10.0 if variable == "finger_displacement" else given
             raise InvalidValue(
                 variable, f"a typical length of {size:.4g}, where {known} {other:.4g}",

@@ -52,7 +52,8 @@ class Ellipsoid:
                     place + np.where(on, slid, 0.0),
                 )
                 on &= (place <= contacts.end) & (place >= contacts.start)
-                lasted += np.where(on, 1.0 / (parts * steps), 0.0)
+                # An object that no force moves has parted from the finger.
+                lasted += np.where(on & step.any(axis=1), 1.0 / (parts * steps), 0.0)
         return Ends(pose, lasted)
 
     def _moved(
