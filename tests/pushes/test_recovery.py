@@ -12,7 +12,7 @@ from pushes.written import TRIANGLE
 #: Of motion capture and a force sensor: mm, degrees, N.
 NOISE = (0.5, 0.3, 0.05)
 #: Pushes to fit and to score, for every support.
-FITTED, HELD_OUT = 100, 200
+FITTED, HELD_OUT = 200, 200
 #: Largest error over that of the true support.
 BAR = 1.2
 ELL = [(0, 0), (150, 0), (150, 75), (75, 75), (75, 150), (0, 150)]

@@ -51,7 +51,7 @@ def add(commands: Commands) -> None:
     sub.add_argument(
         "--spacing", type=float, metavar="NUMBER",
         help="distance between candidate points, in the dataset's unit of length, > 0 (default: a "
-        "fifteenth of the outline's extent with forces, a sixth without, and more for few pushes)",
+        "fifteenth of the outline's extent with forces, a fifth without, and more for few pushes)",
     )  # fmt: skip
     listed = "; ".join(f"{name}: {each}" for name, each in FAMILIES.items())
     sub.add_argument(

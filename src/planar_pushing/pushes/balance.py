@@ -18,8 +18,8 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.candidates import Family
 from planar_pushing.pushes.measured import Index, Measured
 
-#: Fraction by which friction differs from one push to the next, as Coulomb's law does not know.
-REPEATABILITY = 0.05
+#: Fraction by which the mean load of a push differs from the load at its mean twist, for usual pushes.
+MEAN = 0.01
 #: A place that moves less than this many standard deviations of its motion may be at rest: 95 percent of
 #: the places that are.
 AT_REST = 2.45
@@ -126,7 +126,7 @@ def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
     change = np.einsum("nak,nk,nbk->nab", across, stiffness, across)
     motion = np.diag([position**2, position**2, (angle * length) ** 2])
     newtons = np.hypot(*pushes.force.T)
-    plain = force**2 + (REPEATABILITY * newtons) ** 2
+    plain = force**2 + (max(pushes.repeatability, MEAN) * newtons) ** 2
     covariance = change @ motion @ change.transpose(0, 2, 1) + plain[:, None, None] * np.eye(3)
     covariance[:, 2, 2] += (position * newtons / length) ** 2
     wrenches = pushes.centered_wrenches / [1.0, 1.0, length]
