@@ -121,7 +121,8 @@ def final_poses(model: Model, pushes: Measured, friction: float) -> Array:
 
 def chosen(contacts: Contacts, ends: Ends) -> Array:
     """Of each push the motion of one of its contacts."""
-    lasted = np.where(contacts.sticks, AT_ONCE, ends.lasted)
+    # Equal but for rounding errors.
+    lasted = np.round(np.where(contacts.sticks, AT_ONCE, ends.lasted) / AT_ONCE)
     order = np.lexsort([-contacts.aligned, -lasted, contacts.push])
     _, first = np.unique(contacts.push[order], return_index=True)
     return np.asarray(ends.poses[order[first]])

@@ -81,8 +81,7 @@ class Ellipsoid:
         force = np.linalg.solve(mobility, finger[..., None])[..., 0]
         normal, tangent = contacts.normal, contacts.tangent
         along, into = (force * tangent).sum(axis=1), (force * normal).sum(axis=1)
-        mu = np.where(contacts.sticks, np.inf, friction)
-        sticks = contacts.sticks | ((into > 0.0) & (np.abs(along) <= mu * into))
+        sticks = contacts.sticks | ((into > 0.0) & (np.abs(along) <= friction * into))
         found, slip = np.where(sticks[:, None], force, 0.0), np.zeros(len(point))
         advance = (finger * normal).sum(axis=1)
         for sign in (1.0, -1.0):

@@ -119,8 +119,22 @@ def simulated(
     x, y = repeated(frames.origin).T
     moved = center - np.column_stack([c * x - s * y, s * x + c * y])
     poses = np.column_stack([moved, turn]).reshape(times, count, 3)
-    lasted = log["time"].values.reshape(times, count)
+    lasted = _lasted(log, turn, repeated(contacts.radius), repeated(contacts.path))
+    lasted = lasted.reshape(times, count)
     return Ends(poses[0], lasted[0]) if times == 1 else Ends(poses, lasted)
+
+
+def _lasted(log: Any, turn: Array, radius: Array, path: Array) -> Array:
+    """Fraction of the finger's way over which the contact lasts.
+
+    The object rests once the finger has left the side, so that the rest of the way is the distance of the
+    finger, relative to the object, from the place where it left.
+    """
+    left = -log["slip"].values - radius * turn
+    rest = np.hypot(log["contact_position"].values - left, log["gap"].values)
+    way = np.hypot(path[..., 0], path[..., 1]).sum(axis=1)
+    parted = np.divide(rest, way, out=np.zeros_like(way), where=way > 0.0)
+    return np.asarray(np.clip(log["time"].values - parted, 0.0, 1.0))
 
 
 def _pusher(contacts: Contacts, repeated: Any) -> Pusher:
