@@ -137,7 +137,7 @@ def test_wrong_input_is_refused_before_any_work(refused, files, tmp_path, monkey
         ([tripod, "-o", "table.csv"],
          "output: 'table.csv' given; allowed: a name ending in .nc or .h5; rename the file"),
         ([str(files / "few.nc"), "-o", str(path)],
-         "pushes: '5 pushes of tripod that a model can be fitted to' given; allowed: at least 8; "),
+         "pushes: '5 pushes of tripod to which a model can be fitted' given; allowed: at least 8; "),
     ):  # fmt: skip
         refused(["compare", *arguments], said)
     assert not path.exists()
