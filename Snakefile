@@ -1,6 +1,7 @@
 # Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
 # Surfaces. `snakemake` builds everything; `snakemake data`, `figures`, `golden`, `claims` and `paper` build
-# parts, `snakemake accuracy` measures what accuracy costs, `snakemake manual` builds the manual.
+# parts, `snakemake accuracy` measures what accuracy costs, `snakemake pushes --config data=FOLDER` measures
+# published pushes, `snakemake manual` builds the manual.
 # Another study, alone: snakemake --config study=workflow/config/smoke.yaml, or `planar-pushing run`, which
 # has these files in the package too, and runs them in the folder where it is called.
 
@@ -12,6 +13,7 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/data.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/evidence.smk"
+include: "workflow/rules/pushes.smk"
 include: "workflow/rules/report.smk"
 
 
@@ -22,6 +24,8 @@ localrules:
     golden,
     claims,
     hard_cases,
+    pushes_figures,
+    pushes,
     accuracy,
     paper,
     manual,
@@ -35,6 +39,7 @@ rule all:
         rules.golden.input,
         rules.claims.input,
         rules.hard_cases.input,
+        rules.pushes_figures.input,
         rules.paper.input,
 
 

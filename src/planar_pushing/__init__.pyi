@@ -1,6 +1,7 @@
 """Planar pushing: pulling by pushing, slip with infinite friction, and the mechanics behind them."""
 
 from .figures.animate import animate
+from .figures.comparison import plot_comparison
 from .figures.draw import draw, plot_log
 from .mechanics.angles import AngleInterval
 from .mechanics.centers import (
@@ -144,6 +145,7 @@ __all__ = [
     "motion_cone",
     "motion_of_force",
     "open_dataset",
+    "plot_comparison",
     "plot_log",
     "potential",
     "pushes_for",

@@ -10,6 +10,7 @@ import pytest
 from planar_pushing.evidence.costs import tables
 from planar_pushing.figures import axes, render
 from planar_pushing.figures.figure import drawing, entry, figure_names
+from planar_pushing.figures.parts.measured import PUSHES_FILE
 from planar_pushing.figures.studies import numbered, settings
 from planar_pushing.figures.style import paper_style
 from planar_pushing.simulation.simulate import simulate
@@ -20,6 +21,7 @@ from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 from report.costs import effects, hard_cases
+from report.pushes import measured_pushes
 
 FIGURES, NUMBERED = figure_names(), numbered()
 #: Pictures by name: each figure, and its variant for one column.
@@ -78,6 +80,8 @@ def sources(studies, logs):
     datasets = Made(whole)
 
     def source(name):
+        if name == PUSHES_FILE:
+            return measured_pushes()
         stem, _, group = name.partition("/")
         if stem == "simulations":
             return logs[group]

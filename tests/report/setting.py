@@ -9,12 +9,13 @@ from pathlib import Path
 
 from planar_pushing.evidence.claims.table import COLUMNS
 from planar_pushing.figures.figure import drawing, entry
-from planar_pushing.figures.studies import OURS, numbered
+from planar_pushing.figures.studies import OURS, PUSHES, numbered
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
 from planar_pushing.report.quantities import Numbers
 from planar_pushing.report.supplement import NUMBERS as TIMES
 from planar_pushing.study.store import read_dataset
+from report.pushes import measured_pushes
 
 Entries = dict[str, dict[str, str]]
 #: Tables of the numbers of the report and of its supplement.
@@ -99,6 +100,8 @@ def claims() -> list[dict[str, object]]:
 
 def captioned(name: str) -> str:
     """Caption of a figure from its golden numbers; those of ours show hard cases, or read none."""
+    if name in PUSHES:
+        return drawing(name).caption(measured_pushes())
     files = {"hard_cases": "hard_cases"} | {each: f"figures/{each}" for each in numbered()}
     folder = GOLDEN / "sliders" if any(map(name.endswith, SLIDERS)) else GOLDEN
     data = read_dataset(folder / f"{files[name]}.nc") if name in files else None

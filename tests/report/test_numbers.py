@@ -17,7 +17,7 @@ from planar_pushing.evidence.golden.compare import Check
 from planar_pushing.evidence.golden.verdict import verdict
 from planar_pushing.evidence.writing import json_text, write_text
 from planar_pushing.figures.figure import drawing
-from planar_pushing.figures.studies import OURS, numbered
+from planar_pushing.figures.studies import OURS, PUSHES, numbered
 from planar_pushing.report.derived import furthest_pull
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.quantities import rounded, significant
@@ -37,6 +37,7 @@ from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from report.costs import write_costs
+from report.pushes import measured_pushes
 from report.setting import check, claim, claims
 
 STUDY = load_study("workflow/config/paper.yaml")
@@ -113,7 +114,8 @@ def results(tmp_path_factory):
         write_text(json_text(verdict(CHECKS)), place / "tables/golden_verdict.json")
     ledger = {"counts": {}, "claims": claims() + known}
     write_text(json.dumps(ledger), folder / "tables/claims.json")
-    return Results(folder, Path("tests/golden"))
+    write_text(json.dumps(measured_pushes()), folder / "measured_pushes.json")
+    return Results(folder, Path("tests/golden"), folder / "measured_pushes.json")
 
 
 @pytest.fixture(scope="module")
@@ -165,6 +167,17 @@ def numbers(results):
         ("pivot-offset", "3.732"),
         ("constant-square", "0.5411"),
         ("figures", "15"),
+        ("pushes-feet-logs", "4"),
+        ("pushes-face", "50"),
+        ("pushes-objects", "2"),
+        ("pushes-sides", "300"),
+        ("pushes-objects-better", "1"),
+        ("pushes-feet-motion-exact", "6.0"),
+        ("pushes-feet-pose-fitted-ellipsoid", "2.5"),
+        ("pushes-face-motion-uniform", "22.5"),
+        ("pushes-sides-pose-ratio-low", "0.63"),
+        ("pushes-corners-pose-ratio-high", "0.77"),
+        ("pushes-in-load-set", "75"),
     ],
 )
 def test_number(numbers, key, text):
@@ -267,7 +280,9 @@ def test_provenance_names_versions_and_no_folder(results):
 def test_figures_table(results):
     found = json.loads(figures_text(results))
     assert list(found) == [*numbered(), *OURS]
-    assert [found[name]["number"] for name in OURS] == ["20", "21", "22"]
+    assert [found[name]["number"] for name in OURS] == ["20", "21", "22", "23", "24"]
+    for name in PUSHES:  # a figure that is named by its number has it
+        assert name == f"figure_{found[name]['number']}"
     assert found["figure_06"]["file"] == "figures/figure_06"
     assert found["figure_16"]["file"] == "studies/sliders/figures/figure_16"
     assert found["figure_06"]["section"].startswith("Sec. 3.1")

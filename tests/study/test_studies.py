@@ -35,10 +35,13 @@ def test_the_papers_study_is_the_default():
 @pytest.mark.parametrize(
     ("config", "said"),
     [
-        ({"studdy": "x"}, "config: 'studdy' given; allowed: the keys study and results; did you"),
+        (
+            {"studdy": "x"},
+            "config: 'studdy' given; allowed: the keys study, results and data; did you",
+        ),
         (
             {"golden": 3},
-            "config: 'golden' given; allowed: the keys study and results; leave it out",
+            "config: 'golden' given; allowed: the keys study, results and data; leave it out",
         ),
         ({"study": 5}, "study: 5 given; allowed: the path of a study file, without braces"),
         ({"study": ""}, "study: '' given; allowed: the path of a study file"),

@@ -267,7 +267,8 @@ def test_a_wrong_study_stops_before_any_job(fresh, file, old, new, message):
 def test_a_wrong_configuration_stops_before_any_job(fresh):
     said = fresh.dry("--config", "studdy=x", code=1)
     assert (
-        "config: 'studdy' given; allowed: the keys study and results; did you mean study?" in said
+        "config: 'studdy' given; allowed: the keys study, results and data; did you mean study?"
+        in said
     )
     assert "Traceback" not in said
 

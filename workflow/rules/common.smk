@@ -7,8 +7,11 @@ from pathlib import Path
 from snakemake.exceptions import WorkflowError
 
 from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.evidence.measured import logs
+from planar_pushing.figures.parts.measured import PUSHES_FILE
 from planar_pushing.figures.studies import (
     OURS,
+    PUSHES,
     SUPPLEMENT,
     load_drawn_study,
     numbered,
@@ -21,6 +24,7 @@ from planar_pushing.study.running.code import builder, code_of
 from planar_pushing.study.running.jobs import failure_text
 from planar_pushing.study.slices import computes, points, sizes, study_slice
 from planar_pushing.study.studies import (
+    chosen_data,
     chosen_results,
     chosen_studies,
     study_folder,
@@ -44,6 +48,8 @@ try:
     if any(study.chunks for study in STUDIES.values()):
         require_extra("chunks")
     MARKS = {folder: provenance(STUDIES[folder], FILES[folder]) for folder in FILES}
+    DATA = chosen_data(config)
+    LOGS = [] if DATA is None else logs(DATA)
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
 
@@ -63,7 +69,7 @@ if workflow.is_main_process:
 KINDS = ["svg", "pdf", "png"]
 #: Datasets on how this work computes, and their figures; times of this machine are compared with nothing.
 COUNTS, TIMES = ["hard_cases", "accuracy_errors", "evaluations"], ["accuracy_time"]
-EVIDENCE_FIGURES = [*OURS, *SUPPLEMENT]
+EVIDENCE_FIGURES = [name for name in (*OURS, *SUPPLEMENT) if name not in PUSHES]
 #: Figures of datasets.
 DRAWN = numbered()
 

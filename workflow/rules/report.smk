@@ -39,6 +39,8 @@ rule report_tables:
         rules.figures.input,
         rules.golden.input,
         rules.hard_cases.input,
+        rules.pushes_figures.input,
+        PUSHES_FILE,
         f"{WHOLE}/tables/claims.json",
         golden_files(),
     output:

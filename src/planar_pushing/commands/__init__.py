@@ -14,10 +14,12 @@ from contextlib import suppress
 from planar_pushing import __version__
 from planar_pushing.commands import (
     check,
+    compare,
     compilation,
     completion,
     cone,
     convert,
+    identify,
     init,
     plan,
     query,
@@ -32,8 +34,8 @@ from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
 
 #: Help, version and completion import these modules, so none imports numpy before its command runs.
 COMMANDS = (
-    solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, convert, compilation,
-    completion,
+    solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, convert, identify,
+    compare, compilation, completion,
 )  # fmt: skip
 #: Exit codes besides 0: input that cannot be used, Ctrl-C, and a reader that has gone, as shells count.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141

@@ -9,7 +9,7 @@ import argparse
 from collections.abc import Iterable
 from typing import Any
 
-from planar_pushing.commands import convert, query
+from planar_pushing.commands import convert, identify, query
 from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.study.catalog import DATASETS, opened
 from planar_pushing.study.studies import PAPER
@@ -24,6 +24,7 @@ VALUES = {
     "* --method": tuple(Method),
     "* --on-ambiguity": tuple(Policy),
     "* --pusher-shape": tuple(Shape),
+    "identify --family": tuple(identify.FAMILIES),
     "query --effects": tuple(EffectSet),
     "query --study": (PAPER, "$(ls results/studies 2>/dev/null)"),
 }

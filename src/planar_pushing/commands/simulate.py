@@ -42,7 +42,8 @@ OPTIONS: dict[str, tuple[type, str, str]] = {
     ),
     "pusher-radius": (
         float, "NUMBER",
-        "radius of the finger, in the scene's length, >= 0 (default: the scene file's, or 0, a point)",
+        "radius of the finger, in the scene's unit of length, a finite number >= 0 (default: the scene "
+        "file's, or 0, a point)",
     ),
     "duration": (
         float, "NUMBER",

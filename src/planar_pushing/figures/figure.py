@@ -36,7 +36,7 @@ class Figure:
     title : str
         What it shows, in a few words.
     reads : tuple of str
-        Datasets that it is drawn from, as "dataset" or "dataset/group".
+        Datasets that it is drawn from, as "dataset" or "dataset/group", or a file of the project.
     size : tuple of float
         Width and height, inches.
     column : tuple of float, optional

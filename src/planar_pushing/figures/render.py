@@ -36,7 +36,7 @@ def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
     )
 
 
-def picture(name: str, data: xr.Dataset, variant: str = "") -> Figure:
+def picture(name: str, data: Any, variant: str = "") -> Figure:
     """Figure drawn from its data; call it, and save the figure, within `paper_style`."""
     found = drawing(name)
     figure = Figure(figsize=found.FIGURE.variants[variant])
@@ -71,7 +71,7 @@ def save_drawn(
             save(figure, path)
 
 
-def _draw(name: str, data: xr.Dataset, paths: Iterable[PathLike], variant: str = "") -> None:
+def _draw(name: str, data: Any, paths: Iterable[PathLike], variant: str = "") -> None:
     with paper_style():
         figure = picture(name, data, variant)
         for path in paths:
@@ -108,6 +108,13 @@ def file_figure(source: PathLike, *, name: str, variant: str = "", **paths: Path
     group = drawing(name).FIGURE.reads[0].partition("/")[2]
     whole = Path(source).stem == name
     _draw(name, read_dataset(source, None if whole else group or None), paths.values(), variant)
+
+
+def pushes_figure(source: PathLike, *, name: str, variant: str = "", **paths: PathLike) -> None:
+    """Draw a figure on measured pushes, or a variant of it, from the file of their numbers."""
+    from planar_pushing.figures.parts.measured import read_pushes
+
+    _draw(name, read_pushes(source), paths.values(), variant)
 
 
 def simulation_figure(source: PathLike, **paths: PathLike) -> None:

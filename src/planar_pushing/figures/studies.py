@@ -15,8 +15,11 @@ from planar_pushing.study.slices import computes
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
-#: Figures on how this work computes, of the report and of its supplement: every study has the same.
-OURS = ("accuracy_evaluations", "accuracy_time", "hard_cases")
+#: Figures on measured pushes, drawn from their numbers in the project's folder.
+PUSHES = ("figure_21", "figure_22")
+#: Figures on how this work computes and predicts, of the report in its order and of its supplement: every
+#: study has the same.
+OURS = ("hard_cases", *PUSHES, "accuracy_evaluations", "accuracy_time")
 SUPPLEMENT = ("accuracy_cone", "accuracy_motion", "accuracy_wrench", "effects")
 
 

@@ -18,11 +18,8 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.candidates import Family
 from planar_pushing.pushes.measured import Index, Measured
 
-#: Fraction by which friction differs from one push to the next, as Coulomb's law does not know, at most;
-#: it is less where the residuals are.
-REPEATABILITY = 0.05
-#: Median of the root of the mean of three squares of normal numbers.
-USUAL = 0.888
+#: Fraction by which the mean load of a push differs from the load at its mean twist, for usual pushes.
+MEAN = 0.01
 #: A place that moves less than this many standard deviations of its motion may be at rest: 95 percent of
 #: the places that are.
 AT_REST = 2.45
@@ -105,9 +102,7 @@ class Balanced:
     optimality: float
 
 
-def balance(
-    pushes: Measured, family: Family, weights: Array, repeatability: float = REPEATABILITY
-) -> Balance:
+def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
     """The problem of pushes with forces, its residuals weighed for a support of these weights."""
     length, center = pushes.length, pushes.center
     places = family.places - center
@@ -134,7 +129,7 @@ def balance(
     change = np.einsum("nak,nk,nbk->nab", across, stiffness, across)
     motion = np.diag([position**2, position**2, (angle * length) ** 2])
     newtons = np.hypot(*pushes.force.T)
-    plain = force**2 + (repeatability * newtons) ** 2
+    plain = force**2 + (max(pushes.repeatability, MEAN) * newtons) ** 2
     covariance = change @ motion @ change.transpose(0, 2, 1) + plain[:, None, None] * np.eye(3)
     covariance[:, 2, 2] += (position * newtons / length) ** 2
     wrenches = pushes.centered_wrenches / [1.0, 1.0, length]
@@ -158,15 +153,14 @@ def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced, Ar
     newtons = float(np.median(np.hypot(*pushes.force.T)))
     count = family.columns.shape[1]
     amounts = np.full(count, newtons / count)
-    trust, repeatability = np.ones(len(pushes)), REPEATABILITY
+    trust = np.ones(len(pushes))
     for _ in range(ROUNDS):
-        problem = balance(pushes, family, family.columns @ amounts, repeatability)
+        problem = balance(pushes, family, family.columns @ amounts)
         problem = replace(problem, whitening=trust[:, None, None] * problem.whitening)
         found = solve_balance(problem)
         amounts = found.amounts
         error = np.sqrt((found.residuals**2).mean(axis=1)) / trust
         trust = np.minimum(1.0, np.sqrt(LARGE / np.maximum(error, LARGE)))
-        repeatability *= min(1.0, float(np.median(error)) / USUAL)
     return problem, found, error
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.schema import NOISE, VARIABLES, required_pushes
 from planar_pushing.terms.errors import InvalidValue, require_path, suggestion
@@ -44,6 +45,15 @@ def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
         if key in found
     }
     return found.isel({dim: slice(length) for dim, length in lengths.items()})
+
+
+def with_outline(pushes: xr.Dataset, outline: Any) -> xr.Dataset:
+    """Pushes of one object with another outline, checked anew: their contacts have to be on it."""
+    variable = VARIABLES["outline"]
+    corners = np.array(required_outline(outline))[None]
+    found = pushes.drop_vars("outline")
+    found["outline"] = variable.dims, corners, pushes["outline"].attrs
+    return required_pushes(found)
 
 
 def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.schema import NOISE
+from planar_pushing.pushes.schema import MEASURED_NOISE
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_number
 
 
@@ -73,7 +73,7 @@ def noise_attributes(given: Any) -> dict[str, float]:
     """The attributes that name the noise."""
     if given is None:
         return {}
-    if len(as_floats(given)) != len(NOISE):
+    if len(as_floats(given)) != len(MEASURED_NOISE):
         raise InvalidValue(
             "noise", given, "three numbers: position, angle in degrees, force", "give all"
         )
@@ -81,7 +81,7 @@ def noise_attributes(given: Any) -> dict[str, float]:
         name: require_number(
             name, each, lambda x: 0.0 <= x < np.inf, "a number >= 0", "give 0 for none"
         )
-        for name, each in zip(NOISE, given, strict=True)
+        for name, each in zip(MEASURED_NOISE, given, strict=True)
     }
 
 

@@ -13,15 +13,15 @@ from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports.polygon import Polygon
 from planar_pushing.objects.boundary import nearest, sides_of
-from planar_pushing.pushes.schema import corners_of
+from planar_pushing.pushes.schema import NOISE, corners_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Flags and numbers of pushes.
 Mask = npt.NDArray[np.bool_]
 Index = npt.NDArray[np.intp]
-#: Standard deviations of motion capture and of a force sensor, where a dataset names none: fractions of
-#: the outline's size and of the median force, and an angle in degrees.
-POSITION, ANGLE, FORCE = 0.003, 0.3, 0.02
+#: Standard deviations of motion capture, of a force sensor and of friction, where a dataset names none:
+#: fractions of the outline's size, of the median force and of friction, and an angle in degrees.
+POSITION, ANGLE, FORCE, REPEATABILITY = 0.003, 0.3, 0.02, 0.05
 #: Straight parts that stand for the measured way of a finger.
 PARTS = 8
 
@@ -48,6 +48,8 @@ class Measured:
         Displacements of the finger's center over equal parts of its way.
     noise : tuple of float
         Standard deviations of the displacement, the rotation in radians, and the force.
+    repeatability : float
+        Fraction by which friction differs from one push to the next.
     """
 
     outline: Array
@@ -60,6 +62,7 @@ class Measured:
     force: Array
     path: Array
     noise: tuple[float, float, float]
+    repeatability: float = REPEATABILITY
 
     def __len__(self) -> int:
         return len(self.contact)
@@ -69,7 +72,7 @@ class Measured:
 
     def part(self, rows: Any) -> Measured:
         """Some of the pushes."""
-        kept = {each.name for each in fields(self)} - {"outline", "noise"}
+        kept = {each.name for each in fields(self)} - {"outline", "noise", "repeatability"}
         return replace(self, **{name: getattr(self, name)[rows] for name in kept})
 
     @property
@@ -178,16 +181,16 @@ def measured(pushes: xr.Dataset, outline: Any = None) -> Measured:
     finger = pushes["finger_displacement"].values
     force = pushes["force"].values if "force" in pushes else np.full(finger.shape, np.nan)
     size = float(np.ptp(corners, axis=0).max())
-    usual = POSITION * size, ANGLE, FORCE * _median(np.hypot(*force.T))
-    given = ("position_noise", "angle_noise", "force_noise")
-    position, angle, newton = (
-        float(pushes.attrs.get(name, each)) for name, each in zip(given, usual, strict=True)
+    usual = POSITION * size, ANGLE, FORCE * _median(np.hypot(*force.T)), REPEATABILITY
+    position, angle, newton, friction = (
+        float(pushes.attrs.get(name, each)) for name, each in zip(NOISE, usual, strict=True)
     )
     return Measured(
         outline=corners, contact=pushes["contact"].values, normal=pushes["normal"].values,
         finger=finger, displacement=pushes["displacement"].values,
         rotation=np.deg2rad(pushes["rotation"].values), radius=pushes["finger_radius"].values,
         force=force, path=_paths(pushes, finger), noise=(position, float(np.deg2rad(angle)), newton),
+        repeatability=friction,
     )  # fmt: skip
 
 

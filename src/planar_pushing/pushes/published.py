@@ -32,8 +32,6 @@ COMMAND = "snakemake pushes --config data=FOLDER"
 ABOUT = 5.0
 #: Distance of a wrench from the load set of a foot, over its own magnitude, that counts as in the set.
 NEAR = 0.2
-#: Significant digits of the numbers.
-DIGITS = 4
 
 
 def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any]:
@@ -51,7 +49,7 @@ def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any
     Returns
     -------
     dict
-        Of numbers, texts and lists, as JSON has them.
+        Of numbers, texts, lists and None, as JSON has them.
 
     Raises
     ------
@@ -78,8 +76,7 @@ def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any
             found["about_a_foot"] = _about_a_foot(pushes)
     if files["polygons"]:
         found["polygons"] = _by_poses(read_mit(*files["polygons"]), seed, progress)
-    rounded: dict[str, Any] = _rounded(found)
-    return rounded
+    return found
 
 
 def _names(pushes: xr.Dataset) -> list[str]:
@@ -250,12 +247,3 @@ def _sets(pushes: Measured, places: Array, shares: Array, weight: float) -> Mask
         apart = np.linalg.norm(left - force @ reach.T, axis=1)
         found[:, k] = apart < NEAR * np.linalg.norm(wrenches, axis=1)
     return found
-
-
-def _rounded(value: Any) -> Any:
-    """Numbers to a few digits, so that another machine writes the same file."""
-    if isinstance(value, dict):
-        return {key: _rounded(each) for key, each in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_rounded(each) for each in value]
-    return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value

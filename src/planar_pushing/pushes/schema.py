@@ -16,8 +16,10 @@ from planar_pushing.terms.errors import InvalidValue
 XY = ["x", "y"]
 #: Units of the quantities of `Variable`, where a dataset names none; it has to name that of lengths.
 UNITS = {"degree": "degree", "force": "N", "time": "s", "1": "1", "mass": "kg"}
-#: Standard deviations of the measurements: attributes of the dataset.
-NOISE = ("position_noise", "angle_noise", "force_noise")
+#: Attributes of the dataset: standard deviations of the measurements, and by which fraction friction
+#: differs from one push to the next.
+MEASURED_NOISE = ("position_noise", "angle_noise", "force_noise")
+NOISE = (*MEASURED_NOISE, "friction_noise")
 #: Attributes that a dataset of pushes keeps.
 ATTRIBUTES = ("source", *NOISE, "left_out")
 

@@ -200,12 +200,13 @@ def _measured(
     poses = poses + random.normal(size=poses.shape) * (place, place, math.radians(angle))
     forces = forces + strength * random.normal(size=forces.shape)
     feet, loads = _truth(effects)
-    return pushes_from_poses(
+    pushes = pushes_from_poses(
         outline=sides.start, poses_before=np.zeros_like(poses), poses_after=poses,
         finger_start=[each.start for each in found], finger_end=[each.end for each in found],
         finger_radius=radius, force=forces, feet=feet, foot_weights=loads, units=units, name=name,
         source="simulated", noise=noise,
     )  # fmt: skip
+    return pushes.assign_attrs(friction_noise=0.0)
 
 
 def _required_friction(given: Any) -> tuple[SupportFriction, ...]:

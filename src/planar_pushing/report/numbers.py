@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_pushing.report.parts import any_slider, costs, evidence, mechanics
+from planar_pushing.report.parts import any_slider, costs, evidence, mechanics, pushes
 from planar_pushing.report.quantities import Numbers
 from planar_pushing.report.results import Results
 
@@ -15,6 +15,7 @@ NUMBERS: Numbers = {
     **mechanics.BOTH_EFFECTS,
     **mechanics.MODES,
     **any_slider.CLAIMS,
+    **pushes.MEASURED,
     **costs.ACCURACY,
     **costs.TIMES,
     **costs.HARD_CASES,

@@ -10,6 +10,7 @@ from typing import Any, get_args
 
 import xarray as xr
 
+from planar_pushing.figures.parts.measured import PUSHES_FILE, read_pushes
 from planar_pushing.study.files.fields import EffectsName
 from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
 from planar_pushing.terms.errors import InvalidFile
@@ -47,10 +48,14 @@ def _marks(golden: Path) -> list[dict[str, Any]]:
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """A results folder that the pipeline filled, and the golden data that it was checked against."""
+    """A results folder that the pipeline filled, and the golden data that it was checked against.
+
+    `measured` is the file of the numbers on measured pushes.
+    """
 
     folder: Path
     golden: Path
+    measured: Path = Path(PUSHES_FILE)
 
     def dataset(self, name: str) -> xr.Dataset:
         """Dataset as `open_dataset` names it, one of `MEASURED`, or what a figure plots; read once.
@@ -102,6 +107,11 @@ class Results:
             f"{claim}: check",
         )
         return found
+
+    @property
+    def pushes(self) -> dict[str, Any]:
+        """The numbers on measured pushes; errors as in `read_pushes`."""
+        return read_pushes(self.measured)
 
     def _one(self, options: dict[str, Any], name: str, kind: str) -> Any:
         if name not in options:

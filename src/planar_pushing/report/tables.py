@@ -5,13 +5,14 @@ from __future__ import annotations
 import platform
 import re
 from importlib.metadata import version
+from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text, json_text
 from planar_pushing.figures.figure import drawing, entry
-from planar_pushing.figures.studies import OURS
+from planar_pushing.figures.studies import OURS, PUSHES
 from planar_pushing.report.costs.times import machine
 from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.numbers import numbers
@@ -59,13 +60,20 @@ def figures_text(results: Results) -> str:
             data = read_dataset(results.folder / folder / "data" / f"{name}.nc")
             found[name] = _figure(name, data, folder)
     for number, name in enumerate(OURS, len(found) + 1):
-        data = results.dataset(entry(name).reads[0])
-        found[name] = _figure(name, data, "figures") | {"number": str(number)}
-        found[name]["caption"] = f"{found[name]['caption']}{_machine(data)}"
+        found[name] = _ours(name, results) | {"number": str(number)}
     return json_text(found)
 
 
-def _figure(name: str, data: xr.Dataset, folder: str) -> dict[str, object]:
+def _ours(name: str, results: Results) -> dict[str, object]:
+    """A figure on how this work computes, or on measured pushes."""
+    if name in PUSHES:
+        return _figure(name, results.pushes, "figures")
+    data = results.dataset(entry(name).reads[0])
+    found = _figure(name, data, "figures")
+    return found | {"caption": f"{found['caption']}{_machine(data)}"}
+
+
+def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
     figure = drawing(name)
     return {
         "caption": figure.caption(data),

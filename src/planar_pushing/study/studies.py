@@ -13,8 +13,10 @@ from planar_pushing.terms.errors import InvalidFile, InvalidValue, suggestion
 PAPER_FILE, PAPER = "workflow/config/paper.yaml", "paper"
 #: The study of sliders that is built beside it.
 SLIDERS_FILE = "workflow/config/sliders.yaml"
-#: The keys of the workflow's configuration: the study's file, and the folder of all results.
-KEY, RESULTS = "study", "results"
+#: The keys of the workflow's configuration: the study's file, the folder of all results, and the folder of
+#: published logs of pushes.
+KEY, RESULTS, DATA = "study", "results", "data"
+KEYS = (KEY, RESULTS, DATA)
 
 
 def chosen_studies(config: Mapping[str, object]) -> tuple[str, ...]:
@@ -36,15 +38,21 @@ def chosen_study(config: Mapping[str, object]) -> str:
         Where the configuration has another key, or no path as study.
     """
     for key in config:
-        if key not in (KEY, RESULTS):
-            remedy = suggestion(key, (KEY, RESULTS), "leave it out")
-            raise InvalidValue("config", key, f"the keys {KEY} and {RESULTS}", remedy)
+        if key not in KEYS:
+            remedy = suggestion(key, KEYS, "leave it out")
+            allowed = f"the keys {', '.join(KEYS[:-1])} and {KEYS[-1]}"
+            raise InvalidValue("config", key, allowed, remedy)
     return _path(config, KEY, PAPER_FILE, "a study file")
 
 
 def chosen_results(config: Mapping[str, object]) -> str:
     """Folder of all results that the workflow's configuration chooses; `InvalidValue` as for the study."""
     return _path(config, RESULTS, RESULTS, "a folder")
+
+
+def chosen_data(config: Mapping[str, object]) -> str | None:
+    """Folder of published logs that the configuration chooses, if any; `InvalidValue` as for the study."""
+    return _path(config, DATA, "", "a folder") if DATA in config else None
 
 
 def _path(config: Mapping[str, object], key: str, default: str, kind: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
@@ -62,10 +62,30 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
 
 def save_scene_file(file: SceneFile, path: PathLike) -> None:
     """Write a scene file that `load_scene_file` reads back as the same, its simulation included."""
-    content = file.model_dump(mode="json", exclude_none=True)
+    _write(file.model_dump(mode="json", exclude_none=True), path)
+
+
+def save_object_file(content: dict[str, Any], path: PathLike) -> None:
+    """Write the content of an object file, which `load_scene` reads, as it is.
+
+    Raises
+    ------
+    InvalidFile
+        Where it makes no scene, or the file cannot be written.
+    """
+    try:
+        ObjectFile.model_validate(content)
+    except ValidationError as error:
+        raise InvalidFile(explain(Path(path), error.errors()[0])) from None
+    _write(content, path)
+
+
+def _write(content: dict[str, Any], path: PathLike) -> None:
+    """Write plain values as YAML, a vector in a line."""
     with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
         writer = YAML(typ="safe", pure=True)
         writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]
+        writer.default_flow_style = None
         writer.dump(content, stream)
 
 

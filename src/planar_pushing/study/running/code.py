@@ -29,6 +29,7 @@ PACKAGES = {
     "claims": (*LIBRARY, *EVIDENCE, "certified", "evidence.claims"),
     "hard_cases": (*LIBRARY, *EVIDENCE, "certified", "evidence.hard_cases"),
     "costs": (*LIBRARY, *EVIDENCE, "simulation", "certified", "evidence.costs"),
+    "pushes": (*LIBRARY, *EVIDENCE, "objects", "simulation", "pushes", "evidence.measured"),
     "report": (*LIBRARY, "figures", "certified", "evidence.claims", "evidence.writing", "report"),
     "manual": (".",),
 }

@@ -1,0 +1,87 @@
+"""From five pushes of one's own to a scene and a plan: a box on three feet whose loads are not known.
+
+A camera sees the box and the finger before and after each push; a sensor measures the mean force. With an
+argument, `python own_pushes.py box.yaml`, the scene is written to this file.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+import planar_pushing as pp
+
+MEASURED = Path(__file__).with_name("own_pushes.csv")  # mm, degrees, N
+BOX, FEET = pp.Polygon.rectangle(120, 80), [(-50, -30), (50, -30), (0, 30)]
+FINGER, NOISE = 5.0, (0.3, 0.2, 0.03)  # radius; standard deviations in mm, degrees, N
+GOAL = np.array(
+    [-10.0, 60.0, 20.0]
+)  # displacement of the box in its frame, and rotation in degrees
+# The example's numbers are simulated. This is the box that they are from; no plan knows it.
+TRUE = (pp.SupportFriction(support=pp.Points(FEET, [1, 2, 3]), weight=4.0),)
+
+
+def measured():
+    """The pushes of the table as a dataset."""
+    table = pd.read_csv(MEASURED, comment="#")
+    before, after, start, end, force = (
+        table.filter(regex=f"_{name}$").to_numpy()
+        for name in ("before", "after", "start", "end", "force")
+    )
+    scale = [1.0, 1.0, np.pi / 180]
+    return pp.pushes_from_poses(
+        outline=BOX, poses_before=before * scale, poses_after=after * scale, finger_start=start,
+        finger_end=end, finger_radius=FINGER, force=force, units=("mm", "N"), noise=NOISE,
+    )  # fmt: skip
+
+
+def twist_to(x, y, degrees):
+    """The constant twist that displaces and turns the box so in one second."""
+    half = np.deg2rad(degrees) / 2
+    factor = half / np.tan(half)
+    return np.array([factor * x + half * y, factor * y - half * x, 2 * half])
+
+
+def scene_of(push, friction, law):
+    """The box under a push."""
+    units = pp.Units(length="mm")
+    return pp.scene_at(push.point, effects=friction, contact=law, outline=BOX, units=units)
+
+
+def executed(push, law):
+    """Pose of the box after its finger has followed the arc of the plan."""
+    start, turn = complex(*push.velocity), np.deg2rad(GOAL[2])
+
+    def velocity(t):
+        turned = start * np.exp(1j * turn * t)
+        return turned.real, turned.imag
+
+    finger = pp.Pusher(velocity=velocity, shape="finger", frame="world")
+    scene = scene_of(push, TRUE, law)
+    log = pp.simulate(scene, pusher=finger, duration=1.0, samples=2, object_pose=(0, 0, 0))
+    return log.object_pose.values[-1]
+
+
+def print_support(found):
+    """What the pushes tell, with intervals of 90 percent."""
+    numbers = {name: found.intervals[name] for name in ("weight", "contact_friction")}
+    for name, (low, high) in numbers.items():
+        print(f"{name:16}  {getattr(found, name):5.3f}  {low:5.3f} to {high:5.3f}")
+    feet = zip(FEET, found.support.weights, found.weight_intervals, strict=True)
+    for (x, y), load, (low, high) in feet:
+        print(f"load at {x:3}, {y:3}  {load:5.3f}  {low:5.3f} to {high:5.3f}")
+
+
+if __name__ == "__main__":
+    found = pp.identify(measured(), known=FEET)
+    print_support(found)
+    law = pp.Coulomb(found.contact_friction)
+    for name, support in {"three feet": found.support, "even base": BOX}.items():
+        friction = (pp.SupportFriction(support=support, weight=found.weight),)
+        push, *_ = pp.pushes_for(friction, twist_to(*GOAL), BOX)  # the least friction first
+        x, y, turn = executed(push, law) - GOAL
+        told = f"push at {push.point[0]:4.1f}, needs friction {push.friction_coefficient:5.3f}"
+        print(f"{name:10}  {told}, misses by {np.hypot(x, y):4.1f} mm, {abs(turn):4.1f} degrees")
+        if support is found.support and len(sys.argv) > 1:
+            pp.save_scene(scene_of(push, friction, law), sys.argv[1])

@@ -1,0 +1,121 @@
+"""The command `compare`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.commands.words.pushes import (
+    add_pushes,
+    chosen_pushes,
+    columns,
+    require_ending,
+    require_seed,
+)
+from planar_pushing.commands.words.text import text
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+ENDINGS = (".nc", ".h5")
+#: The model whose fit takes long.
+SLOW = "identified"
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = (
+        "Compare models of supports with measured pushes. Half of the pushes of each object fit a model "
+        "and the other half scores it, and the other way around. A ratio is that of a model's median to "
+        "the median of an ellipsoid fitted to the same pushes, with its interval of 95 percent."
+    )
+    sub = command(commands, "compare", compared, about, "pushes.nc --identify")
+    add_pushes(sub, several=True)
+    sub.add_argument(
+        "--identify", action="store_true",
+        help="compare the support that identify finds too, which takes longer",
+    )  # fmt: skip
+    sub.add_argument(
+        "-o", "--output", type=Path, metavar="COMPARISON.nc",
+        help=f"dataset of the errors to write; its name ends in {' or '.join(ENDINGS)} (default: none)",
+    )  # fmt: skip
+
+
+def compared(args: argparse.Namespace) -> dict[str, Any]:
+    """Score the models, write the dataset where one is wanted, and tell the errors of each."""
+    if args.output is not None:
+        require_ending(args.output, ENDINGS)
+    seed = require_seed(args.seed)
+    pushes = chosen_pushes(args)
+    from planar_pushing.pushes.compare import MODELS, compare
+    from planar_pushing.study.store import write_dataset
+
+    models = [each for each in MODELS if args.identify or each != SLOW]
+    found = compare(pushes, models, seed=seed, progress=sys.stderr.isatty())
+    written = {}
+    if args.output is not None:
+        write_dataset(found, args.output)
+        written = {"written": str(args.output)}
+    told = written | summary(found)
+    return told if args.json else {"": lines(told)}
+
+
+def summary(found: xr.Dataset) -> dict[str, Any]:
+    """The statistics of each model, of the quantities that were measured."""
+    quantities = [str(each) for each in found["quantity"].values]
+    models = [str(each) for each in found["model"].values]
+    pairs = {
+        quantity: {
+            model: _statistics(found.sel(quantity=quantity, model=model)) for model in models
+        }
+        for quantity in quantities
+    }
+    known = {
+        quantity: {model: each for model, each in rows.items() if each["median"] == each["median"]}
+        for quantity, rows in pairs.items()
+    }
+    return {
+        "objects": [str(each) for each in found["object"].values],
+        "pushes": found.sizes["push"],
+        "seed": int(found.attrs["seed"]),
+        "reference": str(found.attrs["reference"]),
+        "units": {name: _unit(found, name) for name in quantities if known[name]},
+        "comparison": {name: rows for name, rows in known.items() if rows},
+    }
+
+
+def _statistics(one: xr.Dataset) -> dict[str, Any]:
+    """Of one quantity and model."""
+    single = ("median", "percentile_90", "ratio", "difference")
+    ends = ("median_interval", "ratio_interval", "difference_interval")
+    return {name: float(one[name]) for name in single} | {
+        name: [float(each) for each in one[name].values] for name in ends
+    }
+
+
+def _unit(found: xr.Dataset, quantity: str) -> str:
+    """Unit of the errors of a quantity."""
+    return str(found.attrs["pose_units"]) if quantity == "pose" else "degree"
+
+
+def lines(told: dict[str, Any]) -> str:
+    """The numbers as lines, and a table for each quantity."""
+    units, tables = told["units"], told["comparison"]
+    rest = {name: each for name, each in told.items() if name not in ("units", "comparison")}
+    return "\n".join(
+        [text(rest), *(_table(name, units[name], each) for name, each in tables.items())]
+    )
+
+
+def _table(quantity: str, unit: str, rows: dict[str, dict[str, Any]]) -> str:
+    """A row for each model."""
+    heading = [f"{quantity} [{unit}]", "median", "90 %", "ratio", "from", "to"]
+    listed = [
+        [model, *(f"{each[name]:.3g}" for name in ("median", "percentile_90")),
+         *(f"{number:.3f}" for number in (each["ratio"], *each["ratio_interval"]))]
+        for model, each in rows.items()
+    ]  # fmt: skip
+    return columns([heading, *listed])

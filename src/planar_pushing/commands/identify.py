@@ -1,0 +1,219 @@
+"""The command `identify`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from planar_pushing.commands.words.arguments import Commands, add_output, command
+from planar_pushing.commands.words.pushes import (
+    add_pushes,
+    chosen_pushes,
+    columns,
+    require_ending,
+    require_seed,
+)
+from planar_pushing.commands.words.text import text
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_positive, suggestion
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from planar_pushing.pushes.identified import Identified
+
+#: Families of supports: name and help.
+FAMILIES = {
+    "points": "a weight at each point of a grid",
+    "even_and_corners": "an even pressure, and a weight at each corner",
+    "ellipse": "even pressures within ellipses",
+    "map": "a pressure that is linear between points of a grid",
+}
+ENDINGS = (".yaml", ".yml")
+#: Joined feet that keep less than this fraction of the spin torque are no feet but parts of a patch.
+FEET = 0.9
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    about = (
+        "Identify the support of an object from measured pushes, and write it as a scene file. Intervals "
+        "are of 90 percent, from pushes that are drawn anew."
+    )
+    sub = command(commands, "identify", identified, about, "pushes.nc -o support.yaml")
+    add_pushes(sub, several=False)
+    sub.add_argument(
+        "--outline", type=Path, metavar="OUTLINE.yaml",
+        help="YAML file of the object's corners, [[x, y], ...], or a scene file with object.outline "
+        "(default: the outline of the dataset)",
+    )  # fmt: skip
+    sub.add_argument(
+        "--spacing", type=float, metavar="NUMBER",
+        help="distance between candidate points, in the dataset's unit of length, > 0 (default: a "
+        "fifteenth of the outline's extent with forces, a fifth without, and more for few pushes)",
+    )  # fmt: skip
+    listed = "; ".join(f"{name}: {each}" for name, each in FAMILIES.items())
+    sub.add_argument(
+        "--family", default="points", metavar="NAME", help=f"{listed} (default: points)"
+    )
+    add_output(sub, "SUPPORT.yaml", f"scene file to write; its name ends in {' or '.join(ENDINGS)}")
+
+
+def identified(args: argparse.Namespace) -> dict[str, Any]:
+    """Identify the support, write the scene file, and tell what the pushes say."""
+    require_ending(args.output, ENDINGS)
+    seed = require_seed(args.seed)
+    if args.family not in FAMILIES:
+        remedy = suggestion(args.family, FAMILIES, "name one of these families")
+        raise InvalidValue("family", args.family, ", ".join(FAMILIES), remedy)
+    if args.spacing is not None:
+        require_positive("spacing", args.spacing, "give a distance in the dataset's unit of length")
+    pushes = _pushes(args)
+    from planar_pushing.pushes.identify import identify
+    from planar_pushing.pushes.scene_file import save_support
+
+    found = identify(
+        pushes, spacing=args.spacing, family=args.family, seed=seed, progress=sys.stderr.isatty()
+    )
+    save_support(found, pushes, args.output)
+    told = {"written": str(args.output)} | summary(found, pushes)
+    return told if args.json else {"": lines(told)}
+
+
+def _pushes(args: argparse.Namespace) -> xr.Dataset:
+    """The pushes of one object, with its outline from the file that is given."""
+    pushes = chosen_pushes(args)
+    names = [str(each) for each in pushes["object"].values]
+    if len(names) > 1:
+        raise InvalidValue("object", None, ", ".join(names), "name one of them with --object")
+    return pushes if args.outline is None else _with_outline(pushes, args.outline)
+
+
+def _with_outline(pushes: xr.Dataset, path: Path) -> xr.Dataset:
+    """The pushes with the outline of a file, which their contacts have to be on."""
+    from planar_pushing.pushes.combine import with_outline
+    from planar_pushing.study.files.yaml_text import read_yaml
+
+    content = read_yaml(path)
+    if isinstance(content, dict):
+        held = content.get("object")
+        content = held.get("outline") if isinstance(held, dict) else None
+    if content is None:
+        allowed = "a list of corners [x, y], or a scene file with object.outline"
+        raise InvalidFile(f"{path}: holds no outline; allowed: {allowed}; name another file")
+    try:
+        return with_outline(pushes, content)
+    except InvalidValue as error:
+        raise InvalidFile(f"{path}: {error}") from None
+
+
+def summary(found: Identified, pushes: xr.Dataset) -> dict[str, Any]:
+    """Numbers of a support as plain values, those that are not known as None."""
+    return {
+        "object": str(pushes["object"].values[0]),
+        "pushes": pushes.sizes["push"],
+        "units": _units(pushes),
+        "weight": _number(found.weight),
+        "contact_friction": _number(found.contact_friction),
+        "center_of_pressure": [float(each) for each in found.center_of_pressure],
+        "spin_torque": float(found.spin_torque),
+        "intervals": {
+            name: [_number(end) for end in each] for name, each in found.intervals.items()
+        },
+        "points": len(found.support.positions),
+        "feet": _feet(found),
+        "optimality": float(found.optimality),
+        "residual": (residuals := _residuals(found, pushes)),
+        "in_a_facet": int((found.facet >= 0).sum()) if "wrench" in residuals else None,
+        "undetermined": list(found.undetermined),
+    }
+
+
+def _units(pushes: xr.Dataset) -> dict[str, str]:
+    length = str(pushes["contact"].attrs["units"])
+    force = {"force": str(pushes["force"].attrs["units"])} if "force" in pushes else {}
+    return {"length": length} | force
+
+
+def _number(value: float) -> float | None:
+    """A number, or None for NaN."""
+    return float(value) if value == value else None
+
+
+def _feet(found: Identified) -> list[list[float]] | None:
+    """(x, y, fraction) of each joined foot; None where the points are those of a patch."""
+    import numpy as np
+
+    from planar_pushing.pushes.identified import moments_of
+
+    places, shares = np.array(found.feet.positions), np.array(found.feet.weights)
+    if moments_of(places, shares)[1] < FEET * found.spin_torque:
+        return None
+    return [[float(x), float(y), float(each)] for (x, y), each in zip(places, shares, strict=True)]
+
+
+def _residuals(found: Identified, pushes: xr.Dataset) -> dict[str, float]:
+    """Median residual of the wrenches, in standard deviations, and that of the final poses, a length."""
+    import numpy as np
+
+    nothing = np.zeros(len(found.residuals), bool)
+    forced = pushes["force"].notnull().all("xy").values if "force" in pushes else nothing
+    used = np.isfinite(found.residuals)
+    parts = {"wrench": forced & used, "pose": ~forced & used}
+    return {
+        name: float(np.median(found.residuals[rows])) for name, rows in parts.items() if rows.any()
+    }
+
+
+def lines(told: dict[str, Any]) -> str:
+    """The numbers as lines and tables, what is not determined in a line each."""
+    length, force = told["units"]["length"], told["units"].get("force", "")
+    units = {"wrench": "standard deviations", "pose": length}
+    assumed = told["weight"] is None
+    found: dict[str, Any] = {
+        "written": told["written"],
+        "object": told["object"],
+        "pushes": told["pushes"],
+        "points": told["points"],
+        "optimality": f"{told['optimality']:.1e}",
+        **{
+            f"residual_of_{name} [{units[name]}]": f"{each:.4g}"
+            for name, each in told["residual"].items()
+        },
+    }
+    if told["in_a_facet"] is not None:
+        found["in_a_facet"] = f"{told['in_a_facet']} of {told['pushes']} pushes"
+    noted = [f"undetermined: {each}" for each in told["undetermined"]]
+    noted += [f"weight: 1 in {told['written']}, since no force was measured"] if assumed else []
+    return "\n".join([text(found), _table(told, length, force), *_footlines(told, length), *noted])
+
+
+def _table(told: dict[str, Any], length: str, force: str) -> str:
+    """A row for each quantity: value, and ends of its interval."""
+    x, y = told["center_of_pressure"]
+    values = {
+        "weight": (told["weight"], force),
+        "contact_friction": (told["contact_friction"], ""),
+        "center_of_pressure_x": (x, length),
+        "center_of_pressure_y": (y, length),
+        "spin_torque": (told["spin_torque"], length),
+    }
+    rows = [
+        [f"{name} [{unit}]" if unit else name, *map(_word, (value, *told["intervals"][name]))]
+        for name, (value, unit) in values.items()
+        if value is not None
+    ]
+    return columns([["quantity", "value", "5 %", "95 %"], *rows])
+
+
+def _footlines(told: dict[str, Any], length: str) -> list[str]:
+    """A row for each foot, or a line where there are none."""
+    if told["feet"] is None:
+        return ["feet: none; neighboring points form a patch"]
+    rows = [[*map(_word, foot)] for foot in told["feet"]]
+    return [columns([[f"foot_x [{length}]", f"foot_y [{length}]", "fraction"], *rows])]
+
+
+def _word(value: float | None) -> str:
+    return "none" if value is None else f"{value:.4g}"

@@ -1,0 +1,87 @@
+"""The scene file of an object whose support was identified from its pushes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.boundary import nearest, sides_of
+from planar_pushing.pushes.identified import Identified
+from planar_pushing.pushes.schema import corners_of
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.files.scenes import save_object_file
+from planar_pushing.terms.errors import InvalidValue
+
+#: Most points of a support in a file, which may be as large as one that is read.
+MOST = 3500
+
+
+def save_support(found: Identified, pushes: xr.Dataset, path: PathLike) -> None:
+    """Write a scene file of the object that was pushed, on the support that was found.
+
+    Parameters
+    ----------
+    found : Identified
+    pushes : xarray.Dataset
+        The checked pushes of one object from which it was identified.
+    path : path
+
+    Raises
+    ------
+    InvalidValue
+        Where the support has more points than a file holds.
+    InvalidFile
+        Where the support makes no scene, as a single point does not, or the file cannot be written.
+    """
+    count = len(found.support.positions)
+    if count > MOST:
+        allowed = f"at most {MOST} in a scene file"
+        raise InvalidValue("support", f"{count} points", allowed, "give a larger spacing")
+    save_object_file(object_entry(found, pushes), path)
+
+
+def object_entry(found: Identified, pushes: xr.Dataset) -> dict[str, Any]:
+    """The content of the file: the contact is in the middle of the side that the first push touches.
+
+    Where no force was measured the weight is 1, and the title says so.
+    """
+    (name,) = (str(each) for each in pushes["object"].values)
+    corners = corners_of(pushes, name)
+    weighed = bool(np.isfinite(found.weight))
+    weight = _plain([found.weight])[0] if weighed else 1.0
+    places = zip(found.support.positions, found.support.weights, strict=True)
+    return {
+        "title": f"{name} on the support of {pushes.sizes['push']} pushes"
+        + ("" if weighed else ", whose weight is not known: 1"),
+        "object": {
+            "outline": [_plain(each) for each in corners],
+            "feet": [
+                {"position": _plain(place), "weight": _plain([weight])[0]}
+                for place, weight in places
+            ],
+            "contact": {"point": _plain(_middle(corners, pushes["contact"].values[:1]))},
+        },
+        "contact": {
+            "law": "coulomb",
+            "friction_coefficient": _plain([found.contact_friction])[0],
+        },
+        "effects": [{"type": "support_friction", "weight": weight}],
+        "units": {
+            "length": pushes["contact"].attrs["units"],
+            "force": pushes["force"].attrs["units"] if "force" in pushes else "N",
+        },
+    }
+
+
+def _plain(values: Any) -> list[float]:
+    """Numbers of nine digits, far more than a measurement has."""
+    return [float(f"{each:.9g}") for each in values]
+
+
+def _middle(corners: Any, contact: Any) -> Array:
+    """Middle of the side that is nearest to a contact."""
+    side = int(nearest(sides_of(corners), contact).side[0])
+    return np.asarray((corners[side] + corners[(side + 1) % len(corners)]) / 2.0)

@@ -1,0 +1,82 @@
+# Measured pushes: two figures, drawn from the numbers in the project's folder. Where a folder of published
+# logs is given, `snakemake pushes --config data=FOLDER` measures them and writes these numbers first.
+rule pushes_figures:
+    input:
+        (
+            expand(
+                "{results}/figures/{name}.{kind}",
+                results=CERTIFIED,
+                name=PUSHES,
+                kind=KINDS,
+            )
+            if Path(PUSHES_FILE).is_file()
+            else []
+        ),
+
+
+rule pushes_figure:
+    input:
+        source=PUSHES_FILE,
+    output:
+        svg=report(
+            "{results}/figures/{figure}.svg",
+            category="Measured pushes",
+            caption="../report/file_figure.rst",
+            labels={"figure": "{figure}"},
+        ),
+        pdf="{results}/figures/{figure}.pdf",
+        png="{results}/figures/{figure}.png",
+    log:
+        "{results}/logs/figures/{figure}.log",
+    benchmark:
+        "{results}/benchmarks/figures/{figure}.tsv"
+    wildcard_constraints:
+        figure=one_of(PUSHES),
+    params:
+        call="figures.render:pushes_figure",
+        code=figure_code,
+        name="{figure}",
+        title=lambda wildcards: entry(wildcards.figure).title,
+    message:
+        "Drawing {wildcards.figure}"
+    script:
+        "../scripts/run.py"
+
+
+#: Digests of the logs that were measured: without them, or with other logs, `pushes` measures.
+DIGESTS = f"{WHOLE or chosen_results(config)}/tables/measured_pushes.txt"
+
+if DATA is not None:
+
+    rule measured_pushes:
+        input:
+            LOGS,
+        output:
+            json=update(PUSHES_FILE),
+            files=DIGESTS,
+        log:
+            f"{WHOLE or chosen_results(config)}/logs/pushes/measured_pushes.log",
+        params:
+            call="evidence.measured:measure",
+            code=code_of("pushes"),
+            folder=DATA,
+        message:
+            "Measuring the pushes of {params.folder}"
+        script:
+            "../scripts/run.py"
+
+
+def measured_files(wildcards):
+    """The numbers, and the digests of the logs that are measured for them."""
+    if DATA is None:
+        raise WorkflowError(
+            "data: not given; allowed: a folder with three_feet/*.txt and polygons/*.mat; "
+            "run snakemake pushes --config data=FOLDER"
+        )
+    return [PUSHES_FILE, DIGESTS]
+
+
+rule pushes:
+    input:
+        measured_files,
+        rules.pushes_figures.input,
