@@ -57,14 +57,19 @@ def test_the_dataset(found, pushes):
 
 
 def test_halves_are_disjoint_and_every_push_is_scored(pushes, monkeypatch):
-    fits = []
+    fits, scores = [], []
 
     def recorded(half: Half):
         fits.append(half)
         return OnSupport(FEET), 0.25
 
+    def scored(model, friction, part):
+        scores.append(part)
+        return errors_of(model, friction, part)
+
     monkeypatch.setitem(room.MODELS, "exact", recorded)
     monkeypatch.setitem(room.MODELS, "fitted_ellipsoid", recorded)
+    monkeypatch.setattr(room, "errors_of", scored)
     names = ["exact"]
     odd = pushes.isel(push=slice(59))
     found = pp.compare(odd, names, seed=3, resamples=2)
@@ -74,6 +79,9 @@ def test_halves_are_disjoint_and_every_push_is_scored(pushes, monkeypatch):
     assert rows[0] == rows[1]
     assert not rows[0] & rows[2]
     assert rows[0] | rows[2] == set(map(tuple, odd["contact"].values.tolist()))
+    # What is fitted to one half is scored on the other.
+    other = [set(map(tuple, each.contact.tolist())) for each in scores]
+    assert other == [rows[2], rows[3], rows[0], rows[1]]
     assert fits[0].dataset["contact"].values.tolist() == contacts[0].tolist()
     # Every push has the error of this model, in its own place.
     expected = errors_of(OnSupport(FEET), 0.25, measured(odd))

@@ -32,6 +32,9 @@ def test_final_poses_are_those_of_single_simulations(kind, radius):
     found = final_poses(OnSupport(SUPPORTS[kind]), pushes, 0.25)
     assert found[:, :2] == pytest.approx(pushes.displacement, abs=2e-3)
     assert found[:, 2] == pytest.approx(pushes.rotation, abs=2e-5)
+    # No finger leaves its side, though one that is round rolls along it as the object turns.
+    lasted = OnSupport(SUPPORTS[kind]).ends(contacts_of(pushes), 0.25).lasted
+    assert lasted == pytest.approx(np.ones(8), abs=1e-5)
 
 
 def test_infinite_friction_and_none():
