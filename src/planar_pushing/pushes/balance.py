@@ -23,6 +23,8 @@ MEAN = 0.01
 #: A place that moves less than this many standard deviations of its motion may be at rest: 95 percent of
 #: the places that are.
 AT_REST = 2.45
+#: Standard deviation of the displacement at least, in sizes of the outline: rounding of a simulation.
+EXACT = 1e-5
 #: How often residuals are weighed anew: amounts then change by less than a tenth of their errors.
 ROUNDS = 6
 #: Pull towards even amounts, relative to the residuals together: it settles what no push tells.
@@ -110,6 +112,7 @@ def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
     v_x, v_y = c_x - turn * y, c_y + turn * x
     far = np.hypot(v_x, v_y)
     position, angle, force = pushes.noise
+    position = max(position, EXACT * pushes.size)
     known = np.sqrt(position**2 + (angle**2) * (places**2).sum(axis=1))
     rests = far < AT_REST * known
     size = np.where(far > 0.0, far, 1.0)

@@ -17,12 +17,13 @@ from planar_pushing.pushes.contacts import Model, final_poses
 from planar_pushing.pushes.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fitted import fitted_ellipsoid
 from planar_pushing.pushes.friction import contact_friction
+from planar_pushing.pushes.given import whole
 from planar_pushing.pushes.identify import identify
 from planar_pushing.pushes.measured import Mask, Measured, measured, twists_at, wrenches_about
 from planar_pushing.pushes.schema import required_pushes, without_padding
 from planar_pushing.pushes.statistics import QUANTITIES, REFERENCE, statistics
 from planar_pushing.pushes.supported import OnSupport
-from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
+from planar_pushing.terms.errors import InvalidValue, suggestion
 
 #: Friction coefficients among which one is chosen for a support that is given, where no force tells it.
 FRICTIONS = np.geomspace(0.05, 1.2, 20)
@@ -57,7 +58,7 @@ def _uniform(half: Half) -> tuple[Model, float]:
 
 
 def _identified(half: Half) -> tuple[Model, float]:
-    found = identify(half.dataset, half.pushes.outline, resamples=1, **half.options)
+    found = identify(half.dataset, resamples=1, **half.options)
     return OnSupport(found.support), found.contact_friction
 
 
@@ -133,17 +134,18 @@ def compare(
     corner first meets either of its sides, or sticks there (`at_corner`); no model is fitted to these.
     """
     checked = required_pushes(pushes)
-    draws = int(require_positive("resamples", resamples, "draw the pushes at least once"))
+    draws, seed = whole("resamples", resamples, 1), whole("seed", seed, 0)
     fits = _required_models(models)
     options = {"spacing": spacing, "family": family, "progress": progress}
     count, lengths = checked.sizes["push"], []
     errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
     corner = np.zeros(count, dtype=bool)
-    for name in map(str, checked["object"].values):
+    objects = {name: of_object(checked, name) for name in map(str, checked["object"].values)}
+    for name, own in objects.items():
+        _require_halves(name, measured(own))
+    for name, own in objects.items():
         rows = np.flatnonzero(checked["pushed"].values == name)
-        own = of_object(checked, name)
         every = measured(own)
-        _require_halves(name, every)
         lengths.append(every.length)
         corner[rows] = every.at_corner
         generator = np.random.default_rng(seed)
@@ -216,10 +218,10 @@ def _required_models(given: Any) -> dict[str, Callable[[Half], tuple[Model, floa
     """The models to compare, the reference among them, or `InvalidValue`."""
     if given is None:
         return dict(MODELS)
-    names = [] if isinstance(given, (str, Mapping)) else list(given)
+    names = list(given) if isinstance(given, (list, tuple)) else []
     unknown = [each for each in names if each not in MODELS]
-    if isinstance(given, str) or unknown:
-        wrong = given if isinstance(given, str) else unknown[0]
+    if unknown or not isinstance(given, (list, tuple, Mapping)):
+        wrong = unknown[0] if unknown else given
         raise InvalidValue(
             "models", wrong, f"a sequence of {', '.join(MODELS)}, or a mapping of names to supports",
             suggestion(wrong, MODELS, "name some of these"),

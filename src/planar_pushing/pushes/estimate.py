@@ -96,11 +96,12 @@ def _singular_values(matrix: Array) -> Array:
 
 
 def _widened(drawn: Array, amounts: Array, pushes: int, told: Array) -> Array:
-    """Draws further apart: a fit leaves less than the errors, by the numbers that it is free to choose."""
+    """Draws further apart: a fit leaves less than the errors, by the numbers that it is free to choose.
+
+    Some amounts are then negative. Were they zero, the weight would be too large.
+    """
     free = min(int((told > 1.0).sum()), pushes // 2)
-    return np.asarray(
-        np.maximum(amounts + np.sqrt(pushes / (pushes - free)) * (drawn - amounts), 0.0)
-    )
+    return np.asarray(amounts + np.sqrt(pushes / (pushes - free)) * (drawn - amounts))
 
 
 def _facets(problem: Balance, found: Balanced, errors: Array) -> Index:

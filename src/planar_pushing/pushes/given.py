@@ -19,6 +19,16 @@ def numbers(name: str, given: Any) -> Array:
         raise InvalidValue(name, given, "an array of numbers", "give floats") from None
 
 
+def whole(name: str, given: Any, least: int) -> int:
+    """A whole number that is not less than another, or `InvalidValue`."""
+    allowed = f"a whole number >= {least}"
+    return int(
+        require_number(
+            name, given, lambda x: least <= x < np.inf and x == int(x), allowed, "give one"
+        )
+    )
+
+
 def rows_of(name: str, given: Any, width: int, count: int | None = None) -> Array:
     """Finite numbers of shape (n, width), or `InvalidValue`."""
     found = numbers(name, given)

@@ -13,6 +13,9 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.measured import Index
 
+#: Fraction of the weight below which a point is no part of a foot.
+LIGHT = 0.02
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Identified:
@@ -26,7 +29,7 @@ class Identified:
         mu_s W, the support's friction in a translation, in the force's unit; NaN where no force was
         measured.
     contact_friction : float
-        Friction coefficient between finger and object; NaN where the pushes do not tell.
+        Friction coefficient between finger and object; a lower bound where `undetermined` says so.
     center_of_pressure : ndarray, shape (2,)
     spin_torque : float
         Mean distance of the pressure from its center: the torque of friction in spinning about it, over
@@ -82,11 +85,14 @@ class Identified:
     def feet(self) -> Points:
         """The support with neighboring points joined, as a foot between candidates loads several.
 
-        Points within one and a half spacings of each other are one foot at their center of pressure.
+        Points within one and a half spacings of each other are one foot at their center of pressure. Points
+        that carry less than a fiftieth of the weight are left out, as they would link what is apart.
         """
         places, weights = np.array(self.support.positions), np.array(self.support.weights)
+        kept = weights >= min(LIGHT * weights.sum(), weights.max())
+        places, weights = places[kept], weights[kept]
         if len(places) == 1:
-            return self.support
+            return Points(places, weights)
         groups = fcluster(linkage(places, "single"), 1.5 * self.spacing, criterion="distance")
         loads = np.bincount(groups, weights)[1:]
         centers = [np.bincount(groups, weights * each)[1:] / loads for each in places.T]

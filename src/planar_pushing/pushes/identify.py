@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.candidates import FAMILIES, Family
+from planar_pushing.pushes.combine import with_outline
 from planar_pushing.pushes.estimate import Estimate, from_forces, from_motions
+from planar_pushing.pushes.given import whole
 from planar_pushing.pushes.identified import Identified, moments_of, summary
 from planar_pushing.pushes.measured import Index, Mask, Measured, measured
 from planar_pushing.pushes.schema import required_pushes
@@ -83,10 +84,9 @@ def identify(
     touch a corner first are left out of final poses.
     """
     checked = required_pushes(pushes)
-    corners = None if outline is None else np.array(required_outline(outline))
-    every = measured(checked, corners)
-    count = int(require_positive("resamples", resamples, "draw the pushes at least once"))
-    generator = np.random.default_rng(seed)
+    every = measured(checked if outline is None else with_outline(checked, outline))
+    count = whole("resamples", resamples, 1)
+    generator = np.random.default_rng(whole("seed", seed, 0))
     forced = every.has_force
     posed = ~forced & ~every.at_corner
     if not (forced | posed).any():
@@ -94,7 +94,7 @@ def identify(
             "pushes", "pushes that touch a corner first", "some that touch a side, or have a force",
             "push the sides of the object",
         )  # fmt: skip
-    chosen, distance = _family(every, forced, spacing, known, family)
+    chosen, distance = _family(every, forced, posed, spacing, known, family)
     parts, first = [], None
     if forced.any():
         first = from_forces(every.part(forced), chosen, count, generator)
@@ -110,7 +110,7 @@ def identify(
 
 
 def _family(
-    pushes: Measured, forced: Mask, spacing: float | None, known: Any, name: str
+    pushes: Measured, forced: Mask, posed: Mask, spacing: float | None, known: Any, name: str
 ) -> tuple[Family, float]:
     """The candidates, few enough for the pushes, and their distance."""
     if known is not None:
@@ -120,18 +120,18 @@ def _family(
         raise InvalidValue(
             "family", name, ", ".join(FAMILIES), suggestion(name, FAMILIES, "name one of these families")
         )  # fmt: skip
-    with_forces = int(forced.sum())
-    most = COLUMNS_WITH_FORCES * with_forces + COLUMNS_WITHOUT * (len(pushes) - with_forces)
+    with_forces, without = int(forced.sum()), int(posed.sum())
+    most = COLUMNS_WITH_FORCES * with_forces + COLUMNS_WITHOUT * without
     if spacing is not None:
         size = require_positive("spacing", spacing, "give a distance in the outline's unit")
         found = _not_too_many(FAMILIES[name], pushes, size)
-        _require_enough(found, most, len(pushes))
+        _require_enough(found, most, with_forces + without)
         return found, size
     for parts in range(WITH_FORCES if with_forces else WITHOUT, 0, -1):
         found = FAMILIES[name](pushes.outline, pushes.size / parts)
         if found.columns.shape[1] <= most:
             break
-    _require_enough(found, most, len(pushes))
+    _require_enough(found, most, with_forces + without)
     return found, pushes.size / parts
 
 
@@ -181,7 +181,7 @@ def _identified(
         for low, high in (np.percentile([row[name] for row in rows], ENDS),)
     }
     center, torque = moments_of(family.places, weights)
-    shares = drawn[:, kept] / drawn.sum(axis=1, keepdims=True)
+    shares = np.maximum(drawn[:, kept] / drawn.sum(axis=1, keepdims=True), 0.0)
     number = np.cumsum(kept) - 1
     return Identified(
         support=Points(places, carried), weight=float(weights.sum()) if forces else np.nan,

@@ -19,8 +19,6 @@ from planar_pushing.pushes.supported import BodyFrames, body_frames, simulated
 
 #: Friction coefficients that are tried before the searches, and those that a search may find.
 TRIED, FRICTION = np.geomspace(0.05, 1.2, 10), (0.01, 3.0)
-#: Searches, from the best of the starts that are tried.
-SEARCHES = 2
 #: Change of a parameter, relative to its usual magnitude, whose effect gives the derivative: far above the
 #: tolerance of a motion, far below the amounts that matter.
 CHANGE = 1e-3

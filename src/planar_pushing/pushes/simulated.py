@@ -15,7 +15,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.objects.scene_at import scene_at
-from planar_pushing.pushes.given import noise_attributes
+from planar_pushing.pushes.given import noise_attributes, whole
 from planar_pushing.pushes.poses import pushes_from_poses, turned
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
@@ -110,9 +110,9 @@ def simulate_pushes(
     is the mean over the last 70 % of the push along the object's axes, which turn with it.
     """
     friction = _required_friction(effects)
-    count = _whole("n", n, 1)
+    count = whole("n", n, 1)
     sides = sides_of(outline)
-    draws, errors = np.random.default_rng(_whole("seed", seed, 0)).spawn(2)
+    draws, errors = np.random.default_rng(whole("seed", seed, 0)).spawn(2)
     given = DISTANCE * sides.scale if distance is None else distance
     reach = require_positive("distance", given, "give a length")
     radius = _required_radius(finger_radius)
@@ -224,16 +224,6 @@ def _required_radius(given: Any) -> float:
     remedy = "give 0 for a point"
     return require_number(
         "finger_radius", given, lambda x: 0.0 <= x < math.inf, "a number >= 0", remedy
-    )
-
-
-def _whole(name: str, given: Any, least: int) -> int:
-    """A whole number, or `InvalidValue`."""
-    allowed = f"a whole number >= {least}"
-    return int(
-        require_number(
-            name, given, lambda x: least <= x < math.inf and x == int(x), allowed, "give one"
-        )
     )
 
 

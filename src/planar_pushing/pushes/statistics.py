@@ -31,7 +31,7 @@ def statistics(error: xr.DataArray, resamples: int = 1000, seed: int = 0) -> xr.
     values = error.transpose("quantity", "model", "push").values
     reference = list(error["model"].values).index(REFERENCE)
     count = values.shape[2]
-    draws = np.random.default_rng(seed).integers(count, size=(resamples, count))
+    draws = np.random.default_rng(seed).random((resamples, count))
     shape = values.shape[:2]
     found: dict[str, Any] = {name: np.full(shape, np.nan) for name in VARIABLES}
     ends: dict[str, Any] = {name: np.full((*shape, 2), np.nan) for name in VARIABLES}
@@ -41,7 +41,7 @@ def statistics(error: xr.DataArray, resamples: int = 1000, seed: int = 0) -> xr.
         if not both.any():
             continue
         whole = _statistics(own[both][None], other[both][None])
-        index = draws[:, : int(both.sum())] % int(both.sum())
+        index = (draws[:, : both.sum()] * both.sum()).astype(int)
         again = _statistics(own[both][index], other[both][index])
         for name in VARIABLES:
             found[name][place] = whole[name][0]
