@@ -6,7 +6,7 @@ from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
 from planar_pushing.pushes.measured import PARTS, measured, twists_at, wrenches_about
-from pushes.written import SQUARE, TRIANGLE, feet, small, turn
+from pushes.written import TRIANGLE, feet, small, turn
 
 
 def moved(displacements, rotations):
