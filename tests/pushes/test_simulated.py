@@ -73,6 +73,7 @@ def test_noise_is_added_to_the_same_pushes():
         assert abs(error.mean()) < 3 * size / np.sqrt(error.size)
     assert noisy.attrs == {
         "source": "simulated", "position_noise": 0.5, "angle_noise": 0.3, "force_noise": 0.05,
+        "friction_noise": 0.0,
     }  # fmt: skip
 
 
