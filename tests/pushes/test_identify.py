@@ -203,7 +203,9 @@ def test_another_outline_replaces_that_of_the_dataset(noisy):
     found = pp.identify(noisy.isel(push=slice(20)), larger, spacing=30.0, resamples=2)
     assert np.array(found.support.positions).min() == -1.0
     assert found.length == 76.5
-    with pytest.raises(pp.InvalidValue, match=r"^contact: .* given; allowed: a point of the outline"):
+    with pytest.raises(
+        pp.InvalidValue, match=r"^contact: .* given; allowed: a point of the outline"
+    ):
         pp.identify(noisy, [(5, 5), (140, 5), (5, 140)])
 
 
