@@ -199,10 +199,14 @@ def test_too_few_pushes_slip_to_tell_the_friction():
 
 
 def test_another_outline_replaces_that_of_the_dataset(noisy):
-    inner = [(5, 5), (140, 5), (5, 140)]
-    found = pp.identify(noisy.isel(push=slice(20)), inner, spacing=30.0, resamples=2)
-    assert np.array(found.support.positions).min() >= 5.0
-    assert found.length == 67.5
+    larger = [(-1, -1), (152, -1), (-1, 152)]
+    found = pp.identify(noisy.isel(push=slice(20)), larger, spacing=30.0, resamples=2)
+    assert np.array(found.support.positions).min() == -1.0
+    assert found.length == 76.5
+    with pytest.raises(
+        pp.InvalidValue, match=r"^contact: .* given; allowed: a point of the outline"
+    ):
+        pp.identify(noisy, [(5, 5), (140, 5), (5, 140)])
 
 
 def two_objects():
@@ -258,7 +262,7 @@ def test_feet_of_a_support():
     order = np.argsort(np.array(found.positions)[:, 0])
     assert np.array(found.positions)[order] == pytest.approx(np.array([(0.75, 0.75), (5.0, 6.0)]))
     assert np.array(found.weights)[order] == pytest.approx([0.4, 0.6])
-    assert len(identified([(0, 0), (0, 1.6)], [0.5, 0.5], 1.0).feet.weights) == 2
+    assert len(identified([(0, 0), (0, 2.1)], [0.5, 0.5], 1.0).feet.weights) == 2
     one = identified([(1, 2)], [1.0], 1.0)
     assert one.feet == one.support
     assert one == identified([(1, 2)], [1.0], 1.0)

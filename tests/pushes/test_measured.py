@@ -6,7 +6,7 @@ from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
 from planar_pushing.pushes.measured import PARTS, measured, twists_at, wrenches_about
-from pushes.written import SQUARE, TRIANGLE, feet, small, turn
+from pushes.written import TRIANGLE, feet, small, turn
 
 
 def moved(displacements, rotations):
@@ -130,15 +130,13 @@ def test_noise_is_named_or_usual():
     assert measured(forced).has_force.tolist() == [True, True, False]
 
 
-def test_some_of_the_pushes_and_another_outline():
+def test_some_of_the_pushes():
     pushes = measured(pp.pushes.schema.required_pushes(small()))
     part = pushes.part([2, 0])
     assert len(part) == 2
     assert part.contact.tolist() == [[1.0, 0.5], [-0.5, -1.0]]
     assert part.noise == pushes.noise
     assert pushes.part(slice(None)) == pushes
-    larger = measured(pp.pushes.schema.required_pushes(small()), 2.0 * np.array(SQUARE))
-    assert larger.size == 4.0
 
 
 def test_pushes_of_several_objects_are_refused():

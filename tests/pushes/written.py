@@ -66,11 +66,18 @@ def line(*numbers):
     return " ".join(f"{each:.12g}" for each in numbers)
 
 
-def samples_of(force, random):
-    """Sensor samples in its axes: an offset, 29 weak ones as it settles, then the force, some weaker."""
+def samples_of(force, start, turned, random):
+    """Sensor samples: an offset, 29 weak ones as it settles, then the force, some weaker.
+
+    The force keeps its direction in the object, which turns evenly from an angle from the tool on.
+    """
     offset = random.normal(size=2) * 0.02
     strength = np.concatenate([[0.0], np.full(29, 0.3), np.tile([1.1, 0.9, 1.0, 0.2, 1.2], 14)])
-    return offset + strength[:, None] * force
+    passed = np.linspace(0.0, 1.0, len(strength))
+    x, y = np.array([turn(start + turned * each) @ force for each in passed]).T
+    # The sensor's x is along (1, 1) of the tool and its y along (1, -1); it feels the reaction.
+    sensor = -np.column_stack([x + y, x - y]) / np.sqrt(2)
+    return offset + strength[:, None] * sensor
 
 
 #: Mean of the samples above that are not weaker than their mean, 0.88.
@@ -86,11 +93,8 @@ def write_log(file, pushes, random, counted=True, offset=2.0):
         for pose in (before[k], after[k]):
             lines.append(line(*pose[:2], 9.5, *quaternion(pose[2])))
         yaw = random.uniform(-3, 3)
-        world = turn((before[k, 2] + after[k, 2]) / 2) @ pushes["force"].values[k]
-        tool = turn(yaw).T @ world
-        # The sensor's x is along (1, 1) of the tool and its y along (1, -1); it feels the reaction.
-        sensor = -np.array([tool[0] + tool[1], tool[0] - tool[1]]) / np.sqrt(2)
-        samples = samples_of(sensor, random)
+        force, turned = pushes["force"].values[k], after[k, 2] - before[k, 2]
+        samples = samples_of(force, before[k, 2] - yaw, turned, random)
         lines += [str(len(samples)), *(line(0.01 * i, *each) for i, each in enumerate(samples))]
         ways = np.linspace(0, 1, 5)
         tools = [

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 OUTLINE = [[0.0, 0.0], [150.0, 0.0], [0.0, 150.0]]
-SQUARE = [[-45.0, -45.0], [45.0, -45.0], [45.0, 45.0], [-45.0, 45.0]]
 FEET = {
     "30_90_30_30_30_90": [[30.0, 30.0], [90.0, 30.0], [30.0, 90.0]],
     "10_90_10_10_30_130": [[10.0, 10.0], [90.0, 30.0], [10.0, 130.0]],
@@ -65,7 +64,6 @@ def _three_feet(places):
 def measured_pushes():
     """Everything that the file holds."""
     face = [[10.0 + 25 * i, 10.0 + 25 * j, 1 / 15] for i in range(5) for j in range(5 - i)]
-    cross = [[-40.0, -40.0, 0.25], [40.0, -40.0, 0.25], [40.0, 40.0, 0.5]]
     pose = {"pose": QUANTITIES["pose"]}
     return {
         "source": {"three_feet": "one work", "polygons": "another work"},
@@ -83,7 +81,6 @@ def measured_pushes():
         "polygons": {
             "selection": "pushes that touch the object", "pushes": 340, "corner_pushes": 40,
             "length": {"abs_rect1": 37.0, "abs_hex": 40.0},
-            "logs": {name: log(None, cross, SQUARE, None, 170) for name in ("abs_rect1", "abs_hex")},
             "comparison": compared(OTHERS, pose),
             "with_corners": compared(OTHERS, pose, 1.25),
             "objects": {"abs_rect1": {"identified": 1.5, "fitted_ellipsoid": 2.0},

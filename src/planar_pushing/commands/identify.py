@@ -31,7 +31,7 @@ FAMILIES = {
     "map": "a pressure that is linear between points of a grid",
 }
 ENDINGS = (".yaml", ".yml")
-#: Joined feet that keep less than this fraction of the spin torque are no feet but parts of a patch.
+#: Joined feet that keep less than this fraction of the spin torque, or of the weight, are parts of a patch.
 FEET = 0.9
 
 
@@ -148,8 +148,10 @@ def _feet(found: Identified) -> list[list[float]] | None:
     from planar_pushing.pushes.identified import moments_of
 
     places, shares = np.array(found.feet.positions), np.array(found.feet.weights)
-    if moments_of(places, shares)[1] < FEET * found.spin_torque:
+    spins = moments_of(places, shares)[1] >= FEET * found.spin_torque
+    if not spins or shares.sum() < FEET * sum(found.support.weights):
         return None
+    shares = shares / shares.sum()
     return [[float(x), float(y), float(each)] for (x, y), each in zip(places, shares, strict=True)]
 
 

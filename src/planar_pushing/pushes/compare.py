@@ -58,7 +58,7 @@ def _uniform(half: Half) -> tuple[Model, float]:
 
 
 def _identified(half: Half) -> tuple[Model, float]:
-    found = identify(half.dataset, half.pushes.outline, resamples=1, **half.options)
+    found = identify(half.dataset, resamples=1, **half.options)
     return OnSupport(found.support), found.contact_friction
 
 
@@ -140,11 +140,12 @@ def compare(
     count, lengths = checked.sizes["push"], []
     errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
     corner = np.zeros(count, dtype=bool)
-    for name in map(str, checked["object"].values):
+    objects = {name: of_object(checked, name) for name in map(str, checked["object"].values)}
+    for name, own in objects.items():
+        _require_halves(name, measured(own))
+    for name, own in objects.items():
         rows = np.flatnonzero(checked["pushed"].values == name)
-        own = of_object(checked, name)
         every = measured(own)
-        _require_halves(name, every)
         lengths.append(every.length)
         corner[rows] = every.at_corner
         generator = np.random.default_rng(seed)

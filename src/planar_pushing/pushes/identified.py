@@ -13,6 +13,9 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.measured import Index
 
+#: Fraction of the weight below which a point is no part of a foot.
+LIGHT = 0.02
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Identified:
@@ -82,12 +85,17 @@ class Identified:
     def feet(self) -> Points:
         """The support with neighboring points joined, as a foot between candidates loads several.
 
-        Points within one and a half spacings of each other are one foot at their center of pressure.
+        Points within two spacings of each other, along both axes, are one foot at their center of pressure.
+        Points that carry less than a fiftieth of the weight are left out, as they would link what is apart.
         """
         places, weights = np.array(self.support.positions), np.array(self.support.weights)
+        kept = weights >= min(LIGHT * weights.sum(), weights.max())
+        places, weights = places[kept], weights[kept]
         if len(places) == 1:
-            return self.support
-        groups = fcluster(linkage(places, "single"), 1.5 * self.spacing, criterion="distance")
+            return Points(places, weights)
+        groups = fcluster(
+            linkage(places, "single", metric="chebyshev"), 2.01 * self.spacing, criterion="distance"
+        )
         loads = np.bincount(groups, weights)[1:]
         centers = [np.bincount(groups, weights * each)[1:] / loads for each in places.T]
         return Points(np.column_stack(centers), loads)

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.candidates import FAMILIES, Family
+from planar_pushing.pushes.combine import with_outline
 from planar_pushing.pushes.estimate import Estimate, from_forces, from_motions
 from planar_pushing.pushes.given import whole
 from planar_pushing.pushes.identified import Identified, moments_of, summary
@@ -84,8 +84,7 @@ def identify(
     touch a corner first are left out of final poses.
     """
     checked = required_pushes(pushes)
-    corners = None if outline is None else np.array(required_outline(outline))
-    every = measured(checked, corners)
+    every = measured(checked if outline is None else with_outline(checked, outline))
     count = whole("resamples", resamples, 1)
     generator = np.random.default_rng(whole("seed", seed, 0))
     forced = every.has_force

@@ -163,8 +163,8 @@ def wrenches_about(wrenches: Array, point: Array) -> Array:
     return np.column_stack([f_x, f_y, torque - point[0] * f_y + point[1] * f_x])
 
 
-def measured(pushes: xr.Dataset, outline: Any = None) -> Measured:
-    """The pushes of a checked dataset of one object, whose outline another one may replace.
+def measured(pushes: xr.Dataset) -> Measured:
+    """The pushes of a checked dataset of one object.
 
     Raises
     ------
@@ -177,7 +177,7 @@ def measured(pushes: xr.Dataset, outline: Any = None) -> Measured:
             "pushes", f"pushes of {', '.join(names)}", "pushes of one object",
             "choose one with of_object(pushes, name)",
         )  # fmt: skip
-    corners = corners_of(pushes, names[0]) if outline is None else outline
+    corners = corners_of(pushes, names[0])
     finger = pushes["finger_displacement"].values
     force = pushes["force"].values if "force" in pushes else np.full(finger.shape, np.nan)
     size = float(np.ptp(corners, axis=0).max())

@@ -115,7 +115,6 @@ def _by_poses(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
         "corner_pushes": int(corner.sum()),
         "left_out": int(pushes.attrs.get("left_out", 0)),
         "length": dict(zip(_names(pushes), found["length"].values.tolist(), strict=True)),
-        "logs": {name: _log(of_object(pushes, name), seed, progress) for name in _names(pushes)},
         "comparison": by_side,
         "with_corners": _table(found),
         "objects": {

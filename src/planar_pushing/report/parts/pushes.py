@@ -86,7 +86,7 @@ MEASURED: Numbers = {
     "pushes-feet-logs": _read(lambda found: len(found["three_feet"]["logs"]), "logs on three feet"),
     "pushes-feet": _at("three_feet", "pushes"),
     "pushes-face": _at("patch", "pushes"),
-    "pushes-objects": _read(lambda found: len(found["polygons"]["logs"]), "polygons"),
+    "pushes-objects": _read(lambda found: len(found["polygons"]["objects"]), "polygons"),
     "pushes-sides": _read(_sides, "polygons: pushes less corner_pushes"),
     "pushes-corners": _at("polygons", "corner_pushes"),
     "pushes-seed": _at("seed"),
