@@ -75,7 +75,9 @@ def test_intervals_hold_the_truth_as_often_as_they_claim():
     pushes = pushed(support, TRIANGLE, 5000, seed=2)
     held = dict.fromkeys(truth, 0)
     for k in range(100):
-        found = pp.identify(pushes.isel(push=slice(50 * k, 50 * k + 50)), resamples=100, seed=k)
+        found = pp.identify(
+            pushes.isel(push=slice(50 * k, 50 * k + 50)), resamples=60, spacing=15.0, seed=k
+        )
         for name, value in truth.items():
             low, high = found.intervals[name]
             held[name] += low <= value <= high

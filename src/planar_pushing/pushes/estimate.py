@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -66,7 +66,9 @@ def from_forces(
     changes = changes.reshape(3 * number, -1)
     told = _singular_values(changes)
     rows = [generator.integers(number, size=number) for _ in range(resamples)]
-    drawn = np.array([solve_balance(problem.part(each)).amounts for each in rows])
+    # Without the pull, which would make the draws more alike than the pushes are.
+    free = replace(problem, pull=0.0)
+    drawn = np.array([solve_balance(free.part(each)).amounts for each in rows])
     friction, frictions, doubts = _friction(pushes, resamples, generator)
     estimate = Estimate(
         amounts=found.amounts, draws=_widened(drawn, found.amounts, number, told), friction=friction,
