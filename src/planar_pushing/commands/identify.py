@@ -31,8 +31,8 @@ FAMILIES = {
     "map": "a pressure that is linear between points of a grid",
 }
 ENDINGS = (".yaml", ".yml")
-#: Joined feet that keep less than this fraction of the spin torque, or of the weight, are parts of a patch.
-FEET = 0.9
+#: Joined feet that keep less than these fractions of spin torque and weight are parts of a patch.
+SPIN, WEIGHT = 0.9, 0.75
 
 
 def add(commands: Commands) -> None:
@@ -148,8 +148,8 @@ def _feet(found: Identified) -> list[list[float]] | None:
     from planar_pushing.pushes.identified import moments_of
 
     places, shares = np.array(found.feet.positions), np.array(found.feet.weights)
-    spins = moments_of(places, shares)[1] >= FEET * found.spin_torque
-    if not spins or shares.sum() < FEET * sum(found.support.weights):
+    spins = moments_of(places, shares)[1] >= SPIN * found.spin_torque
+    if not spins or shares.sum() < WEIGHT * sum(found.support.weights):
         return None
     shares = shares / shares.sum()
     return [[float(x), float(y), float(each)] for (x, y), each in zip(places, shares, strict=True)]

@@ -13,8 +13,8 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.measured import Index
 
-#: Fraction of the weight below which a point is no part of a foot.
-LIGHT = 0.02
+#: Fraction of the heaviest point below which a point is no part of a foot.
+LIGHT = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -86,10 +86,11 @@ class Identified:
         """The support with neighboring points joined, as a foot between candidates loads several.
 
         Points within two spacings of each other, along both axes, are one foot at their center of pressure.
-        Points that carry less than a fiftieth of the weight are left out, as they would link what is apart.
+        Points that carry less than a tenth of the heaviest one are left out, as they would link what is
+        apart.
         """
         places, weights = np.array(self.support.positions), np.array(self.support.weights)
-        kept = weights >= min(LIGHT * weights.sum(), weights.max())
+        kept = weights >= LIGHT * weights.max()
         places, weights = places[kept], weights[kept]
         if len(places) == 1:
             return Points(places, weights)
