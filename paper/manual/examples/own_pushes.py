@@ -64,7 +64,7 @@ def executed(push, law):
 
 
 def print_support(found):
-    """What the pushes tell, with intervals of 90 percent."""
+    """The numbers that the pushes determine, with intervals of 90 percent."""
     numbers = {name: found.intervals[name] for name in ("weight", "contact_friction")}
     for name, (low, high) in numbers.items():
         print(f"{name:16}  {getattr(found, name):5.3f}  {low:5.3f} to {high:5.3f}")

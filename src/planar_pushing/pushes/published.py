@@ -238,7 +238,7 @@ def _sets(pushes: Measured, places: Array, shares: Array, weight: float) -> Mask
         loads = np.stack([u_x, u_y, arm[:, 0] * u_y - arm[:, 1] * u_x])
         rest = weight * (loads @ np.delete(shares, k)) / scale
         left = wrenches - sense[:, None] * rest
-        # The nearest force at the foot, and what it leaves of the wrench.
+        # The force at the foot by least squares, bounded by its share, and the rest of the wrench.
         reach = np.array([[1.0, 0.0], [0.0, 1.0], [-y / pushes.length, x / pushes.length]])
         force = left @ np.linalg.pinv(reach).T
         size = np.hypot(*force.T)

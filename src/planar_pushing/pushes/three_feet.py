@@ -150,7 +150,7 @@ def mean_force(record: Record) -> Array:
     turn = np.remainder(after - before + np.pi, 2.0 * np.pi) - np.pi
     times = record.forces[:, 0] - record.forces[0, 0]
     passed = times / times[-1] if times[-1] > 0.0 else np.full(len(times), 0.5)
-    # The sensor turns with the tool, which does not turn; half a turn of the object is midway.
+    # The tool does not turn; the object has turned by half midway.
     measured = turned(-(forces[kept] @ SENSOR.T), turn * (0.5 - passed[kept])).mean(axis=0)
     return turned(measured, yaw(record.tools[0, 4:]))
 
