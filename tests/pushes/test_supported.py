@@ -8,7 +8,7 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.pushes.contacts import contacts_of, final_poses
 from planar_pushing.pushes.measured import measured
-from planar_pushing.pushes.supported import OnSupport, body_frames, weighted
+from planar_pushing.pushes.supported import OnSupport, body_frames
 from pushes.written import TRIANGLE
 
 #: Feet that do not coincide with the frame's origin, a plate, and both.
@@ -171,8 +171,3 @@ def test_body_frames_have_their_origin_above_the_side():
         frames = body_frames(contacts, center, 150.0)
         assert ((frames.origin - contacts.point) * contacts.normal).sum(axis=1).min() > 0.0
         assert contacts.point + frames.length[:, None] * frames.axis == pytest.approx(frames.origin)
-
-
-def test_points_without_weight_are_left_out():
-    found = weighted(np.array([(0, 0), (1, 0), (2, 0)]), np.array([0.5, 0.0, 0.5]))
-    assert np.array(found.positions).tolist() == [[0, 0], [2, 0]]

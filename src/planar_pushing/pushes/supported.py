@@ -13,7 +13,6 @@ from planar_pushing.mechanics.force_motion import motion_of_force
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.mechanics.supports import Points
 from planar_pushing.mechanics.wrench import wrench
 from planar_pushing.objects.scene_at import scene_at
 from planar_pushing.pushes.contacts import Contacts, Ends
@@ -147,12 +146,6 @@ def _pusher(contacts: Contacts, repeated: Any) -> Pusher:
         velocities.append((k / parts, (repeated(along), repeated(across))))
     velocity: Any = velocities[0][1] if parts == 1 else velocities
     return Pusher(velocity=velocity, shape="finger", radius=repeated(contacts.radius))
-
-
-def weighted(places: Array, weights: Array) -> Points:
-    """Points with weights, without those that carry nothing."""
-    kept = weights > 0.0
-    return Points(places[kept], weights[kept])
 
 
 def _objects(values: list[Any]) -> Array:
