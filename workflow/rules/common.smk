@@ -246,3 +246,17 @@ def golden_files():
     """Golden data of all studies that are built."""
     folders = [Path(study.golden) for study in STUDIES.values() if study.golden]
     return sorted({str(path) for folder in folders for path in folder.rglob("*.nc")})
+
+
+#: Digests of the logs that were measured: without them, or with other logs, `pushes` measures.
+DIGESTS = f"{WHOLE or chosen_results(config)}/tables/measured_pushes.txt"
+
+
+def measured_files(wildcards):
+    """The numbers of measured pushes, and the digests of the logs that are measured for them."""
+    if DATA is None:
+        raise WorkflowError(
+            "data: not given; allowed: a folder with three_feet/*.txt and polygons/*.mat; "
+            "run snakemake pushes --config data=FOLDER"
+        )
+    return [PUSHES_FILE, DIGESTS]

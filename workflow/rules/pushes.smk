@@ -43,9 +43,6 @@ rule pushes_figure:
         "../scripts/run.py"
 
 
-#: Digests of the logs that were measured: without them, or with other logs, `pushes` measures.
-DIGESTS = f"{WHOLE or chosen_results(config)}/tables/measured_pushes.txt"
-
 if DATA is not None:
 
     rule measured_pushes:
@@ -64,16 +61,6 @@ if DATA is not None:
             "Measuring the pushes of {params.folder}"
         script:
             "../scripts/run.py"
-
-
-def measured_files(wildcards):
-    """The numbers, and the digests of the logs that are measured for them."""
-    if DATA is None:
-        raise WorkflowError(
-            "data: not given; allowed: a folder with three_feet/*.txt and polygons/*.mat; "
-            "run snakemake pushes --config data=FOLDER"
-        )
-    return [PUSHES_FILE, DIGESTS]
 
 
 rule pushes:
