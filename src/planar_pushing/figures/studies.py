@@ -19,7 +19,7 @@ from planar_pushing.terms.errors import InvalidFile
 PUSHES = ("figure_21", "figure_22")
 #: Figures on how this work computes and predicts, of the report in its order and of its supplement: every
 #: study has the same.
-OURS = ("hard_cases", *PUSHES, "accuracy_evaluations", "accuracy_time")
+OURS = (*PUSHES, "accuracy_evaluations", "hard_cases", "effect_counts", "accuracy_time")
 SUPPLEMENT = ("accuracy_cone", "accuracy_motion", "accuracy_wrench", "effects")
 
 

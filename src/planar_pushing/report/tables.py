@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import platform
 import re
-from importlib.metadata import version
 from typing import Any
 
 import numpy as np
@@ -20,26 +18,10 @@ from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from planar_pushing.report.verdict import verdict_rows
 from planar_pushing.study.datasets.base import words
-from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.study.provenance import whole_digest
 from planar_pushing.study.store import read_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
-
-#: Packages that the results and the report are made with.
-PACKAGES = (
-    "planar-pushing",
-    "numpy",
-    "scipy",
-    "xarray",
-    "h5netcdf",
-    "h5py",
-    "matplotlib",
-    "pydantic",
-    "snakemake",
-    "typst",
-)
 
 
 def numbers_text(results: Results) -> str:
@@ -151,15 +133,3 @@ def verdict_text(results: Results) -> str:
             f"{results.folder}/tables/golden_verdict.json: compares nothing; build it"
         )
     return csv_text(rows)
-
-
-def provenance_text(results: Results, study: PathLike) -> str:
-    """Table of the versions behind the results, with the study and its digest."""
-    rows = [("study", str(study)), ("SHA-256 of the study", whole_digest(load_study(study))[:16])]
-    rows.append(("Python", platform.python_version()))
-    rows += [(name, version(name)) for name in PACKAGES]
-    marks = results.golden_marks()[0]
-    for each in marks["golden_versions"].split(", "):
-        name, number = each.split(" ")
-        rows.append((f"{name}, golden data", number))
-    return csv_text([{"what": name, "version": value} for name, value in rows])
