@@ -29,7 +29,7 @@ ALLOWED = (
     re.compile(r"#(?:eq|eqs|fig|figs)\(\d+(?:, \d+)?\)"),
     re.compile(r"#claim\(\"[\w-]+\"\)"),
     re.compile(r"#sec\((?:\d|\"\d\.\d\")\)"),
-    re.compile(r"#paper-figure\(\d+(?:, wide: true)?\)"),
+    re.compile(r"#paper-figure\(\d+(?:, wide: true)?(?:, width: \d+%)?\)"),
     re.compile(r"#our-fig(?:ure)?\(\"\w+\"\)"),
     re.compile(r"@[\w-]+|<[\w-]+>"),
     re.compile(r"\$ .*? \$", re.DOTALL),
