@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 from figures.conftest import FIGURES, NUMBERED
-from planar_pushing.figures.figure import drawing
+from planar_pushing.figures.figure import drawing, full_caption
 from planar_pushing.figures.parts.data import number
 from planar_pushing.figures.studies import OURS, SUPPLEMENT
 
@@ -139,6 +139,14 @@ def test_a_fence_passes_above_the_ring_of_a_short_rod_alone(plotted, name, axis)
     caption, said = drawing(name).caption, "fence passes above the ring"
     assert said in caption(changed(plotted[name], axis, 1.0))
     assert said not in caption(changed(plotted[name], axis, 3.0))
+
+
+@pytest.mark.parametrize("name", [name for name in FIGURES if name not in SUPPLEMENT])
+def test_captions_of_reconstructions_name_the_figure_of_the_paper(plotted, name):
+    own, printed = drawing(name).caption(plotted[name]), full_caption(name, plotted[name])
+    number = int(name.removeprefix("figure_")) if name in NUMBERED else 0
+    source = f" After Fig. {number} of Lynch and Mason." if 1 <= number <= 12 else ""
+    assert printed == own + source
 
 
 @pytest.mark.parametrize("name", ["figure_16", "figure_17", "figure_18"])

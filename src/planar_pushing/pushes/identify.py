@@ -16,7 +16,7 @@ from planar_pushing.pushes.given import whole
 from planar_pushing.pushes.identified import Identified, moments_of, summary
 from planar_pushing.pushes.measured import Index, Mask, Measured, measured
 from planar_pushing.pushes.schema import required_pushes
-from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
+from planar_pushing.terms.errors import InvalidValue, require_number, suggestion
 
 #: Candidates along the outline's extent by default, with forces and without; they are fewer for few pushes.
 WITH_FORCES, WITHOUT = 15, 5
@@ -113,20 +113,20 @@ def _family(
     pushes: Measured, forced: Mask, posed: Mask, spacing: float | None, known: Any, name: str
 ) -> tuple[Family, float]:
     """The candidates, few enough for the pushes, and their distance."""
+    given = None if spacing is None else _required_spacing(spacing, pushes.size)
     if known is not None:
         places = np.array((known if isinstance(known, Points) else Points(known)).positions)
-        return Family(places, np.eye(len(places))), float(spacing or pushes.size / WITH_FORCES)
+        return Family(places, np.eye(len(places))), given or pushes.size / WITH_FORCES
     if name not in FAMILIES:
         raise InvalidValue(
             "family", name, ", ".join(FAMILIES), suggestion(name, FAMILIES, "name one of these families")
         )  # fmt: skip
     with_forces, without = int(forced.sum()), int(posed.sum())
     most = COLUMNS_WITH_FORCES * with_forces + COLUMNS_WITHOUT * without
-    if spacing is not None:
-        size = require_positive("spacing", spacing, "give a distance in the outline's unit")
-        found = _not_too_many(FAMILIES[name], pushes, size)
+    if given is not None:
+        found = FAMILIES[name](pushes.outline, given)
         _require_enough(found, most, with_forces + without)
-        return found, size
+        return found, given
     for parts in range(WITH_FORCES if with_forces else WITHOUT, 0, -1):
         found = FAMILIES[name](pushes.outline, pushes.size / parts)
         if found.columns.shape[1] <= most:
@@ -135,16 +135,16 @@ def _family(
     return found, pushes.size / parts
 
 
-def _not_too_many(family: Any, pushes: Measured, spacing: float) -> Family:
-    """Refuse a grid that is finer than any push could tell, before it is made."""
-    least = pushes.size / MOST_PARTS
-    if spacing < least:
-        raise InvalidValue(
-            "spacing", spacing, f"at least {least:.6g}, a hundredth of the outline's extent",
-            "give a distance in the outline's unit",
-        )  # fmt: skip
-    found: Family = family(pushes.outline, spacing)
-    return found
+def _required_spacing(given: Any, size: float) -> float:
+    """Return a spacing from a hundredth of the outline's extent to its extent, or raise `InvalidValue`."""
+    least, most = (float(f"{each:.6g}") for each in (size / MOST_PARTS, size))
+    return require_number(
+        "spacing",
+        given,
+        lambda x: least <= x <= most,
+        f"a number from {least:g} to {most:g}, a hundredth of the outline's extent to its full extent",
+        "give a distance in the outline's unit",
+    )
 
 
 def _require_enough(family: Family, most: float, pushes: int) -> None:

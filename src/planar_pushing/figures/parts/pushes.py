@@ -1,4 +1,4 @@
-"""The pusher's motion over time in words, for captions."""
+"""The pusher's motion over time in words for captions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from planar_pushing.figures.parts.data import number
 
 
 def told(data: xr.Dataset) -> str:
-    """Speeds and directions of the pusher, as "vₚ = 1 at 10°, from time 0.5 on 1 at −10°"."""
+    """Speeds and directions of the pusher, such as "vₚ = 1 at 10°, from time 0.5 on 1 at −10°"."""
     pieces = [_piece(*each) for each in json.loads(data.attrs["pusher"])]
     return "vₚ = " + ", ".join(pieces)
 
