@@ -149,7 +149,7 @@ def test_without_forces_the_weight_is_1_and_is_said_to_be_unknown(run, files, su
     assert path.read_text() == supports["poses"].read_text()
     written = content(path)
     assert written["effects"] == [{"type": "support_friction", "weight": 1.0}]
-    assert written["title"].endswith("whose weight is not known: 1")
+    assert written["title"].endswith("the weight is unknown and set to 1")
     said = command.lines(told).splitlines()
     assert f"weight: 1 in {path}, since no force was measured" in said
     assert "undetermined: weight: no force was measured" in said

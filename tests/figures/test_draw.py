@@ -144,7 +144,7 @@ def test_what_cannot_be_drawn_is_one_line(options, said):
 
 
 def test_without_a_solution_none_can_be_chosen():
-    with pytest.raises(pp.InvalidValue, match="allowed: none, as no solution is consistent"):
+    with pytest.raises(pp.InvalidValue, match="allowed: none, because no solution is consistent"):
         pp.draw(scene(NO_ADHESION), np.deg2rad(165), solution=0)
 
 

@@ -107,7 +107,7 @@ def _number(found: Sequence[Any], wanted: int | ContactMode) -> int:
     if not numbers:
         modes = ", ".join(f"{i} ({each.mode})" for i, each in enumerate(found))
         allowed = modes or "none, because no solution is consistent"
-        raise InvalidValue("solution", wanted, allowed, "choose one of these, or omit it")
+        raise InvalidValue("solution", wanted, allowed, "choose one of these, or leave it out")
     return numbers[0]
 
 

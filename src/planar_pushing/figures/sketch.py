@@ -306,7 +306,7 @@ def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
     if is_magnitude_open(scene):
         raise InvalidValue(
             "limit_curve", "friction and inertia", "a scene with one effect",
-            "omit an effect, or draw the scene without the curve",
+            "leave an effect out, or draw the scene without the curve",
         )  # fmt: skip
     curve = limit_curve(scene, ANGLES)
     return replace(sketch, curve=curve.force, flats=flats(curve.motion_angle))
