@@ -121,7 +121,7 @@ def test_the_comparison_of_simulated_pushes_is_drawn():
 @pytest.mark.parametrize(
     ("given", "ax", "said"),
     [
-        ("a", None, "dataset: 'str' given; allowed: a dataset returned by compare; call compare on pushes first"),
+        ("a", None, "dataset: 'str' given; allowed: a dataset returned by compare; call compare on pushes"),
         (xr.Dataset(), None, "dataset: 'one without median' given; allowed: a dataset returned by compare"),
         (compared().drop_vars("model"), None, "'one without model' given"),
         (compared() * np.nan, None, "dataset: 'no errors' given; allowed: errors of a model"),

@@ -54,9 +54,9 @@ def filled(ax, color):
         (coulomb(2), -90, "The contact breaks."),
         (coulomb(2), 100, "The contact sticks."),
         (coulomb(2), 170, "The contact slips to the right."),
-        (coulomb(2), -10, "The contact sticks while being pulled; two more ways: the contact breaks, "
+        (coulomb(2), -10, "The contact sticks while being pulled; two other solutions: the contact breaks, "
          "or slips to the left while being pulled."),
-        (ROUGH, -90, "The contact sticks, held by adhesion; one more way: the contact breaks."),
+        (ROUGH, -90, "The contact sticks, held by adhesion; one other solution: the contact breaks."),
     ],
 )  # fmt: skip
 def test_a_push_is_told_in_words_over_a_scale(contact, angle, title):

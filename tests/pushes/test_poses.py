@@ -137,7 +137,7 @@ def test_a_finger_that_overlaps_the_object_at_its_start():
     ({"noise": (0.1, 0.2)}, "noise: (0.1, 0.2) given; allowed: three numbers: position, angle in degrees"),
     ({"noise": (0.1, 0.2, -1)}, "force_noise: -1 given; allowed: a number >= 0"),
     ({"poses_before": np.zeros((0, 3))}, "poses_before: 'shape (0, 3)' given; allowed: shape (n, 3)"),
-    ({"units": "mm"}, "units: 'mm' given; allowed: the names of two units, such as (mm, N); give both as text"),
+    ({"units": "mm"}, "units: 'mm' given; allowed: the names of two units, such as (mm, N); give both"),
     ({"finger_radius": -1.0}, "radius: -1.0 given; allowed: numbers >= 0"),
     ({"poses_before": "x"}, "poses_before: 'x' given; allowed: an array of numbers"),
 ])  # fmt: skip

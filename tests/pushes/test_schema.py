@@ -128,7 +128,7 @@ TIMES = "times that increase; put the samples in order"
      "displacements since the first touch"),
     (path(PATH, np.ones((3, 2))), "path_time: '[1., 1.] of push 0 and 2 more'", TIMES),
     (path(np.where(PATH < 0, np.nan, PATH)), "finger_path: '[[ 0., 0.], [nan, 0.]] of push 2'",
-     "at least two samples and NaN after"),
+     "at least two samples with NaN only after"),
     (shares(0.5, 0.5), "foot_weight: 'without feet'", "weights of feet; add the places of the feet"),
     (FEET | shares(0.5, 0.6), "foot_weight: '[0.5, 0.6] of object 0'", "fractions >= 0 whose sum is 1"),
     (FEET | shares(1.5, -0.5), "foot_weight: '[ 1.5, -0.5] of object 0'",

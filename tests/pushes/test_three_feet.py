@@ -98,7 +98,7 @@ def replaced(number, text):
     ("patch", lambda lines: [*lines[:40], "0.3 0.1"],
      "line 41 (push 1 of 12) ends after 2 of the 3 numbers of a force sample: it is cut short"),
     ("patch", replaced(1, "11"),
-     "line 1200 (push 11 of 11) is followed by more lines, but the first line announces 11 pushes; copy the log again"),
+     "line 1200 (push 11 of 11) is followed by more lines, but the first line announces 11 pushes; copy"),
     ("patch", replaced(1, "13"), "cut short in push 13 of 13 after line 1309, where the pose before"),
     ("patch", replaced(4, "99"), "line 104 (push 1 of 12) holds 3 numbers, where the number of tool poses "
      "is expected: the counts do not match"),

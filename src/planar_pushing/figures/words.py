@@ -63,7 +63,7 @@ def outcome(solutions: Sequence[Solution], pusher: Any, shown: int) -> str:
     others = [does(each, pusher) for i, each in enumerate(solutions) if i != shown]
     if not others:
         return f"{said}."
-    count = f"{NUMBERS[len(others)]} more way{'' if len(others) == 1 else 's'}"
+    count = f"{NUMBERS[len(others)]} other solution{'' if len(others) == 1 else 's'}"
     return f"{said}; {count}: {_joined(others)}."
 
 
