@@ -111,7 +111,7 @@ def test_a_caption_tells_the_values_of_its_data(plotted, name, key):
         ("figure_08", "from −41.2° to 138.8°"),
         ("figure_09", "(a) μ = 2, aₚ at −8°, (b) μ = ∞, aₚ at 165°; l = 2, ψ = 45°, R = 1, m = 1, ρ = 1"),
         ("figure_11", "f at 33.5°, aₛ at −34.3°; l = 5, ψ = 45°, μ = 2, R = 1, W = 1, m = 1, ρ = 1"),
-        ("figure_14", "ψ = 30° at time 0; vₚ = 1 at 10°, from time 0.5 on 1 at −10°"),
+        ("figure_14", "ψ = 30° at time 0; vₚ = 1 at 10°, then 1 at −10° from time 0.5"),
         ("figure_15", "l = 5, μ = ∞, R = 1, W = 1, ψ = 45° at time 0; vₚ = 1 at 165°"),
         ("figure_19", "μ = 0.25, W = 1, l = 2, ψ = 45° at time 0, feet at 1 from the center; vₚ = 1"),
     ],

@@ -50,7 +50,7 @@ POWER = "return Number(Math.pow(10, tick).toPrecision(2)).toString()"
 
 
 class Field(NamedTuple):
-    """A widget: its value for a state, the state after a change, and properties that vary with the state."""
+    """A widget: its value for a state, the state after a change, and properties set by the state."""
 
     widget: Any
     read: Callable[[State], Any]

@@ -26,7 +26,7 @@ def caption(data: xr.Dataset) -> str:
     """Caption with the plotted values."""
     return (
         "Quasi-static pulling, at the scale of Fig. 2. The line of the force f passes on the other "
-        "side of the ring's center, far enough from it that the contact moves below the fence: it "
+        "side of the ring's center, far enough from it that the contact moves below the fence. It "
         f"sticks although the pusher moves away from the slider (f at {angle_of(data, 'force')}, "
         f"vₛ at {angle_of(data, 'contact_motion')}; {of_scene(data)})."
     )

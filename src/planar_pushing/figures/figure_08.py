@@ -40,7 +40,7 @@ def caption(data: xr.Dataset) -> str:
     return (
         "Slip with infinite friction. The pusher velocity lies to the left of the shaded velocity "
         f"cone, which extends from {right} to {left}, so that the contact slips to the right: f and "
-        "the contact velocity lie on the left edges of their cones, which for f is the fence "
+        "the contact velocity lie on the left edges of their cones, and f points along the fence "
         f"({known})."
     ).replace("-", "−")
 

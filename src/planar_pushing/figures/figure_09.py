@@ -76,7 +76,7 @@ def caption(data: xr.Dataset) -> str:
         "the heavy part of the line of centers, which passes through infinity, with "
         "counter-clockwise (+) or clockwise (−) rotation. (a) The pusher's acceleration a_p is "
         "inside the acceleration cone and points away from the slider: pulling is consistent. "
-        "(b) It points above the fence and is outside the cone: slip is the only solution "
+        "(b) a_p points above the fence and is outside the cone: slip is the only solution "
         f"({pushes}; "
         f"{values(one, 'rod_length', 'rod_angle', 'radius', 'mass', 'gyration_radius')})."
     )

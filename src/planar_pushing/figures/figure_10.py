@@ -46,9 +46,9 @@ def caption(data: xr.Dataset) -> str:
     above = ". The fence passes above the ring" if crosses(data, data.mapped_rod_length) else ""
     return (
         "Without support friction, ellipses replace the limit curves (rod lengths "
-        f"{lengths}); their major axes lie along the rod. On the heavy ellipse, forces of the "
-        "friction cone are drawn with the accelerations that they cause, which are normal to the "
-        f"ellipse and span the acceleration cone{above} ({known})."
+        f"{lengths}); their major axes lie along the rod. The heavy ellipse is drawn with the forces "
+        "of a friction cone and the accelerations that they cause, which are normal to the ellipse "
+        f"and span the acceleration cone{above} ({known})."
     )
 
 

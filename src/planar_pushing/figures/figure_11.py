@@ -54,7 +54,7 @@ def caption(data: xr.Dataset) -> str:
     return (
         "Pulling from rest, with support friction and inertia. For an acceleration center on the "
         "ring, the support friction and the inertial force act along one line, whatever their "
-        "magnitudes. This line is tangent to the ring opposite the center; the force f of the pusher "
+        "magnitudes. This line is tangent to the ring opposite the center. The force f of the pusher "
         f"balances them (f at {angle_of(data, 'force')}, aₛ at {angle_of(data, 'contact_motion')}; "
         f"{known})."
     )

@@ -53,7 +53,7 @@ def caption(data: xr.Dataset) -> str:
         "Pulling over time. The fence first pushes; its direction of motion then turns away from "
         "the slider. If the contact is kept (above), the slider is pulled along and turns further; "
         "if it is lost (below), the slider stays behind. Slider, fence and force are shown at the "
-        "instants labeled, with the path of the contact up to then; the tick marks the point of "
+        "labeled instants, with the path of the contact up to then; the tick marks the point of "
         "the fence that the contact touched first. Right: rod angle, gap at the contact, and "
         "contact mode. The dark bar marks the times at which more than one mode is possible "
         f"({known}, ψ = {start}° at time 0; "

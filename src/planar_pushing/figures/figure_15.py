@@ -41,7 +41,7 @@ def caption(data: xr.Dataset) -> str:
     return (
         "Slip with infinite friction over time. The force stays along the fence, so that the "
         "ring's center keeps its height while the fence rises; the rod tilts more and more, and "
-        "the contact slips to the right. Slider, fence and force are shown at the instants labeled; "
+        "the contact slips to the right. Slider, fence and force are shown at the labeled instants; "
         "the tick on each fence marks the point that the contact touched first. Right: sin ψ "
         "decreases linearly with the distance that the fence has traveled "
         f"({known}, ψ = {start}° at time 0; "

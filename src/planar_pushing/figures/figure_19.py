@@ -95,7 +95,7 @@ def caption(data: xr.Dataset) -> str:
     return (
         "A tripod that pivots. As the fence moves up, the contact slips and the motion center "
         "moves along the dashed path until it reaches a foot, where it stays. Slider, fence and "
-        "force are shown at the instants labeled. Right: limit curves at the start and at the end, "
+        "force are shown at the labeled instants. Right: limit curves at the start and at the end, "
         "with the friction cone (shaded), the forces at its edges and the motions that they cause. "
         "At the end both edges lie on the flat of one foot, and the motion cone is a single "
         "direction. Each flat has the number of its foot "

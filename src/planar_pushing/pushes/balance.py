@@ -227,7 +227,8 @@ def _violation(problem: Balance, amounts: Array, residuals: Array, target: Array
     """Largest violation of the optimality conditions, relative to that without any support.
 
     The derivative of half the sum of squares with respect to an amount must be nonnegative, and zero if the
-    amount is positive. The force of a place at rest has the magnitude of its weight, against its gradient.
+    amount is positive. The force of a place at rest has the magnitude of its weight and opposes its own
+    gradient.
     """
 
     def slopes(errors: Array) -> Array:

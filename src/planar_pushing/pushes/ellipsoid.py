@@ -27,7 +27,7 @@ class Ellipsoid:
     def about(cls, center: Array, matrix: Array) -> Ellipsoid:
         """Ellipsoid from a matrix for torques about a center."""
         x, y = center
-        # Maps the torque about the origin to the torque about the center.
+        # Converts the torque about the origin to the torque about the center.
         moved = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [y, -x, 1.0]])
         return cls(moved.T @ matrix @ moved)
 

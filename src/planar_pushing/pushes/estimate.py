@@ -37,7 +37,7 @@ class Estimate:
     residuals : ndarray, shape (n,)
         Errors of the pushes used.
     facet : ndarray of int, shape (n,)
-        Place of the family about which the object turned under less than its full friction, or -1.
+        Place of the family about which the object turned, with less than full friction there, or -1.
     optimality : float
     told : ndarray
         Singular values: changes of the residuals, in standard deviations, for combinations of amounts that

@@ -85,7 +85,7 @@ class Lines:
         )
 
     def wrong(self, fault: str) -> InvalidFile:
-        """The error for the line read last, or for the next line if the file continues."""
+        """The error for the line that was read last."""
         line = self._lines[max(self._next - 1, 0)][0]
         where = f" ({self._push})" if self._push else ""
         return InvalidFile(f"{self.file}: line {line}{where} {fault}; copy the log again")
