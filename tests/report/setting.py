@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planar_pushing.evidence.claims.table import COLUMNS
-from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.figure import entry, full_caption
 from planar_pushing.figures.studies import OURS, PUSHES, numbered
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
@@ -101,11 +101,11 @@ def claims() -> list[dict[str, object]]:
 def captioned(name: str) -> str:
     """Caption of a figure from its golden numbers; those of ours show hard cases, or read none."""
     if name in PUSHES:
-        return drawing(name).caption(measured_pushes())
+        return full_caption(name, measured_pushes())
     files = {"hard_cases": "hard_cases"} | {each: f"figures/{each}" for each in numbered()}
     folder = GOLDEN / "sliders" if any(map(name.endswith, SLIDERS)) else GOLDEN
     data = read_dataset(folder / f"{files[name]}.nc") if name in files else None
-    return drawing(name).caption(data)
+    return full_caption(name, data)
 
 
 def set_up(root: Path) -> Setting:

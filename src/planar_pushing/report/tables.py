@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text, json_text
-from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.figure import entry, full_caption
 from planar_pushing.figures.studies import OURS, PUSHES
 from planar_pushing.report.costs.times import machine
 from planar_pushing.report.derived import ROD_ANGLE
@@ -56,11 +56,11 @@ def _ours(name: str, results: Results) -> dict[str, object]:
 
 
 def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
-    figure = drawing(name)
+    figure = entry(name)
     return {
-        "caption": figure.caption(data),
-        "promise": figure.FIGURE.promise,
-        "section": figure.FIGURE.section,
+        "caption": full_caption(name, data),
+        "promise": figure.promise,
+        "section": figure.section,
         "file": f"{folder}/{name}",
     }
 
