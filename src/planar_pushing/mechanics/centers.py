@@ -192,12 +192,12 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
     Returns
     -------
     AngleInterval
-        Of a labelled scene an xarray.Dataset, as of `friction_cone`.
+        Of a labeled scene an xarray.Dataset, as of `friction_cone`.
 
     Raises
     ------
     InvalidValue
-        Where an effect does not turn the slider about a point of the ring under a tangent force, as
+        If an effect does not turn the slider about a point of the ring under a tangent force, as
         facts 5-7 of Sec. 4 presume: with inertia the radius of gyration must be the ring's radius.
     """
     if not required_scene(scene).isotropic:

@@ -263,7 +263,7 @@ def generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Call
         return choose(_kind(first))(first, *rest)
 
     def typed(first: Any, *rest: Any) -> Any:
-        # Not a call of the body: a layer between would be optimised with all that the body calls.
+        # Not a call of the body: a layer between would be optimized with all that the body calls.
         body = choose(_kind_of_type(first))
         return getattr(body, "py_func", body)
 

@@ -44,7 +44,7 @@ def friction_cone(scene: Scene) -> AngleInterval:
     Returns
     -------
     AngleInterval
-        Of a labelled scene, which has a DataArray as a parameter, an xarray.Dataset with the variables
+        Of a labeled scene, which has a DataArray as a parameter, an xarray.Dataset with the variables
         `right`, `left` and `closed`.
     """
     law = required_scene(scene).law
@@ -193,12 +193,12 @@ def spin_ratio(
     Returns
     -------
     float, ndarray or DataArray
-        As the arguments are; of an array of scenes an array, of a labelled scene a DataArray.
+        As the arguments are; of an array of scenes an array, of a labeled scene a DataArray.
 
     Raises
     ------
     InvalidValue
-        Where `inertia_share` is missing, superfluous or out of range, or an angle is not finite.
+        If `inertia_share` is missing, superfluous or out of range, or an angle is not finite.
 
     Notes
     -----
@@ -229,7 +229,7 @@ def motion_angle(
     Returns
     -------
     float, ndarray or DataArray
-        As the arguments are; of an array of scenes an array, of a labelled scene a DataArray.
+        As the arguments are; of an array of scenes an array, of a labeled scene a DataArray.
     """
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     return evaluated(_motion_angles, scene.kinds, columns, [Output("motion_angle")])[0]
@@ -283,7 +283,7 @@ def can_pull(scene: Scene) -> bool:
     Returns
     -------
     bool
-        Of an array of scenes an array, of a labelled scene a DataArray.
+        Of an array of scenes an array, of a labeled scene a DataArray.
     """
     pulls: bool = named("pulls", leaves_the_fence(motion_cone(scene)))
     return pulls
@@ -300,7 +300,7 @@ def slips_while_pushing(scene: Scene) -> bool:
     Returns
     -------
     bool
-        Of an array of scenes an array, of a labelled scene a DataArray.
+        Of an array of scenes an array, of a labeled scene a DataArray.
     """
     omits = omits_pushes(motion_cone(scene))
     slips: bool = named("slips_while_pushing", scene.law.slips & omits)

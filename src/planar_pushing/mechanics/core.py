@@ -105,7 +105,7 @@ def listed(support: Any) -> Any:
 
 
 def alike(support: Any, numbers: Any) -> Any:
-    """Numbers of supports: one of one, labelled as they are."""
+    """Numbers of supports: one of one, labeled as they are."""
     if hasattr(support, "dims"):
         return support.copy(data=numbers)
     return numbers if np.ndim(numbers) else float(numbers)

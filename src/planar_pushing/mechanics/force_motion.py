@@ -176,7 +176,7 @@ def motion_of_force(
     Raises
     ------
     InvalidValue
-        Where `force_ratio` is missing, superfluous or not positive, an angle is not finite, or derivatives
+        If `force_ratio` is missing, superfluous or not positive, an angle is not finite, or derivatives
         of a problem with a DataArray are asked for.
 
     Notes

@@ -55,7 +55,7 @@ class Slider:
     Raises
     ------
     InvalidValue
-        Where a parameter is out of range, the side does not hold the contact, or the outline is no simple
+        If a parameter is out of range, the side does not hold the contact, or the outline is no simple
         polygon.
     """
 
@@ -109,7 +109,7 @@ class Scene:
     Raises
     ------
     InvalidValue
-        Where no effect is listed, or something else than an effect or a law is given.
+        If no effect is listed, or something else than an effect or a law is given.
 
     Notes
     -----
@@ -169,7 +169,7 @@ class Scene:
         Raises
         ------
         InvalidValue
-            Where the shape does not fit the kind.
+            If the shape does not fit the kind.
         """
         return changed(value, kind, self._object, self._center, into=True)
 

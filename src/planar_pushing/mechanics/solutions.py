@@ -319,7 +319,7 @@ class SolutionArrays:
         return "\n".join((f"SolutionArrays of shape {self.shape}", *lines))
 
     def to_dataset(self, dims: Sequence[Hashable] | None = None) -> xr.Dataset:
-        """The same as `solve` gives of labelled arrays, with units and flags.
+        """The same as `solve` gives of labeled arrays, with units and flags.
 
         Parameters
         ----------
@@ -329,7 +329,7 @@ class SolutionArrays:
         Raises
         ------
         InvalidValue
-            Where there are more or fewer names than axes, or one is not unique.
+            If there are more or fewer names than axes, or one is not unique.
         """
         import xarray as xr
 
@@ -395,7 +395,7 @@ def listed(
 
 
 def as_dataset(values: Mapping[str, Any]) -> xr.Dataset:
-    """The solutions of labelled problems, from the labelled variables of `SolutionArrays`."""
+    """The solutions of labeled problems, from the labeled variables of `SolutionArrays`."""
     mode, count = values["mode"], values["solutions"]
     consistent = named("consistent", mode >= 0)
     outcome = named("outcome", np.minimum(count, Outcome.AMBIGUOUS).astype(np.int8))

@@ -292,12 +292,12 @@ def solve(
     Solutions, SolutionArrays or xarray.Dataset
         For numbers, for arrays, and where an argument is a DataArray: with the variables of
         `SolutionArrays`, units, `consistent` and `outcome`. An array of scenes counts as an array, and a
-        labelled scene as a DataArray, whatever the angle is.
+        labeled scene as a DataArray, whatever the angle is.
 
     Raises
     ------
     InvalidValue
-        Where a value is out of its range; with friction and inertia also where m a / W is; where
+        If a value is out of its range; with friction and inertia also where m a / W is; where
         derivatives of a problem with a DataArray are asked for. An angle beyond 4 pi that is a Python
         number is most likely one of degrees, and a tuple a velocity.
     """

@@ -83,7 +83,7 @@ def first_touch(
     Raises
     ------
     InvalidValue
-        Where the outline is not a simple polygon, a number is not finite, or a radius is negative.
+        If the outline is not a simple polygon, a number is not finite, or a radius is negative.
 
     Notes
     -----

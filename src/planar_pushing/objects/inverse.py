@@ -89,7 +89,7 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     Raises
     ------
     InvalidValue
-        Where the outline is not a simple polygon, the twist is not three finite numbers or is zero, or an
+        If the outline is not a simple polygon, the twist is not three finite numbers or is zero, or an
         effect is none of these, has arrays of parameters, or is a ring without a radius; where friction
         cannot hold a load without inertia.
 

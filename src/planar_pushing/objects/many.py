@@ -85,7 +85,7 @@ def _stacked(effects: list[Any], array: Callable[..., Any], pair: Callable[..., 
 
 
 def _labelled(values: Any, points: Any) -> Any:
-    """Values over the dimensions of labelled points."""
+    """Values over the dimensions of labeled points."""
     if not is_labelled(points):
         return values
     import xarray as xr

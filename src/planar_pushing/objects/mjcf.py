@@ -87,7 +87,7 @@ def to_mjcf(
     Raises
     ------
     InvalidValue
-        Where the scene has no outline, another law, another effect, or lacks friction or inertia, or an
+        If the scene has no outline, another law, another effect, or lacks friction or inertia, or an
         option is out of range.
 
     Notes

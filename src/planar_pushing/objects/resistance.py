@@ -68,7 +68,7 @@ def required_effects(given: Any) -> tuple[Any, ...]:
     Raises
     ------
     InvalidValue
-        Where something else than an effect is given, a ring has no radius of its own, nothing resists, or
+        If something else than an effect is given, a ring has no radius of its own, nothing resists, or
         parameters are arrays.
     """
     effects = tuple(given) if isinstance(given, (tuple, list)) else ()

@@ -65,7 +65,7 @@ def scene_at(
     Raises
     ------
     InvalidValue
-        Where the normal has no length or points out of the object, the point is not on the outline, or an
+        If the normal has no length or points out of the object, the point is not on the outline, or an
         effect has no place in an object's frame.
 
     Notes

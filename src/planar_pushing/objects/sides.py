@@ -35,7 +35,7 @@ def sides(outline: Any) -> list[Side]:
     Raises
     ------
     InvalidValue
-        Where the outline is not a simple polygon.
+        If the outline is not a simple polygon.
     """
     corners = np.array(required_outline(outline))
     return [_side(*ends) for ends in zip(corners, np.roll(corners, -1, axis=0), strict=True)]

@@ -73,7 +73,7 @@ class WrenchSet:
         Raises
         ------
         InvalidValue
-            Where a wrench has no three finite numbers, or the length is not positive.
+            If a wrench has no three finite numbers, or the length is not positive.
 
         Notes
         -----
@@ -179,7 +179,7 @@ def wrench_set(
     Raises
     ------
     InvalidValue
-        Where the twist is not three finite numbers or is zero, the distance is negative, or an effect is
+        If the twist is not three finite numbers or is zero, the distance is negative, or an effect is
         none of these, has arrays of parameters, or is a ring without a radius.
 
     Notes

@@ -151,7 +151,7 @@ def required(name: str, given: Number) -> Number:
     Raises
     ------
     InvalidValue
-        Where a number is outside the range, with the name, the first number outside and the range.
+        If a number is outside the range, with the name, the first number outside and the range.
     """
     if name in ANGLES and _is_no_angle(given):
         raise InvalidValue(name, given, RANGES[name].allowed, RANGES[name].remedy)

@@ -22,7 +22,7 @@ class Units:
     Raises
     ------
     InvalidValue
-        Where a name is no text.
+        If a name is no text.
     """
 
     length: str = "m"

@@ -32,7 +32,7 @@ class Load:
     Raises
     ------
     InvalidValue
-        Where force or center are not two finite numbers.
+        If force or center are not two finite numbers.
     """
 
     force: tuple[Number, Number]

@@ -29,7 +29,7 @@ class SupportFriction:
     Raises
     ------
     InvalidValue
-        Where the weight is not a positive finite number, or something else than a support is given.
+        If the weight is not a positive finite number, or something else than a support is given.
     """
 
     support: Any = field(default_factory=Ring)
@@ -46,7 +46,7 @@ class SupportFriction:
             )  # fmt: skip
 
     def moved(self, body: Frame, fence: Frame) -> SupportFriction:
-        """The same effect in the body frame, of numbers in an object's frame."""
+        """The same effect expressed in the body frame instead of the object's frame."""
         return replace(self, support=moved_support(self.support, body))
 
     @property
@@ -66,7 +66,7 @@ class RingFriction:
     Raises
     ------
     InvalidValue
-        Where the weight is not a positive finite number.
+        If the weight is not a positive finite number.
     """
 
     weight: Number = 1.0
@@ -104,7 +104,7 @@ def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) ->
     Raises
     ------
     InvalidValue
-        Where a number is not positive and finite.
+        If a number is not positive and finite.
     """
     found = required("mass", mass), required("support_friction", support_friction)
     return found[0] * found[1] * required("gravity", gravity)

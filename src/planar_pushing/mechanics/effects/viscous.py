@@ -28,7 +28,7 @@ class Viscous:
     Raises
     ------
     InvalidValue
-        Where the coefficient is not a positive finite number, or something else than a support is given.
+        If the coefficient is not a positive finite number, or something else than a support is given.
     """
 
     support: Any
@@ -45,7 +45,7 @@ class Viscous:
             )  # fmt: skip
 
     def moved(self, body: Frame, fence: Frame) -> Viscous:
-        """The same effect in the body frame, of numbers in an object's frame."""
+        """The same effect expressed in the body frame instead of the object's frame."""
         return replace(self, support=moved_support(self.support, body))
 
     @property

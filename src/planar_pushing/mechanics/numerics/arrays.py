@@ -159,7 +159,7 @@ def evaluated(
 
 
 def named(name: str, value: Any) -> Any:
-    """A result with its name, units and flags where it is labelled."""
+    """A result with its name, units and flags where it is labeled."""
     if not is_labelled(value):
         return value
     flags = flag_attributes(FLAGS[name]) if name in FLAGS else {}

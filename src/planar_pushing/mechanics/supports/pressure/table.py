@@ -60,7 +60,7 @@ def extents_of(supports: Iterable[Any]) -> Array:
     Raises
     ------
     InvalidValue
-        Where a support is one point, which resists no rotation.
+        If a support is one point, which resists no rotation.
     """
     return _gathered(supports).extents
 
