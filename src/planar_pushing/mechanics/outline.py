@@ -12,7 +12,7 @@ from planar_pushing.mechanics.supports.polygon import simple_ring
 from planar_pushing.terms.errors import InvalidValue
 
 Corners = tuple[tuple[float, float], ...]
-#: A point closer to a side than this, relative to the outline's size, is on it: drawings are no more precise.
+#: A point closer to a side than this, relative to the outline's size, is on it: drawings are less precise.
 ON = 1e-6
 #: A distance below this is rounding. A point farther away is moved onto the side, because a corner below
 #: the fence ends a simulation.

@@ -145,8 +145,8 @@ def contact_motion_angle(own, force, spin_ratio):
 def motion_center(own, v_x, v_y, spin):
     """Motion center relative to the contact, in radii, of a twist at the slider's center.
 
-    A translation has its center at infinity. A coordinate along which the slider translates is then that of
-    the slider's center; the other is infinite.
+    A translation has its center at infinity, so the coordinates are infinite. In a translation along x or y
+    the coordinate along that axis is the slider center's.
     """
     x, y = center_from(v_x, v_y, spin)
     return own.length * own.x + x, own.length * own.y + y

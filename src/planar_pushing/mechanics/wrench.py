@@ -25,7 +25,7 @@ WRENCH = (Output("wrench", (("wrench_component", 3),)),)
 @kernel
 @owning
 def _wrenches(kinds, rows, wrenches):
-    """Gradients; at rest, the subgradient of friction that is zero, and that of loads."""
+    """Wrenches that sustain twists; at rest, those of the loads alone."""
     first = count_fields(kinds)
     for i in range(len(rows)):
         v_x, v_y, spin = rows[i, first], rows[i, first + 1], rows[i, first + 2]

@@ -35,7 +35,7 @@ class Inertia:
     Raises
     ------
     InvalidValue
-        If a parameter is not a positive finite number, or the center not two finite ones.
+        If a parameter is not a positive finite number, or the center is not two finite numbers.
     """
 
     mass: Number = 1.0
@@ -61,7 +61,7 @@ class Inertia:
 
 
 class Mass(NamedTuple):
-    """A mass in the compiled core: the square of its radius of gyration, and its center, body frame."""
+    """A mass in the compiled core, with its squared radius of gyration and its center in the body frame."""
 
     mass: float
     gyration: float

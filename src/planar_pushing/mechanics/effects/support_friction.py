@@ -29,7 +29,7 @@ class SupportFriction:
     Raises
     ------
     InvalidValue
-        If the weight is not a positive finite number, or something else than a support is given.
+        If the weight is not a positive finite number, or the support is of another type.
     """
 
     support: Any = field(default_factory=Ring)
@@ -56,7 +56,7 @@ class SupportFriction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingFriction:
-    """Coulomb friction between the ring and the support, its pressure even around the ring.
+    """Coulomb friction between the ring and the plane, with uniform pressure around the ring.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ class RingFriction:
 
     @property
     def support(self) -> Ring:
-        """The ring, of the slider's radius."""
+        """A ring with the slider's radius."""
         return Ring()
 
     @property
@@ -85,14 +85,14 @@ class RingFriction:
 
 
 def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) -> Number:
-    """W = mu_s m g: the force that slides an object over the table without turning it.
+    """W = mu_s m g: the force that slides an object over the table in pure translation.
 
     Parameters
     ----------
     mass : float or array
         m > 0, in kilograms.
     support_friction : float or array
-        mu_s > 0, the coefficient of friction between object and table.
+        mu_s > 0, the coefficient of friction between the object and the table.
     gravity : float or array
         g > 0, in meters per second squared; by default standard gravity.
 

@@ -82,9 +82,8 @@ def of_discs(total, pressure, x, y):
 def disc(x, y, radius):
     """The piece of a uniform disc.
 
-    The formulas use f and t of the ring at the ratio of c and R, instead of the usual E and K, so that D and
-    G contain no differences. The mean of 1 / rho, 2 f inside and 2 t outside, is the sum of the two
-    curvatures.
+    The formulas use f and t of the ring at the ratio of c and R instead of E and K, so that D and G contain
+    no differences. The mean of 1 / rho, 2 f inside and 2 t outside, is the sum of the two curvatures.
     """
     c = sqrt(x * x + y * y) / radius
     distance, slope, torque, along, across = _inside(c) if c <= 1.0 else _outside(c)

@@ -72,7 +72,7 @@ class EllipsoidFit:
 
 
 def fit_ellipsoid(support: Support) -> EllipsoidFit:
-    """Ellipsoid that matches a support's friction in translation and in spinning about its center.
+    """Ellipsoid that matches a support in translation and in spinning about the center of pressure.
 
     Parameters
     ----------

@@ -58,8 +58,8 @@ def moments(pressure, c_x, c_y):
     Notes
     -----
     A rotation about c at omega is sustained by the force ``sgn(omega) J G`` (J rotates by +90 degrees: x, y
-    to -y, x) and the torque ``sgn(omega) T`` about the center of pressure; its potential is |omega| D. In the
-    limit of a translation v the potential is |v|, the force v / |v|, and the torque zero.
+    to -y, x) and the torque ``sgn(omega) T`` about the center of pressure; its potential is |omega| D. In
+    the limit of a translation v, the potential is |v|, the force v / |v|, and the torque zero.
     """
     return moments_within(pressure, c_x, c_y, 0.0)
 

@@ -78,7 +78,7 @@ class Points(Pictured):
 
     @classmethod
     def disc(cls, rings: int, radius: float, center: Any = (0.0, 0.0)) -> Points:
-        """Equal feet spread evenly over a disc: one at its center, and rings of 6, 12, 18, ... around it."""
+        """Equal feet spread evenly over a disc: one at the center and rings of 6, 12, 18, ... around it."""
         return cls(placed_corners(disc_places(rings, radius), center, 0.0))
 
     def moved(self, frame: Frame) -> Points:

@@ -6,10 +6,10 @@ With ``m = k^2``, ``x = 1 - m`` and the complete elliptic integrals K, E of para
     t(k) = (2/pi) (E - x K) / k        torque, in units of W R
     t'(k) = (2/pi) (K - E) / m         and f' = -k t'
 
-and outside, by the ring's self-duality, ``f(k) = t(1/|k|)`` and ``t(k) = sign(k) f(1/|k|)``. Far from the
-ring a Landen step, m -> q^2 with ``q = (1 - k') / (1 + k')`` and ``k' = sqrt(x)``, gives E and K as two power
-series in q^2, whose leading terms are canceled analytically. Near the ring E and K are series in x and
-``log x`` (DLMF 19.12).
+and outside, by self-duality, ``f(k) = t(1/|k|)`` and ``t(k) = sign(k) f(1/|k|)``. Far from the ring a Landen
+step, m -> q^2 with ``q = (1 - k') / (1 + k')`` and ``k' = sqrt(x)``, gives E and K as two power series in
+q^2, whose leading terms are canceled analytically. Near the ring E and K are series in x and ``log x``
+(DLMF 19.12).
 """
 
 from __future__ import annotations
@@ -55,12 +55,13 @@ TORQUE_REST = (
     -0.0016242979642924528, -0.0009004133240894815, -0.0005468326506166093, -0.0003826524849336343,
     -0.00015523762071687332, -0.0003810325862280515,
 )  # fmt: skip
-#: Smallest complement x of k^2, used on the ring, where K is infinite but contributes nothing to the wrench;
-#: and ``-log(x) / 2`` for x of rounding size, which bounds the slope so that a Newton step from the ring is
-#: not zero.
+#: Smallest complement x of k^2, used on the ring, where K is infinite but contributes nothing to the
+#: wrench; and ``-log(x) / 2`` for x of rounding size, which bounds the slope so that a Newton step from the
+#: ring is not zero.
 LEAST, STEEPEST = 1e-300, 18.0
-#: First guess of the inverse, a least-squares fit to 2e-6: below NEAR_ARM = H(NEAR_RING), ``k / (2 h)`` in
-#: powers of h^2; above it, ``(1 - k) / (1 - h)`` in powers of ``1 - h`` (rows) and ``1 / (3 - log(1 - h))``.
+#: First guess of the inverse, fitted to 2e-6 by least squares: below NEAR_ARM = H(NEAR_RING), ``k / (2 h)``
+#: in powers of h^2; above it, ``(1 - k) / (1 - h)`` in powers of ``1 - h`` (rows) and of
+#: ``1 / (3 - log(1 - h))``.
 NEAR_ARM = 0.7
 FAR_GUESS = (
     0.999999760385, -1.49988611473, 3.7410008829, -11.1557958789, 33.9655182731, -91.5921831635,
@@ -78,7 +79,7 @@ SMALL = 1e-9
 
 @fused
 def polynomial(coefficients, x):
-    """Value of a polynomial; even and odd powers are summed in parallel, which halves the dependent steps."""
+    """Value of a polynomial; even and odd powers are summed in parallel, which halves the latency."""
     square, i = x * x, len(coefficients) - 1
     one, other = coefficients[i], coefficients[i - 1]
     while i >= 3:

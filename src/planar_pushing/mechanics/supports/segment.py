@@ -23,7 +23,7 @@ from planar_pushing.mechanics.supports.pressure.sums import added
 from planar_pushing.mechanics.supports.ring import polynomial
 from planar_pushing.terms.errors import InvalidValue
 
-#: Below this ratio of the line's length to the sum of the distances of its ends, the torque is a power series.
+#: Below this ratio of the length to the sum of the distances of the ends, the torque is a power series.
 SHORT = 0.1
 #: ``(z / (1 - z^2) - atanh z) / z^3`` in powers of z^2, to 1e-17 below SHORT.
 TORQUE = tuple((2 * k + 2) / (2 * k + 3) for k in range(9))
