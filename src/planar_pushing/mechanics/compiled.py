@@ -1,9 +1,9 @@
 """The decorators of the compiled core, and where its cache lives.
 
-A formula is a function of numbers. `compiled` makes it a part of compiled code, which Python enters through a
-`kernel`; with ``NUMBA_DISABLE_JIT=1`` all remain plain Python functions. `generic` chooses a body by the type
-of the first argument, in compiled code as in Python: effects that a scene does not list are not compiled
-into its functions.
+A formula is a function of numbers. `compiled` makes it a part of compiled code, which Python enters through
+a `kernel`; with ``NUMBA_DISABLE_JIT=1`` all remain plain Python functions. `generic` chooses a body by the
+type of the first argument, in compiled code as in Python: effects that a scene does not list are not
+compiled into its functions.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 #: Packages whose sources are compiled. Numba's cache detects changes in a function's own file only; the
 #: digest of all these files excludes stale callees.
 SOURCES = ("mechanics", "simulation")
-#: Options of every function: it releases the GIL, divides as numpy does, and counts no references to arrays,
-#: which would take longer than many a formula.
+#: Options of every function: it releases the GIL, divides as numpy does, and counts no references to
+#: arrays, which would take longer than many a formula.
 OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
 #: Further option of a function that is only a part of kernels: it has no entry point from Python.
 PART = {"no_cpython_wrapper": True}
 LOG = logging.getLogger("planar_pushing")
-#: Kernels that take long to compile: the user's call, and seconds on one core of a virtual machine, averaged
-#: over the kinds of sliders; the slowest take twice as long.
+#: Kernels that take long to compile: the user's call, and seconds on one core of a virtual machine,
+#: averaged over the kinds of sliders; the slowest take twice as long.
 SLOW = {
     "planar_pushing.mechanics.solve._modes": ("solve", 25),
     "planar_pushing.mechanics.cones._motion_cones": ("motion_cone", 10),
@@ -201,8 +201,8 @@ def compiled(function: Function, **options: Any) -> Function:
     """Compile a function of numbers as a part of the kernels that call it, directly or indirectly.
 
     Fast math is off, so every run gives the same results. The function can read, write and pass on arrays,
-    but not create them. Called from Python it runs as plain Python; a function that Python calls often should
-    be a `kernel`.
+    but not create them. Called from Python it runs as plain Python; a function that Python calls often
+    should be a `kernel`.
     """
     _PARTS[function] = OPTIONS | options
     overload(function, jit_options=_PARTS[function] | PART, strict=False)(lambda *args: function)
@@ -212,8 +212,8 @@ def compiled(function: Function, **options: Any) -> Function:
 def owning(function: Function) -> Function:
     """Compile a function that creates arrays, or calls an `owning` function that returns arrays.
 
-    It counts references, so arrays returned to it must be counted too: it must not call a `compiled` function
-    that returns arrays.
+    It counts references, so arrays returned to it must be counted too: it must not call a `compiled`
+    function that returns arrays.
     """
     return compiled(function, _nrt=True)
 
@@ -244,10 +244,10 @@ def kernel(function: Function) -> Function:
 
 
 def inlined(function: Function) -> Function:
-    """Compile a function as a part of the functions that call it, and not by itself.
+    """Compile a function only as a part of its callers.
 
-    The compiler optimises a function together with all that it calls, so each layer of functions above a
-    large one costs its time again; a layer that is inlined costs nothing.
+    The compiler optimizes a function together with all that it calls, so each layer of functions above a
+    large one costs the same time again; an inlined layer costs nothing.
     """
     return numba.njit(inline="always", **OPTIONS)(function)  # type: ignore[no-any-return]
 

@@ -189,7 +189,8 @@ def spin_ratio(
         scene with friction and inertia that is isotropic about that center: in others it does not determine
         the motion.
     force_ratio : float or array, optional
-        |f| / W > 0, for any scene with effects of both degrees; NaN results where friction holds the slider.
+        |f| / W > 0, for any scene with effects of both degrees; the result is NaN if friction holds the
+        slider under this force.
 
     Returns
     -------

@@ -49,8 +49,8 @@ class ForceMotion:
     Attributes
     ----------
     status : Status, or ndarray of int of shape S
-        `NONE`: friction holds the slider under this force, and the motion is NaN. `CONTINUUM`: the motion is
-        one of a continuum.
+        `NONE`: friction holds the slider under this force, and the motion is NaN. `CONTINUUM`: the motion
+        is one of a continuum.
     twist : ndarray, shape S + (3,)
         (v_x, v_y, omega) at the slider's center, omega in radians per unit of time.
     force : ndarray, shape S + (2,)

@@ -82,8 +82,8 @@ def _settled(law, moved, right_edge, left_edge):
 def _resting(push, law, edges, moved, scale):
     """A slider at rest; a force outside the cone is moved to an edge if friction can sustain it there.
 
-    Friction holds the slider under a convex set of forces. The largest of them along an edge is the force of
-    the slowest motion under that edge.
+    Friction holds the slider under a convex set of forces. The largest of them along an edge is the force
+    of the slowest motion under that edge.
     """
     for edge, side in ((edges[0], -1.0), (edges[1], 1.0)):
         if law.rough or _inside(edge, side, moved.f_x, moved.f_y) >= 0.0:
@@ -173,7 +173,8 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
         if count < 0:
             return UNSOLVED, False
         slides_right, slides_left = first > place + 1, count > first
-        # A force on one edge sticks, unless the other edge slips: a cone narrower than rounding has it on both.
+        # A force on an edge sticks unless the other edge slips; in a cone narrower than rounding it is on
+        # both.
         held |= (on_left and not slides_left) or (on_right and not slides_right)
         # The last motion of a continuum also sticks; slips continue from it.
         flat = flat_left or flat_right

@@ -297,9 +297,9 @@ def solve(
     Raises
     ------
     InvalidValue
-        If a value is out of its range, as is m a / W with friction and inertia, or derivatives are requested
-        with a DataArray. A Python number beyond 4 pi is most likely an angle in degrees, and a tuple a
-        velocity: both are refused.
+        If a value, or m a / W with friction and inertia, is out of its range, or derivatives are requested
+        with a DataArray. A Python number beyond 4 pi is refused as an angle because it is most likely in
+        degrees, and a tuple because it is most likely a velocity.
     """
     entries, slider = required_scene(scene).from_rest, scene.slider
     require_held(scene)

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.supports.pressure.table import Table, pressure_of
 #: A center of rotation farther away than this, in extents of the support, is moved to this distance; only
 #: the torque still decreases with the true distance.
 FARTHEST = 1e9
-#: Beyond this distance the force is along the motion of the center of pressure, accurately enough for slopes.
+#: Beyond this distance the force is along the motion of the center of pressure, to the accuracy of a slope.
 FAR = 1e3
 #: Rounding error of a sum over pieces, in units of that of its largest term; measured on polygons (4e-15).
 TERMS = 8.0

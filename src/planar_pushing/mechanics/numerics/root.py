@@ -10,7 +10,8 @@ EPSILON = 2.220446049250313e-16
 #: Newton steps converge quadratically once they are below NEAR, relative to the root, and shrink by at
 #: least QUADRATIC. The next step is then estimated as the cube of this one over the square of the last, or,
 #: if larger, as the square of this one, because a single step can be small by chance. The iteration ends
-#: when the next step is below rounding or a step is below SETTLED. At an infinite slope steps shrink slowly.
+#: when the next step is below rounding or a step is below SETTLED. Near an infinite slope steps shrink
+#: slowly.
 NEAR, QUADRATIC, SETTLED = 0.1, 0.02, 1e-13
 #: Relative resolution of a root, a few units in the last place.
 RESOLUTION = 1e-15

@@ -6,10 +6,10 @@ With ``m = k^2``, ``x = 1 - m`` and the complete elliptic integrals K, E of para
     t(k) = (2/pi) (E - x K) / k        torque, in units of W R
     t'(k) = (2/pi) (K - E) / m         and f' = -k t'
 
-and outside, by self-duality, ``f(k) = t(1/|k|)`` and ``t(k) = sign(k) f(1/|k|)``. Far from the ring a Landen
-step, m -> q^2 with ``q = (1 - k') / (1 + k')`` and ``k' = sqrt(x)``, gives E and K as two power series in
-q^2, whose leading terms are canceled analytically. Near the ring E and K are series in x and ``log x``
-(DLMF 19.12).
+and outside, by self-duality, ``f(k) = t(1/|k|)`` and ``t(k) = sign(k) f(1/|k|)``. Far from the ring a
+Landen step, m -> q^2 with ``q = (1 - k') / (1 + k')`` and ``k' = sqrt(x)``, gives E and K as two power
+series in q^2, whose leading terms are canceled analytically. Near the ring E and K are series in x and
+``log x`` (DLMF 19.12).
 """
 
 from __future__ import annotations
