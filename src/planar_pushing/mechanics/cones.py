@@ -106,8 +106,8 @@ def _required_magnitude(
         return 0.5, 0.0
     if share is not None and not scene.isotropic:
         raise InvalidValue(
-            "inertia_share", share, "None where the effects are not isotropic about the slider's center",
-            "give force_ratio = |f| / W: several motions may share one m a / W",
+            "inertia_share", share, "None if the effects are not isotropic about the slider's center",
+            "give force_ratio = |f| / W: several motions can share one m a / W",
         )  # fmt: skip
     if (share is None) == (ratio is None):
         raise InvalidValue(

@@ -1,4 +1,4 @@
-"""Derivatives of twists and forces with respect to the parameters of a push, for planners and estimators."""
+"""Derivatives of twists and forces with respect to the parameters of a push."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.status import formatted, name_of
 from planar_pushing.terms.errors import InvalidValue
 
-#: The mode changes if a force is this close to an edge of the friction cone, relative to its magnitude, or a
-#: free motion this close to the pusher's: a few units in the last place more than `solve` resolves.
+#: The mode changes if a force is this close to an edge of the friction cone, relative to its magnitude, or
+#: a free motion this close to the pusher's: a few units in the last place more than `solve` resolves.
 EDGE = 2e-12
 SEPARATES, SLIPS_RIGHT = int(ContactMode.SEPARATE), int(ContactMode.SLIP_RIGHT)
 STICKS = int(ContactMode.STICK)
@@ -97,8 +97,8 @@ class Derivatives(_Common):
         With respect to the strength of each effect, in the order of the scene: weight, mass, coefficient;
         for a load, a factor of its force.
     twist_by_foot : ndarray, shape S + (3, feet)
-        With respect to the weight on each support point alone, numbered as in `Solution.pivot`. For an array
-        of supports, the length is the maximum number of points, and values after the last point are NaN.
+        With respect to the weight on each support point alone, numbered as in `Solution.pivot`. For an
+        array of supports, the length is the maximum number of points, and values after the last are NaN.
     force_by_motion, force_by_point : ndarray, shape S + (2, 2)
     force_by_mu : ndarray, shape S + (2,)
     force_by_strength : ndarray, shape S + (2, effects)
@@ -150,7 +150,7 @@ def require_unlabelled(given: Sequence[Any]) -> None:
     """Refuse derivatives if an argument is a DataArray."""
     if any(map(is_labelled, given)):
         raise InvalidValue(
-            "derivatives", True, "False where an argument is a DataArray",
+            "derivatives", True, "False if an argument is a DataArray",
             "give numpy arrays, for instance each argument's values",
         )  # fmt: skip
 

@@ -95,7 +95,7 @@ class Placement:
         length = np.hypot(n_x, n_y)
         if not ((length > 0.0) & (length < math.inf)).all():
             raise InvalidValue(
-                "normal", self.normal, "a vector that is not zero",
+                "normal", self.normal, "a nonzero vector",
                 "give the direction from the contact into the object",
             )  # fmt: skip
         # A unit vector is left unchanged.

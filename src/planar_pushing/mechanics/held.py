@@ -23,7 +23,7 @@ FAR = 1e6
 @kernel
 @owning
 def _limits(kinds, rows, ratios):
-    """Ratio of each load, a wrench after the columns of friction, to the largest load that friction holds."""
+    """Ratio of each load, a wrench after the columns of friction, to the largest that friction holds."""
     first = count_fields(kinds)
     for i in range(len(rows)):
         x, y, torque = rows[i, first], rows[i, first + 1], rows[i, first + 2]
@@ -62,6 +62,6 @@ def require_held(scene: Any) -> None:
     if np.any(~(ratio < 1.0)):
         raise InvalidValue(
             "force", f"{float(np.max(ratio)):.6g} times what friction can hold",
-            "a load less than what friction holds, in a scene without inertia",
+            "a load that friction can hold, in a scene without inertia",
             "add Inertia: nothing else resists the rest of the load",
         )  # fmt: skip

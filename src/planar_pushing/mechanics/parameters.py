@@ -102,7 +102,7 @@ def responses(entries: Sequence[Entry], columns: Sequence[Any], motions: Motions
 def _dimensionless(
     entries: Sequence[Entry], columns: Sequence[Any], size: Array
 ) -> tuple[list[Any], Array, list[Any]]:
-    """Strengths, 1 for loads; unit of force; columns in units of this force and of motions of a given size."""
+    """Strengths, 1 for loads; unit of force; columns in this unit, for motions in units of `size`."""
     left, strengths, forces, found = list(columns), [], [], []
     for entry in entries:
         own = [left.pop(0) for _ in entry.forces]

@@ -45,8 +45,8 @@ class Slider:
         R > 0; all lengths share one arbitrary unit. By default the scene's largest distance of a support
         from the center of pressure, 1 for a ring.
     side : (start, end), of floats or arrays
-        Ends of the flat side that a finger pushes, measured along the side from the contact, which at time 0
-        is along the fence. It has no effect for a fence.
+        Ends of the flat side that a finger pushes, measured from the contact along the side, which at time
+        0 is along the fence. They have no effect on a fence.
     outline : sequence of pairs, optional
         Corners of the slider in the body frame, in order; by default the outline is unknown. A simulation
         ends when another point of the outline meets the fence, or when the finger reaches the end of its
@@ -172,7 +172,7 @@ class Scene:
         return changed(value, kind, self._object, self._center, into=True)
 
     def to_fence(self, value: npt.ArrayLike, kind: Kind) -> Array:
-        """Transform numbers from the object's frame to the fence frame at time 0: inverse of `to_object`."""
+        """Transform numbers from the object's frame to the fence frame at time 0, unlike `to_object`."""
         return changed(value, kind, self._object, self._center, into=False)
 
     @property

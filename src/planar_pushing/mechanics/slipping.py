@@ -30,7 +30,7 @@ OUTSIDE = 5e-13
 
 @compiled
 def scale_of(pusher, rest):
-    """Scale of motions: the larger of the pusher's motion, of unit magnitude or zero, and the free motion."""
+    """Scale of motions: the larger of the pusher's motion, which is 1 or 0, and the free motion."""
     pushed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
     return max(pushed, abs(rest[0]), abs(rest[1]))
 
@@ -41,8 +41,8 @@ def _may_slip(edge, side, part, moved_force, size):
 
     A slip is opposed by the edge's force along the fence. Its component along the force is therefore
     positive and smaller than that of the pusher's motion, or equal if the force is normal to the fence. The
-    potential is convex, so the force along the fence increases with the motion along it: a slip to the right
-    takes a larger force than sticking.
+    potential is convex, so the force along the fence increases with the motion along it: a slip to the
+    right takes a larger force than sticking.
     """
     return part > 0.0 and side * moved_force <= OUTSIDE * size
 

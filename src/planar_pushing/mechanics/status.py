@@ -22,7 +22,7 @@ def formatted(member: IntEnum, format_spec: str) -> str:
 
 
 class ContactMode(IntEnum):
-    """The motion at the contact; in a slip the slider moves along the fence, to the right or to the left."""
+    """The motion at the contact; in a slip the slider moves to the right or to the left along the fence."""
 
     SEPARATE = 0
     STICK = 1

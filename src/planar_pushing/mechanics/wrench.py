@@ -60,7 +60,7 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
         If a twist does not have three numbers, or a load is given without a slider.
     """
     if slider is None and isinstance(effect, Load):
-        raise InvalidValue("slider", None, "a Slider beside a Load", "give the angle of the rod")
+        raise InvalidValue("slider", None, "a Slider for a Load", "give the angle of the rod")
     own = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
     scene = Scene(slider=own, contact=PerfectlyRough(), effects=(effect,))
     radius = scene.slider.radius

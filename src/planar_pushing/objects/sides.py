@@ -16,9 +16,9 @@ class Side(NamedTuple):
     Attributes
     ----------
     start, end : ndarray, shape (2,)
-        Its corners, the object on the left of the way from one to the other.
+        Its corners; the object is on the left on the way from start to end.
     tangent, normal : ndarray, shape (2,)
-        Unit vectors from the start to the end, and into the object.
+        Unit vectors from start to end, and into the object.
     length : float
     """
 
@@ -30,7 +30,7 @@ class Side(NamedTuple):
 
 
 def sides(outline: Any) -> list[Side]:
-    """Sides of an outline, in order; two that are one straight line count as one.
+    """Sides of an outline, in order; adjacent sides on one straight line count as one.
 
     Raises
     ------

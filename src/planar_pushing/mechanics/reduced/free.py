@@ -98,7 +98,7 @@ def _moved(at, step, part):
 def _local(effects, load, at, square):
     """Value and derivatives of the potential, or of half the square of D minus the power of the loads.
 
-    The derivatives are a `Resistance`, whose `most` is the largest force that a support point at rest takes.
+    The derivatives are a `Resistance`; its `most` is the largest force that a support point at rest takes.
     """
     slow = SLOW if square else 1.0
     x, y, spin = slow * at.x, slow * at.y, slow * at.spin

@@ -1,7 +1,7 @@
 """The motions under forces of one direction and any magnitude.
 
-With effects of several degrees, the direction of a motion changes with its magnitude. The motions are ordered
-by their component along the line of force: the force increases with it, because Psi is convex.
+With effects of several degrees, the direction of a motion changes with its magnitude. The motions are
+ordered by their component along the line of force: the force increases with it, because Psi is convex.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from planar_pushing.mechanics.reduced.psi import Contact
 from planar_pushing.mechanics.reduced.under import not_found, pushed, pushed_ends
 from planar_pushing.mechanics.supports.ring import ring_spin_ratio
 
-#: Number of magnitudes at which the angle of the contact's motion is evaluated, on either side of the one at
-#: which the effects are equal. Their logarithms are hyperbolic sines of multiples of APART.
+#: Number of magnitudes at which the angle of the contact's motion is evaluated, on either side of the one
+#: at which the effects are equal. Their logarithms are hyperbolic sines of multiples of APART.
 NODES, APART = 32, 0.11
 #: Logarithm of a component along the line of force at which inertia is negligible relative to friction.
 SLOWEST = -34.0
@@ -99,7 +99,7 @@ def at_force(effects, at, e_x, e_y, size):
 
 @compiled
 def on_curve(effects, at, e_x, e_y):
-    """The motion at a force on the limit curve: with the energy of a unit translation, or without inertia any."""
+    """The motion at a force on the limit curve, with the energy of a unit translation, if any has energy."""
     goal = energy(effects, 1.0, 0.0, 0.0)
     if goal == 0.0:
         return pushed(effects, at, e_x, e_y, 1.0)
@@ -135,7 +135,7 @@ def turned(moved, force):
 
 @generic
 def direction_under(kinds: Any) -> Callable[..., Any]:
-    """Direction of the motion under a force, with the origin at unit speed: effects, rod, contact, force."""
+    """Direction of the motion under a force, origin at unit speed: effects, rod, contact, force."""
     return _under_on_ring if kinds == (RingSupport,) else _under
 
 
@@ -161,7 +161,7 @@ def _under_on_ring(effects, own, at, force):
 
 
 class Angles(NamedTuple):
-    """Minimum and maximum angle of the contact's motion, and whether it pivots, is a continuum, was found."""
+    """Minimum and maximum angle of the contact's motion; whether it pivots, is a continuum, was found."""
 
     least: float
     greatest: float

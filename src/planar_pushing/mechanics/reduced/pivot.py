@@ -82,7 +82,7 @@ def about_point(effects, at, x, y, i, spin, blur):
     part = min(max(-now.torque / reach, -now.most), now.most)
     free = sqrt(now.most * now.most - part * part)
     f_x, f_y = now.f_x - part * r_y, now.f_y + part * r_x
-    # The friction rotates with the direction of the motion, along n: the slower the point, the faster.
+    # The friction changes along n, across itself, with the direction of the motion: the slower, the faster.
     slack, n_x, n_y, turns = 0.0, -r_y, r_x, reach
     slides = abs(aside) > rounding and free <= SHORT * now.most
     if ahead != 0.0 or slides:

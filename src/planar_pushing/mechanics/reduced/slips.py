@@ -38,7 +38,7 @@ COINCIDENCE = 9e-13
 HALVINGS = 60
 #: Maximum number of slips under one edge.
 SLIPS = 8
-#: Number of entries of a slip: place, rotation, whether it is an end of a continuum, and number of its pivot.
+#: Number of entries of a slip: place, rotation, whether it is an end of a continuum, number of its pivot.
 ENTRIES = 4
 
 
@@ -110,7 +110,7 @@ def _vanishes(at):
 
 @compiled
 def _steps_across(flat, here, kink):
-    """Whether the force jumps across the edge at a kink, or up to it; flat stretches are handled separately."""
+    """Whether the force jumps across the edge at a kink, or up to it; flat stretches count separately."""
     from_zero, to_zero = _is_zero(kink, kink.before), _is_zero(kink, kink.after)
     if flat:
         return kink.before * kink.after < 0.0 and not (from_zero or to_zero)
@@ -190,7 +190,7 @@ def _flat_end(way, straight, at, other):
 
 @compiled
 def _touching(way, unit, straight, low, high, found, count, run):
-    """As `_between`, if the force is along the edge at an end, which is a root or belongs to a continuum."""
+    """As `_between`, if the force is along the edge at an end: a root, or a continuum."""
     first, last = _flat_end(way, straight, low, high), _flat_end(way, straight, high, low)
     starts, ends = first.s > low.s, last.s < high.s
     if _is_zero(low, low.after) and run != INSIDE and not (starts and run == REST):

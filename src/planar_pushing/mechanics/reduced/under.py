@@ -1,8 +1,8 @@
 """The motion under a line of force, as the only root of the force across the line.
 
-Psi is convex along a path across the line of force. The force across the line therefore increases, and there
-is exactly one motion with a given component along the line. With effects of one degree, all others have its
-direction.
+Psi is convex along a path across the line of force. The force across the line therefore increases, and
+there is exactly one motion with a given component along the line. With effects of one degree, the motions
+for all components have the same direction.
 """
 
 from __future__ import annotations
@@ -148,7 +148,7 @@ def _start(way, along):
     if not along > 0.0:
         return 0.0
     m, x, y, whole = moment(way.effects, along, way.at.x, way.at.y)
-    # The force of a motion (u, spin) without torque is M u, so u is the inverse of M times e, up to a factor.
+    # The force of a motion (u, spin) without torque is M u, so u is M^-1 e up to a factor.
     u_x = (m - x * x / whole) * way.e_x - x * y / whole * way.e_y
     u_y = (m - y * y / whole) * way.e_y - x * y / whole * way.e_x
     across, ahead = way.e_x * u_y - way.e_y * u_x, way.e_x * u_x + way.e_y * u_y

@@ -1,13 +1,13 @@
 """The force across an edge along a straight path of contact motions, and its roots.
 
 A path is ``u = p + s d``. If p is the pusher's normal motion and d is along the fence, its roots are the
-slips under an edge of the friction cone. If p is along a line of force and d across it, the only root is the
-motion under that force. Psi is convex: the force across the edge is monotone if p and d are parallel or
-perpendicular to it as in the second case, or if the effects have one degree. Otherwise it can have a dip.
+slips under an edge of the friction cone. If p is along a line of force and d across it, the only root is
+the motion under that force. Psi is convex. The force across the edge is therefore monotone in the second
+case, if p and d are parallel, or if the effects have one degree. Otherwise it can have a dip.
 
-If the slider pivots about a support point, the force has an interval of values, and the force across the
-edge jumps: a root within the jump is the pivot. By symmetry, or with a support on one line, the force across
-the edge can vanish on a whole stretch of the path, to rounding: such a stretch is a continuum.
+If the slider pivots about a support point, the force is in an interval, and the force across the edge
+jumps: a root within the jump is the pivot. By symmetry, or with a support on one line, the force across the
+edge can vanish to rounding on a whole stretch of the path, unlike at a root: this stretch is a continuum.
 """
 
 from __future__ import annotations
@@ -113,7 +113,7 @@ def _node(way, s, now):
                 across + copysign(half, half * ahead),
             )
         else:
-            # The whole path is across the line to the point, whose friction can bring the force to the edge.
+            # The whole path is across the line to the point; its friction can bring the force to the edge.
             before = copysign(max(abs(across) - abs(half), 0.0), across)
             after, slope = before, 0.0
     noise = abs(e_x) * now.noise_y + abs(e_y) * now.noise_x + UNDERFLOW
