@@ -135,8 +135,8 @@ def conservative_spin_ratios(arm):
     """Limits of the spin ratio in the paper's seven cases, for a moment arm in units of R.
 
     The motion center is inside the ring (1 .. inf) for a line of force outside it, on the ring for a
-    tangent line, outside it (0 .. 1) for a line through the ring, and at infinity (0) for a line through the
-    ring center. It lies opposite the line, so the cases are mirrored for negative arms.
+    tangent line, outside it (0 .. 1) for a line through the ring, and at infinity (0) for a line through
+    the ring center. It lies opposite the line, so the cases are mirrored for negative arms.
     """
     size = abs(arm)
     near = 1.0 if size >= 1.0 else 0.0

@@ -25,8 +25,8 @@ class Sides(NamedTuple):
 class Nearest(NamedTuple):
     """Places of an outline nearest to given points, as arrays over the points.
 
-    `place` is the distance from the start of the side, and `gap` the signed distance to the outline, negative
-    inside.
+    `place` is the distance from the start of the side, and `gap` the signed distance to the outline,
+    negative inside.
     """
 
     point: Array

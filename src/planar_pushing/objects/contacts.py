@@ -3,8 +3,9 @@
 Forces have two components here, along the tangent of the side and along its inward normal. Lengths x along
 the side are measured from the projection of a foot r on the side's line, and h is the height of the foot
 above it. A force at x has its load in the set if it is in the disc of the foot, ``|f - f_0| <= p``, and has
-the torque of the rest about the foot, ``h f_t + x f_n = M``. At each x this line cuts a chord from the disc.
-All lines pass through (M / h, 0), and those tangent to the disc are at the ends of the intervals of contacts.
+the torque of the rest about the foot, ``h f_t + x f_n = M``. At each x this line cuts a chord from the
+disc. All lines pass through (M / h, 0), and those tangent to the disc are at the ends of the intervals of
+contacts.
 """
 
 from __future__ import annotations
@@ -117,7 +118,7 @@ def _stretches(disc: Disc, slack: float) -> list[Stretch]:
 
 
 def _touching(disc: Disc) -> list[float]:
-    """Places with a line of forces tangent to the disc, ``(h f_t + x f_n - M)^2 = p^2 (h^2 + x^2)``, in order."""
+    """Places whose line of forces is tangent to the disc, ``(h f_t + x f_n - M)^2 = p^2 (h^2 + x^2)``."""
     offset = disc.height * disc.along - disc.torque
     lead = (disc.normal - disc.radius) * (disc.normal + disc.radius)
     reach = disc.radius * disc.height
@@ -158,8 +159,8 @@ def _least(disc: Disc, x: float) -> Contact:
 def _stretch(disc: Disc, start: float, end: float) -> Stretch:
     """An interval of contacts, with its contact of least friction.
 
-    The coefficient is monotone along a chord, so its minimum is zero or on the rim: where a line through the
-    origin of forces is tangent to the disc, or on the chord of an end.
+    The coefficient is monotone along a chord, so its minimum is zero or on the rim: where a line through
+    the origin of forces is tangent to the disc, or on the chord of an end.
     """
     ends = _least(disc, start), _least(disc, end)
     inside = [each for each in _extreme(disc) if start <= each.place <= end]

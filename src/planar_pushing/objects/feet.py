@@ -15,12 +15,13 @@ from planar_pushing.mechanics.supports import Composite, Points, Ring
 from planar_pushing.mechanics.supports.pressure.record import Pieces
 from planar_pushing.mechanics.wrench import wrench
 
-#: Number of samples of a line, and of an area along x and along y, before it is divided among feet. They are
-#: multiples of powers of two, so that halves of a symmetric support are halves of its samples.
+#: Number of samples of a line, and of an area along x and along y, before it is divided among feet. They
+#: are multiples of powers of two, so that halves of a symmetric support are halves of its samples.
 LINE, AREA = 1920, 240
 #: Pressure below this fraction of the maximum is rounding error, left in the hole of a disc.
 ROUNDING = 1e-9
-#: Number of motions at which feet and support are compared; twice as many change the mean error by under 1%.
+#: Number of motions at which feet and support are compared; twice as many change the mean error by less
+#: than 1 percent.
 MOTIONS = 2_000
 #: Number of directions around each foot, and distance in radii, of centers of rotation beside it.
 AROUND, BESIDE = 16, 1e-6
@@ -45,8 +46,8 @@ def feet_of(scene: Scene, count: int) -> Feet:
     """Feet for the friction of a scene: its own points, and `count` for the rest of each support.
 
     The pressure that is not on points is repeatedly halved along the longer extent until there is one piece
-    per foot, which is at the center of pressure of the piece. The feet are then moved away from their common
-    center by one factor, so that the torque of spinning about it equals that of the support.
+    per foot, which is at the center of pressure of the piece. The feet are then moved away from their
+    common center by one factor, so that the torque of spinning about it equals that of the support.
     """
     found = [_feet(_of_scene(each.support, scene), each.weight, count) for each in scene.friction]
     return Feet(*map(np.concatenate, zip(*found, strict=True)))
@@ -55,9 +56,9 @@ def feet_of(scene: Scene, count: int) -> Feet:
 def force_errors(scene: Scene, feet: Feet) -> tuple[float, float]:
     """Mean and maximum angle between the wrenches of the scene's friction and of the feet, in radians.
 
-    The wrenches (f_x, f_y, tau / R) are about the center of pressure and for the same motion; the motions are
-    spread evenly over the sphere of (v_x, v_y, R omega). The maximum includes rotations about points beside
-    each foot.
+    The wrenches (f_x, f_y, tau / R) are about the center of pressure and for the same motion; the motions
+    are spread evenly over the sphere of (v_x, v_y, R omega). The maximum includes rotations about points
+    beside each foot.
     """
     radius = scene.slider.radius
     center = feet.weights @ feet.places / feet.weights.sum()

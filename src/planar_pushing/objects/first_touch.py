@@ -26,11 +26,11 @@ class Touch:
     contact : ndarray, shape S + (2,)
         Touched point of the outline; NaN where the disc does not touch.
     normal : ndarray, shape S + (2,)
-        Unit vector into the object, from the disc's center to the contact. For a disc of radius 0, the inward
-        normal of the side, or at a corner the bisector of the normals of its sides.
+        Unit vector into the object, from the disc's center to the contact. For a disc of radius 0, the
+        inward normal of the side, or at a corner the bisector of the normals of its sides.
     side : ndarray of int, shape S
-        Number of the side, which goes from corner `side` of the counter-clockwise outline to the next one. At
-        a corner, the side that ends there; -1 where the disc does not touch.
+        Number of the side, which goes from corner `side` of the counter-clockwise outline to the next one.
+        At a corner, the side that ends there; -1 where the disc does not touch.
     corner : ndarray of bool, shape S
         Whether the contact is at a convex corner.
     way : ndarray, shape S
@@ -88,8 +88,8 @@ def first_touch(
     Notes
     -----
     At the touch, the center reaches the boundary of the object grown by the radius: sides moved outward by
-    the radius, and circles about the convex corners. At a reflex corner the disc reaches one of the two sides
-    first.
+    the radius, and circles about the convex corners. At a reflex corner the disc reaches one of the two
+    sides first.
     """
     sides = sides_of(outline)
     start, motion = _vectors("position", position), _vectors("displacement", displacement)
@@ -203,7 +203,7 @@ def _contact(
 def _normal(
     sides: Sides, center: Array, point: Array, side: Any, vertex: Any, corner: Any, error: Array
 ) -> Array:
-    """Normals: of the side; at a corner, from a disc's center to the corner, or the bisector for a point."""
+    """Normals of the side; at a corner, from the disc's center to it, or for a point the bisector."""
     own, before = sides.normal[vertex], sides.normal[vertex - 1]
     middle = own + before
     way = point - center

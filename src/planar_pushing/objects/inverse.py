@@ -36,8 +36,8 @@ class Push:
         Minimum mu for which the contact sticks.
     ends : tuple of two Push, or empty
         Ends of an interval of contacts on the side, all of which give the twist because the object turns
-        about a foot. The push itself is then the one of least friction in the interval. An end with infinite
-        minimum friction is not itself a contact.
+        about a foot. The push itself is then the one of least friction in the interval. An end with
+        infinite minimum friction is not itself a contact.
     """
 
     point: Array
@@ -82,8 +82,8 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     Returns
     -------
     tuple of Push
-        In order of increasing minimum friction; empty if no contact gives the twist. A corner is a contact of
-        both of its sides, with the normal of each.
+        In order of increasing minimum friction; empty if no contact gives the twist. A corner is a contact
+        of both of its sides, with the normal of each.
 
     Raises
     ------

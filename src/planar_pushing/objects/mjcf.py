@@ -23,8 +23,8 @@ from planar_pushing.terms.errors import (
 )
 from planar_pushing.terms.options import Shape
 
-#: Lengths in radii: edge rounding of outline and finger, feet, height of the outline, thickness of the fence.
-#: A turning slider rolls on its rounded edge, which moves the contact by this much per radian.
+#: Lengths in radii: edge rounding of outline and finger, feet, height of the outline, thickness of the
+#: fence. A turning slider rolls on its rounded edge, which moves the contact by this much per radian.
 ROUNDING, FOOT, HEIGHT, THICKNESS = 0.002, 0.02, 0.1, 0.05
 #: Half the length of the fence, in extents of the outline.
 FENCE = 10.0
@@ -37,16 +37,16 @@ LIGHT = 0.05
 COEFFICIENT = 0.03
 #: Compression of the springs that load the feet, in radii: the loads are constant to within 1e-5.
 COMPRESSED = 100.0
-#: Time step in units of sqrt(m R / W), the time scale on which friction changes the slider's speed; and time
-#: constant of the contacts in steps, for which MuJoCo requires at least two.
+#: Time step in units of sqrt(m R / W), the time scale on which friction changes the slider's speed; and
+#: time constant of the contacts in steps, for which MuJoCo requires at least two.
 STEP, STEPS = 0.002, 2.5
 #: Impedances of the feet and of the pusher's contact. Among impedances of 0.5 to 0.9 and time constants of
 #: 2.5 to 50 steps, these came closest to `simulate` in five slow pushes of a box.
 FEET, PUSHER = 0.9, 0.5
 #: Ratio of the impedances of friction and normal force: the larger, the less a sticking contact creeps.
 IMPRATIO = 1e4
-#: Mass of the pusher relative to the slider's, and gain of its velocity control relative to the slider's mass
-#: per step. A pusher as light as the slider yields in the impacts of soft contact.
+#: Mass of the pusher relative to the slider's, and gain of its velocity control relative to the slider's
+#: mass per step. A pusher as light as the slider yields in the impacts of soft contact.
 HEAVY, GAIN = 1e3, 1e5
 
 
@@ -65,8 +65,8 @@ def to_mjcf(
     scene : Scene
         A single scene with Coulomb's law, support friction and inertia, whose slider has an outline.
     pusher : {"fence", "finger"}
-        Shape of the pusher, as in `Pusher`: a fence touches a corner of the outline, a finger touches a side.
-        Two velocity actuators, `pusher_x` and `pusher_y`, drive it in the plane.
+        Shape of the pusher, as in `Pusher`: a fence touches a corner of the outline, a finger touches a
+        side. Two velocity actuators, `pusher_x` and `pusher_y`, drive it in the plane.
     feet : int
         Number of feet, 3 to 1000, that replace the pressure of each support that is not on points.
     timestep : float, optional
@@ -80,9 +80,10 @@ def to_mjcf(
     str
         MJCF. The world is the fence frame: x along the fence, y its outward normal, z up; lengths, forces
         and times are in the scene's units. The joints `slider_x`, `slider_y` and `slider_turn` give the
-        displacement of the slider's center and its rotation; their velocities are the twist as in `Solution`.
-        The numeric fields `mean_force_error` and `worst_force_error` are the angles in radians between the
-        wrenches of the feet and of the supports for the same motion (torques over R): 0 for point supports.
+        displacement of the slider's center and its rotation; their velocities are the twist as in
+        `Solution`. The numeric fields `mean_force_error` and `worst_force_error` are the angles in radians
+        between the wrenches of the feet and of the supports for the same motion (torques over R): 0 for
+        point supports.
 
     Raises
     ------
@@ -127,7 +128,7 @@ def _required(scene: Scene) -> tuple[Coulomb, Array]:
     if not scene.friction or not scene.masses or scene.viscous or scene.loads:
         raise InvalidValue(
             "effects", scene.effects, "friction on supports and Inertia",
-            "list at least one of each: MuJoCo needs a mass, and the feet have only friction",
+            "list both and no other effect: MuJoCo needs a mass, and the feet have only friction",
         )  # fmt: skip
     if scene.slider.outline is None:
         raise InvalidValue(

@@ -44,11 +44,11 @@ def scene_at(
         The contact; an array makes an array of scenes. In a DataArray the last dimension holds x and y, and
         the scenes extend over the others.
     normal : (n_x, n_y), or array of shape S + (2,), optional
-        Normal of the fence or of the finger's side, into the object, of any length. It can be omitted if the
-        object has an outline and the contact is not at a corner.
+        Normal of the fence or of the finger's side, into the object, of any length. It can be omitted if
+        the object has an outline and the contact is not at a corner.
     effects : sequence of effects
-        `SupportFriction`, `Viscous`, `Inertia` and `Load`, with supports, centers and forces in the object's
-        frame.
+        `SupportFriction`, `Viscous`, `Inertia` and `Load`, with supports, centers and forces in the
+        object's frame.
     contact : ContactLaw
     outline : sequence of pairs, or an object with `coords` or `exterior`, optional
         Corners of the object in order. The contact must be on the outline, and the normal that of its side.
@@ -58,9 +58,9 @@ def scene_at(
     Returns
     -------
     Scene
-        In the fence frame: origin at the contact, +y along the normal, +x the normal rotated by -90 degrees.
-        Use `Scene.to_object` to transform results back. An array of scenes has no outline, because the
-        outline differs between body frames.
+        In the fence frame: origin at the contact, +y along the normal, +x the normal rotated by -90
+        degrees. Use `Scene.to_object` to transform results back. An array of scenes has no outline, because
+        the outline differs between body frames.
 
     Raises
     ------
@@ -130,7 +130,7 @@ def _required_effects(given: Any) -> tuple[Any, ...]:
 
 
 def _with_center(effect: Any, center: Array, effects: tuple[Any, ...]) -> Any:
-    """A load with the object's center as its default point, since for a hook the slider's center differs."""
+    """A load with the object's center as default point: the slider's center differs for a hook."""
     if not isinstance(effect, Load) or effect.center is not None:
         return effect
     if any(isinstance(each, Inertia) for each in effects):
@@ -139,7 +139,7 @@ def _with_center(effect: Any, center: Array, effects: tuple[Any, ...]) -> Any:
 
 
 def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
-    """Center and extent of an object in its frame: of friction, viscous friction, or mass, in this order."""
+    """Center and extent of an object in its frame: of friction, otherwise viscous friction, or mass."""
     friction = [each for each in effects if isinstance(each, SupportFriction)]
     films = [each for each in effects if isinstance(each, Viscous)]
     masses = [each for each in effects if isinstance(each, Inertia)]

@@ -101,7 +101,9 @@ class WrenchSet:
     def _unit(self, length: float | None) -> float:
         if length is None:
             return self.length
-        return require_positive("length", length, "give a length comparable to the size of the object")
+        return require_positive(
+            "length", length, "give a length comparable to the size of the object"
+        )
 
 
 def _wrenches(given: npt.ArrayLike) -> Array:
@@ -167,8 +169,8 @@ def wrench_set(
     twist : array_like, shape (3,)
         (v_x, v_y, omega) of the object's frame about its origin, omega in radians per unit of time.
     within : float, optional
-        Distance from a foot, in the unit of length, within which the center of rotation counts as on it: the
-        error of a measured motion. By default the rounding error.
+        Distance from a foot, in the unit of length, within which the center of rotation counts as on it:
+        the error of a measured motion. By default the rounding error.
 
     Returns
     -------

@@ -101,7 +101,7 @@ RANGES = {
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0", "start on the fence or above it",
     ),
 }  # fmt: skip
-#: Angles of directions. Several of them are given as arrays; a tuple is taken for the components of a vector.
+#: Angles of directions. Several are given as an array; a tuple is taken for the components of a vector.
 ANGLES = ("force_angle", "angle", "pusher_angle")
 #: Range of the ends of a side, and remedy.
 SIDE = (

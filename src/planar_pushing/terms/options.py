@@ -12,8 +12,8 @@ from typing import Literal, NamedTuple
 class Policy(StrEnum):
     """Choice of a mode if several are consistent.
 
-    `KEEP_CONTACT` prefers sticking to slip, and slip to separation. The others prefer one mode, and act like
-    `KEEP_CONTACT` if that mode is not consistent.
+    `KEEP_CONTACT` prefers sticking to slip, and slip to separation. The others prefer one mode, and act
+    like `KEEP_CONTACT` if that mode is not consistent.
     """
 
     KEEP_CONTACT = "keep-contact"
@@ -113,8 +113,8 @@ class Range(NamedTuple):
 
 #: Nonzero speeds in simulations, whose squares are doubles also in units of the smallest tolerance.
 SPEED = Range(1e-140, 1e140, "0, or a number in [1e-140, 1e140]")
-#: Number of entries of a log at equal intervals, limited by memory, and of equal time steps, limited by hours
-#: of computation.
+#: Number of entries of a log at equal intervals, limited by memory, and of equal time steps, limited by
+#: hours of computation.
 SAMPLES = Range(2, 1e7, "a whole number >= 2, at most 1e7")
 MOST_STEPS = 1e9
 #: Relative tolerance of a simulation, limited by double precision.
@@ -122,7 +122,7 @@ TOLERANCE = Range(1e-13, 1e-2, "a number in [1e-13, 1e-2]")
 
 
 class Event(IntEnum):
-    """Reason for the end of a contact mode, or for a new enumeration of modes: values of `event` in a log."""
+    """Reason why a contact mode ends or the modes are enumerated again: values of `event` in a log."""
 
     NONE = -1
     #: The force leaves the friction cone; a slip or a force ends; the contact is made.
@@ -130,7 +130,8 @@ class Event(IntEnum):
     SLIP_ENDS = 1
     FORCE_ENDS = 2
     TOUCHES = 3
-    #: The fence starts to push a slider at rest; the contact starts or stops tending to separate without force.
+    #: The fence starts to push a slider at rest; without a force the contact would start, or stop, to
+    #: separate.
     STARTS = 4
     LIFTS = 5
     #: Friction no longer holds the support point about which the slider pivots.

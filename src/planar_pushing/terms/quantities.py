@@ -190,7 +190,8 @@ BATCH: Quantities = {
     "velocity": ("length/time", "velocity of the fence"),
 }
 
-#: Variables of the datasets of a study of sliders; a name can have another meaning than for the paper's ring.
+#: Variables of the datasets of a study of sliders; a name can have another meaning than for the paper's
+#: ring.
 SLIDERS: Quantities = {
     **DATASET,
     "center_of_pressure_x": ("length", "center of pressure in the body frame, along the rod"),

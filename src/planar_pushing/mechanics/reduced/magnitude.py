@@ -99,7 +99,7 @@ def at_force(effects, at, e_x, e_y, size):
 
 @compiled
 def on_curve(effects, at, e_x, e_y):
-    """The motion at a force on the limit curve, with the energy of a unit translation, if any has energy."""
+    """The motion at a force on the limit curve: any, or with inertia that of unit translational energy."""
     goal = energy(effects, 1.0, 0.0, 0.0)
     if goal == 0.0:
         return pushed(effects, at, e_x, e_y, 1.0)

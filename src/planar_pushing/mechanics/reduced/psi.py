@@ -40,7 +40,8 @@ __all__ = ["NOWHERE", "Contact", "Psi", "contact_at", "psi", "spin_guess"]
 SHARE = 1e-13
 #: A point is across a motion, if another point is, to within this fraction of the motion.
 DIRECTION = 16.0 * EPSILON
-#: Maximum number of steps to a rotation, enough for bisection over 16 orders of magnitude to the last digit.
+#: Maximum number of steps to a rotation, enough for bisection over 16 orders of magnitude to the last
+#: digit.
 STEPS = 120
 
 
