@@ -136,7 +136,7 @@ def conservative_spin_ratios(arm):
 
     The motion center is inside the ring (1 .. inf) for a line of force outside it, on the ring for a
     tangent line, outside it (0 .. 1) for a line through the ring, and at infinity (0) for a line through
-    the ring center. It lies opposite the line, so the cases are mirrored for negative arms.
+    the ring center. It lies across the ring center from the line, so negative arms mirror the cases.
     """
     size = abs(arm)
     near = 1.0 if size >= 1.0 else 0.0

@@ -1,4 +1,4 @@
-"""The decorators of the compiled core, and where its cache lives.
+"""The decorators of the compiled core, and the location of its cache.
 
 A formula is a function of numbers. `compiled` makes it a part of compiled code, which Python enters through
 a `kernel`; with ``NUMBA_DISABLE_JIT=1`` all remain plain Python functions. `generic` chooses a body by the
@@ -140,7 +140,7 @@ class UnderWay(event.Listener):  # type: ignore[misc]
     """The functions that are being compiled; slow ones are announced.
 
     Numba makes machine code for every function separately, including all that it calls. For a part of a
-    kernel this would take a third of the time for nothing: the kernel links the part's intermediate code.
+    kernel this is skipped, which saves a third of the time: the kernel links the part's intermediate code.
     """
 
     def __init__(self) -> None:

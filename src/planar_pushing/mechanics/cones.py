@@ -263,7 +263,7 @@ def motion_cone(scene: Scene) -> AngleInterval:
     It is the velocity cone of a scene with friction, the acceleration cone of a scene with inertia, and
     with both effects the exact union over all magnitudes of the motion. The motion angle increases with the
     force angle, so the edges correspond to those of the friction cone. With both effects, an edge at which
-    they differ is approached but never reached: the cone is open. The result has the form of that of
+    they differ is approached but never reached: the cone is open. The type of the result is that of
     `friction_cone`.
     """
     law = required_scene(scene).law

@@ -107,9 +107,9 @@ class Derivatives(_Common):
 
     Notes
     -----
-    They follow from the balance of wrenches by the implicit function theorem, with the Hessian of the total
-    potential. At a center of rotation exactly on a ring or a segment, this Hessian has a logarithmic
-    singularity; the derivatives are then those at the distance of a rounding error.
+    The derivatives follow from the balance of wrenches by the implicit function theorem, with the Hessian
+    of the total potential. At a center of rotation exactly on a ring or a segment, this Hessian has a
+    logarithmic singularity; the derivatives are then those at the distance of a rounding error.
     """
 
     twist_by_motion: Array

@@ -157,7 +157,7 @@ def motion_of_force(
     Parameters
     ----------
     scene : Scene
-        Its parameters may be arrays.
+        Its parameters can be arrays.
     force_angle : float or array
         phi, radians.
     force_ratio : float or array, optional

@@ -58,7 +58,7 @@ class Frame(NamedTuple):
 
     @property
     def inverse(self) -> Frame:
-        """The parent frame in this frame."""
+        """The parent frame, expressed in this frame."""
         x, y = self.point_in((0.0, 0.0)).T
         a, b = self.axis
         return Frame((x.T, y.T), (a, -b))

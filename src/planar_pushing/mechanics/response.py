@@ -157,9 +157,8 @@ def _is_changing(of, pivots):
     most = (1.0 - SHARE) * of.now.most
     if not pivots:
         return most > 0.0
-    if (
-        of.condition == STICK
-    ):  # the balance determines only the friction across the line to the contact
+    if of.condition == STICK:
+        # The balance determines only the friction across the line to the contact.
         return not abs(of.now.torque) <= most * sqrt(of.r_x * of.r_x + of.r_y * of.r_y)
     g_x, g_y = of.f_x - of.now.f_x, of.f_y - of.now.f_y
     return not sqrt(g_x * g_x + g_y * g_y) <= most

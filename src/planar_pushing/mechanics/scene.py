@@ -42,8 +42,8 @@ class Slider:
     rod_angle : float or array
         psi between the fence and the rod, radians, in (0, pi).
     radius : float or array, optional
-        R > 0; all lengths share one arbitrary unit. By default the scene's largest distance of a support
-        from the center of pressure, 1 for a ring.
+        R > 0; all lengths share one arbitrary unit. By default a scene sets it to the largest distance of
+        its support from the center of pressure, or to 1 for a ring.
     side : (start, end), of floats or arrays
         Ends of the flat side that a finger pushes, measured from the contact along the side, which at time
         0 is along the fence. They have no effect on a fence.
@@ -167,12 +167,12 @@ class Scene:
         Raises
         ------
         InvalidValue
-            If the shape does not fit the kind.
+            If the shape does not match the kind.
         """
         return changed(value, kind, self._object, self._center, into=True)
 
     def to_fence(self, value: npt.ArrayLike, kind: Kind) -> Array:
-        """Transform numbers from the object's frame to the fence frame at time 0, unlike `to_object`."""
+        """Transform numbers from the object's frame to the fence frame; the inverse of `to_object`."""
         return changed(value, kind, self._object, self._center, into=False)
 
     @property

@@ -16,8 +16,8 @@ from planar_pushing.mechanics.reduced.way import Way
 #: Motions closer than this, relative to the pusher's and the free motion, are one motion: a slip of zero
 #: speed is a stick.
 COINCIDENCE = 9e-13
-#: Distance beyond the pusher's motion, relative to the same, to which slips are searched, so that a slip
-#: that is the stick is found; for a pusher at rest the search ends before it.
+#: Distance to which slips are searched beyond the pusher's motion, relative to the same scale, so that a
+#: slip that is the stick is found; for a pusher at rest the search ends before its motion.
 BEYOND = 1e-11
 #: Smallest normal motion, which keeps its square from underflowing.
 LEAST = 1e-140
@@ -95,7 +95,7 @@ def slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, c
 
 @compiled
 def _still(reach, slid):
-    """A slip whose rotation is set to zero if it is a rounding error, for a force through the center."""
+    """A slip; a rotation of rounding size is set to zero, since the force is then through the center."""
     size = abs(slid.u_x) + abs(slid.u_y)
     if abs(slid.spin) * (1.0 + reach * reach) > STILL * reach * size:
         return slid

@@ -276,7 +276,7 @@ def solve(
     Parameters
     ----------
     scene : Scene
-        Its parameters may be arrays.
+        Its parameters can be arrays.
     pusher_angle : float or array, optional
         Angle of the pusher's velocity or initial acceleration, radians counter-clockwise from the fence
         (the scene's +x); pi / 2 is into the slider. By default the push of the scene's file.

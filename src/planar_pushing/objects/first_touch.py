@@ -1,4 +1,4 @@
-"""First touch of a disc that moves along a straight line with an object at rest."""
+"""First contact of a disc that moves in a straight line with an object at rest."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def first_touch(
     *,
     tolerance: float = 0.0,
 ) -> Touch:
-    """First touch of a disc that moves along a straight line with an object at rest.
+    """First contact of a disc that moves in a straight line with an object at rest.
 
     Parameters
     ----------

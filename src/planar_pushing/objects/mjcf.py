@@ -159,7 +159,7 @@ def _errors(root: Element, feet: Feet, errors: tuple[float, float]) -> None:
         f" Units are those of the scene. {len(feet.places)} feet carry its friction: for the same motion "
         f"their wrenches differ from the scene's by {mean:.2g} degrees on average and by at most "
         f"{worst:.2g}, torques over the radius. Contact is soft: push slowly, and halve the timestep to "
-        "see by how much it matters. "
+        "see how much it matters. "
     ))  # fmt: skip
     fields = SubElement(root, "custom")
     for name, error in zip(("mean_force_error", "worst_force_error"), errors, strict=True):

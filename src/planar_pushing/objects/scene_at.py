@@ -99,7 +99,7 @@ def scene_at(
 
 
 def _require_one_unit(length: float, extent: float) -> None:
-    """Refuse a contact so far from the support that its unit of length must differ."""
+    """Refuse a contact so far from the support that the units of length must differ."""
     if not length <= FARTHEST * extent:
         raise InvalidValue(
             "point", f"a contact {length:.6g} from the center of a support of size {extent:.6g}",

@@ -16,7 +16,7 @@ class Side(NamedTuple):
     Attributes
     ----------
     start, end : ndarray, shape (2,)
-        Its corners; the object is on the left on the way from start to end.
+        Its corners; the object is on the left when going from start to end.
     tangent, normal : ndarray, shape (2,)
         Unit vectors from start to end, and into the object.
     length : float

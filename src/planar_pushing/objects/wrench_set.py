@@ -26,7 +26,8 @@ from planar_pushing.terms.errors import InvalidValue, as_floats, require_number,
 #: Distance within which the center of rotation is on a foot, relative to the numbers from which it is
 #: computed: the rounding error of a twist transformed between frames.
 ROUNDING = 1e-12
-#: Newton steps of the secular equation; it converges quadratically from below, in 3 to 9.
+#: Maximum number of Newton steps for the secular equation; 3 to 9 suffice, by quadratic convergence from
+#: below.
 STEPS = 50
 
 

@@ -146,7 +146,7 @@ def is_lazy(value: object) -> bool:
 
 
 def required(name: str, given: Number) -> Number:
-    """The given parameter, with a list as an array; each block of a lazy one is checked when computed.
+    """The given parameter, with a list as an array; blocks of a lazy one are checked when computed.
 
     Raises
     ------

@@ -100,7 +100,7 @@ STUDIED = (EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA)
 
 
 class Range(NamedTuple):
-    """A closed range of numbers, in figures and in words."""
+    """A closed range of numbers, as bounds and in words."""
 
     least: float
     most: float
@@ -143,7 +143,7 @@ class Event(IntEnum):
     ARRIVES = 9
     #: The response to the motion is not smooth, or a pivot starts or ends.
     KINK = 10
-    #: The normal velocity of the fence changes sign or starts; its tangential velocity does.
+    #: The normal velocity of the fence changes sign or starts; its tangential velocity does so.
     TURNS = 11
     TURNS_ALONG = 12
     #: A finger reaches the end of its side.

@@ -44,7 +44,7 @@ class Load:
             object.__setattr__(self, "center", _pair("center", self.center))
 
     def moved(self, body: Frame, fence: Frame) -> Load:
-        """The same effect, with its force in the fence frame and its center in the body frame."""
+        """The same effect, with force in the fence frame and center in the body frame."""
         x, y = fence.vector_in(self.force).tolist()
         center = None if self.center is None else moved_place(self.center, body)
         return replace(self, force=(x, y), center=center)

@@ -21,7 +21,7 @@ class SupportFriction:
     Parameters
     ----------
     support : Support, or array of supports
-        Where the slider presses on the plane: `Ring`, `Points`, `Segment`, `Disc`, `Annulus`, `Polygon`,
+        Pressure of the slider on the plane: `Ring`, `Points`, `Segment`, `Disc`, `Annulus`, `Polygon`,
         `PressureMap` or `Composite`.
     weight : float or array
         W > 0: the slider's weight times the coefficient of support friction.

@@ -21,7 +21,7 @@ class Viscous:
     Parameters
     ----------
     support : Support
-        Where the slider rests on the plane.
+        Pressure of the slider on the plane.
     coefficient : float or array
         c > 0: force divided by speed in a translation.
 

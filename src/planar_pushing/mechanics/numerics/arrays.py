@@ -84,7 +84,7 @@ def _flat(array: Array, shape: tuple[int, ...]) -> Array:
 
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
-    """Call a function for each start on all cores; Ctrl-C ends it after the calls under way."""
+    """Call a function for each start on all cores; Ctrl-C takes effect when the current calls end."""
     cores = CORES.get(numba.config.NUMBA_NUM_THREADS)
     if cores == 1:
         for start in starts:

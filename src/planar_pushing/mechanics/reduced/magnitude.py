@@ -24,7 +24,7 @@ from planar_pushing.mechanics.reduced.under import not_found, pushed, pushed_end
 from planar_pushing.mechanics.supports.ring import ring_spin_ratio
 
 #: Number of magnitudes at which the angle of the contact's motion is evaluated, on either side of the one
-#: at which the effects are equal. Their logarithms are hyperbolic sines of multiples of APART.
+#: at which the effects have equal magnitudes. Their logarithms are hyperbolic sines of multiples of APART.
 NODES, APART = 32, 0.11
 #: Logarithm of a component along the line of force at which inertia is negligible relative to friction.
 SLOWEST = -34.0
@@ -99,7 +99,7 @@ def at_force(effects, at, e_x, e_y, size):
 
 @compiled
 def on_curve(effects, at, e_x, e_y):
-    """The motion at a force on the limit curve: any, or with inertia that of unit translational energy."""
+    """The motion at a force on the limit curve; with inertia, it has the energy of a unit translation."""
     goal = energy(effects, 1.0, 0.0, 0.0)
     if goal == 0.0:
         return pushed(effects, at, e_x, e_y, 1.0)

@@ -65,7 +65,7 @@ def about_point(effects, at, x, y, i, spin, blur):
     the position of the point from the contact. The component of its friction across r follows from the
     torques, and the component along r from its share, in the sense of its motion along r, ``u . r``. If
     ``u . r`` is zero to rounding, or to within `blur` relative to the motion, the slider pivots about the
-    point, and the component along r is any in an interval.
+    point, and the component along r has an interval of values.
     """
     p_x, p_y = place(effects, i)
     r_x, r_y = p_x - at.x, p_y - at.y
@@ -82,7 +82,8 @@ def about_point(effects, at, x, y, i, spin, blur):
     part = min(max(-now.torque / reach, -now.most), now.most)
     free = sqrt(now.most * now.most - part * part)
     f_x, f_y = now.f_x - part * r_y, now.f_y + part * r_x
-    # The friction changes along n, across itself, with the direction of the motion: the slower, the faster.
+    # A change of the direction of motion changes the friction along n, across itself; more so if it is
+    # slow.
     slack, n_x, n_y, turns = 0.0, -r_y, r_x, reach
     slides = abs(aside) > rounding and free <= SHORT * now.most
     if ahead != 0.0 or slides:

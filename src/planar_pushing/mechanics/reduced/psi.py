@@ -38,7 +38,7 @@ __all__ = ["NOWHERE", "Contact", "Psi", "contact_at", "psi", "spin_guess"]
 #: Rounding error of a pivot's friction, relative to the share of the point, for sums over some dozens of
 #: points.
 SHARE = 1e-13
-#: A point is across a motion, if another point is, to within this fraction of the motion.
+#: Tolerance, relative to a motion, within which a point counts as across it if another point is exactly so.
 DIRECTION = 16.0 * EPSILON
 #: Maximum number of steps to a rotation, enough for bisection over 16 orders of magnitude to the last
 #: digit.

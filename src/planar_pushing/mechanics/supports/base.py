@@ -31,7 +31,7 @@ class Support(Protocol):
         ...
 
     def pieces(self) -> Pieces:
-        """The support's pieces, whose shares add to 1."""
+        """The support's pieces, whose shares add up to 1."""
         ...
 
 

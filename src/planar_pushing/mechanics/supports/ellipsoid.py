@@ -16,7 +16,7 @@ from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, A
 from planar_pushing.mechanics.supports.pressure.table import extent_of
 from planar_pushing.terms.errors import InvalidValue
 
-#: Number of motions at which the ellipsoid is compared; ten times more change the means by less than 1e-4.
+#: Number of motions at which the ellipsoid is compared; ten times as many change the means by under 1e-4.
 MOTIONS = 20_000
 #: Angle between successive motions, which spreads them evenly: the golden angle.
 GOLDEN = pi * (3.0 - sqrt(5.0))

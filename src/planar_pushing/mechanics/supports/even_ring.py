@@ -48,7 +48,10 @@ class Ring(Pictured):
             center = position("center", self.center)
             if self.radius is None:
                 raise InvalidValue(
-                    "radius", None, "a radius for the center", "give the radius, as in Ring(1.0)"
+                    "radius",
+                    None,
+                    "a radius if a center is given",
+                    "give the radius, as in Ring(1.0)",
                 )
             object.__setattr__(self, "center", None if center == (0.0, 0.0) else center)
 

@@ -1,4 +1,4 @@
-"""Moments of a pressure about a center of rotation, which give friction (manual: theory, any support)."""
+"""Moments of a pressure that determine friction at a center of rotation (manual: theory, any support)."""
 
 from __future__ import annotations
 
@@ -49,7 +49,8 @@ def moments(pressure, c_x, c_y):
     ----------
     pressure : Pressure
     c_x, c_y : float
-        In units of the slider's radius, up to 1e9 extents away; beyond, use the limit of a translation.
+        In units of the slider's radius, up to 1e9 extents away; beyond that, use the limit of a
+        translation.
 
     Returns
     -------

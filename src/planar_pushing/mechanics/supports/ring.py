@@ -114,9 +114,8 @@ def _near(m, x):
     first = half_log * polynomial(FORCE_LOG, x) + polynomial(FORCE_REST, x)
     second = half_log * polynomial(TORQUE_LOG, x) + polynomial(TORQUE_REST, x)
     force, part = 1.0 + x * first, 2 / pi / m
-    slope = (
-        first - second - force
-    )  # K - E; a division by x would amplify the rounding of force and torque
+    # K - E; a division by x would amplify the rounding of force and torque.
+    slope = first - second - force
     slope -= max(half_log - STEEPEST, 0.0)
     return 2 / pi * force, part * (1.0 + x * second), part * slope
 

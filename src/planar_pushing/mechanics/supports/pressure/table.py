@@ -15,7 +15,7 @@ from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding error of a center of pressure, relative to its coordinates.
 ROUNDING = 1e-14
-#: Largest number of supports that are few, and number of tuples of few supports whose results are cached.
+#: Maximum number of supports in a small tuple, and number of small tuples whose results are cached.
 FEW, KEPT = 1000, 16
 Found = TypeVar("Found")
 
