@@ -54,7 +54,7 @@ SLIPS = {Mode.SLIP_RIGHT: -1, Mode.SLIP_LEFT: 1}
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """Contact law: width of the friction cone, whether its edges belong to it; an adhesive law has no cone."""
+    """Contact law: width of the friction cone, whether its edges belong to it; an adhesive law has none."""
 
     friction_coefficient: float
     closed: bool = True

@@ -1,4 +1,4 @@
-"""Every slip along a path of contact motions: the places where the force is on an edge of the friction cone.
+"""Every slip along a path of contact motions: places with the force on an edge of the friction cone.
 
 The path is bisected until balls show for each cell that the force is off the edge, or that its
 component across the edge is monotone; in the second case the signs at the ends decide whether there is
@@ -104,7 +104,7 @@ class _Search:
         return self.edge[0] * force[0] + self.edge[1] * force[1]
 
     def ahead(self, force: Vector) -> arb:
-        """Component of a force along the fence, toward the side of the slips; it increases along the path."""
+        """Component of a force along the fence, toward the slips; it increases along the path."""
         return self.side * (self.way.toward.x * force[0] + self.way.toward.y * force[1])
 
     def end(self, stick: arb) -> Place:
