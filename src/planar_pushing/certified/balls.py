@@ -80,7 +80,7 @@ def settle(ball: arb, exact: Callable[[], Exact] | None = None) -> arb:
 
 
 def norm(x: arb, y: arb) -> arb:
-    """Length of a vector; also near zero, where the ball of a squared component, as a product, dips below 0."""
+    """Length of a vector; also near zero, where a product of balls could make a square negative."""
     square = x * x + y * y
     if square > 0 or square.is_zero():
         return square.sqrt()

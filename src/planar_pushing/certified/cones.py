@@ -111,7 +111,7 @@ def _arm_between(slider: Slider, first: Heading, last: Heading) -> arb:
 
 
 def _angle(slider: Slider, force: Heading, size: arb) -> arb:
-    """Angle of the motion at a spin ratio of this magnitude; infinite means rotation about the ring center."""
+    """Angle of the motion at a spin ratio of this magnitude; infinite: rotation about the ring center."""
     _, sine = lean(slider, force)
     side = 0 if slider.rod_length == 0 else sign(sine)
     if size.is_finite():

@@ -36,6 +36,6 @@ def _integral(k: arb, numerator: Integrand, start: int, end: int) -> arb:
         square = (1 - k) ** 2 + 4 * k * (theta / 2).cos() ** 2
         return numerator(theta) / square.sqrt(analytic=analytic)
 
-    # At most 1 in size, as a part of a unit vector; at k = 1 it is 0/0 at pi itself.
+    # At most 1 in magnitude, as a component of a unit vector; for k = 1 it is 0/0 at pi.
     gap = arb(2) ** (32 - ctx.prec) if k == 1 else arb(0)
     return acb.integral(integrand, start * arb.pi(), end * arb.pi() - gap).real + arb(0, gap)

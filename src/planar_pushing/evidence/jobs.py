@@ -22,7 +22,7 @@ def golden(data: PathLike, text: PathLike, *, study: str, results: str) -> None:
     Raises
     ------
     InvalidResult
-        Where a value differs; the message holds the worst, and nothing is written.
+        If a value differs; the message holds the worst, and nothing is written.
     """
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
@@ -43,7 +43,7 @@ def claims(json: PathLike, csv: PathLike, *, ledger: str) -> None:
     Raises
     ------
     InvalidResult
-        Where a verdict is not the one that the ledger expects; nothing is written.
+        If a verdict is not the one that the ledger expects; nothing is written.
     """
     from planar_pushing.evidence.claims import table
     from planar_pushing.evidence.claims.ledger import load_ledger

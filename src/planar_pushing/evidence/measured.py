@@ -24,7 +24,7 @@ def logs(folder: PathLike) -> list[Path]:
     Raises
     ------
     InvalidFile
-        Where there is no such folder, or it lacks the logs of one of the experiments.
+        If there is no such folder, or it lacks the logs of one of the experiments.
     """
     allowed = f"a folder with {' and '.join(PATTERNS)}"
     if not Path(folder).is_dir():

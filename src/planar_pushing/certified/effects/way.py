@@ -178,7 +178,7 @@ class _Tube(NamedTuple):
     middle: arb
 
     def motion(self, off: arb) -> Motion:
-        """The motions for a deviation of the rotation from the secant, with centers by first derivatives."""
+        """The motions for a deviation of the rotation from the secant; centers by first derivatives."""
         (low, high), (d_x, d_y) = self.cell, (self.way.toward.x, self.way.toward.y)
         (x, y), scale = self.way.motion(self.cell.s)
         run, rate = self.cell.s - self.middle, ((high.spin - low.spin) / (high.s - low.s)).mid()

@@ -47,7 +47,7 @@ class Response(NamedTuple):
 
 
 class Slopes(NamedTuple):
-    """Derivatives of the force by the contact's motion and by the rotation, and of the torque by the rotation."""
+    """Derivatives of the force by contact motion and rotation, and of the torque by rotation."""
 
     xx: arb
     xy: arb
@@ -171,7 +171,7 @@ def _without(support: Pieces, feet: tuple[int, ...]) -> Pieces:
 
 
 def _straightness(total: Resistance, motion: Motion) -> tuple[arb, arb, arb]:
-    """Speed of the contact, distance within which the support lies, and largest angle of its velocities from t.
+    """Speed of the contact, reach of the support from it, and largest angle of its velocities from t.
 
     The direction of a velocity v close to u differs by at most ``2 |v - u| / |u|`` from that of u.
     """

@@ -39,7 +39,7 @@ class Push:
         return -self.length, fmpq(0)
 
     def arm(self, place: Vector) -> arb:
-        """Moment of a unit force about a place, with its sign changed: the sign of a rotation about that place."""
+        """Moment of a unit force about a place, with reversed sign: the sign of a rotation about it."""
         return self.x * place[1] - self.y * (place[0] + self.length)
 
     def reach(self, place: Vector) -> arb:

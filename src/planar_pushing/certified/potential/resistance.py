@@ -114,11 +114,11 @@ class Resistance:
 
     @property
     def is_steady(self) -> bool:
-        """Whether all multiples of a motion have the same force direction, as for effects of a single degree."""
+        """Whether multiples of a motion share one direction of the force: all effects are of one degree."""
         return all(each.is_zero() for each in self.load) and not (self.weight and self.mass)
 
     def is_even(self) -> bool:
-        """Whether the slider is symmetric about the rod, so that force and motion across the rod are parallel."""
+        """Whether the slider is symmetric about the rod: force and motion across the rod are parallel."""
         even = not self.first[1] and self.load[0].is_zero() and self.load[2].is_zero()
         return bool(even and is_mirrored(self.support))
 

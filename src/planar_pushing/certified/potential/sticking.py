@@ -118,7 +118,7 @@ def _is_straight(total: Resistance, push: Push, size: arb) -> bool:
 
 
 def _beyond(total: Resistance, push: Push) -> Stuck | None:
-    """A rotation about a point on the line of the support, beyond its ends; the force is across this line."""
+    """A rotation about a point on the line of the support, beyond its ends; the force is across it."""
     if total.mass != 0 or not total.load[2].is_zero():
         return None
     c = collinear.center_beyond(push)

@@ -55,7 +55,7 @@ def judge(claim: Claim) -> Judged:
     Raises
     ------
     InvalidFile
-        Where a check is not defined for the given numbers, for example a rod of infinite length.
+        If a check is not defined for the given numbers, for example a rod of infinite length.
     """
     return Judged(claim=claim, checks=tuple(judge_check(claim.id, each) for each in claim.checks))
 

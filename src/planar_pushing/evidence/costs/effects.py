@@ -99,7 +99,7 @@ def evaluations(study: StudyFile) -> xr.Dataset:
     Raises
     ------
     PlanarPushingError
-        Where nothing is compiled.
+        If nothing is compiled.
     """
     if numba.config.DISABLE_JIT:
         raise PlanarPushingError("there is no machine code to look at; unset NUMBA_DISABLE_JIT")

@@ -55,7 +55,7 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
     Raises
     ------
     InvalidFile
-        Where the study names no golden data, a golden file is missing or damaged, or the folder is not one
+        If the study names no golden data, a golden file is missing or damaged, or the folder is not one
         of results.
     """
     study = load_study(file)

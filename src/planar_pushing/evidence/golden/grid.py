@@ -126,7 +126,7 @@ def certified(name: str, values: Values, template: xr.Dataset, processes: int) -
     Raises
     ------
     InvalidResult
-        Where a point is not decided, or a number of the dataset is certified by no cell.
+        If a point is not decided, or a number of the dataset is certified by no cell.
     """
     arrays: Arrays = {}
     for cell in CELLS[name]:

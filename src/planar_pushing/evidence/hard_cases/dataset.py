@@ -63,7 +63,7 @@ def measure(case: Case) -> Measure:
     Raises
     ------
     ArithmeticError
-        Where the reference is not known to the digits that are stored.
+        If the reference is not known to the digits that are stored.
     """
     with ctx.workprec(PRECISION):
         value = case.function.reference(*map(arb, case.inputs))

@@ -30,7 +30,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A directed line with a share: that of a segment, or that of the pressure on the left of an edge of plates."""
+    """A directed line with a share: of a segment, or of the pressure on the left of an edge of plates."""
 
     start: Place
     end: Place
@@ -205,7 +205,7 @@ def _pressure_map(entry: Entry) -> Pieces:
 
 
 def _out_of(frame: tuple[Place, Place], place: Place) -> Place:
-    """A place of a map in the body frame; its axis counts as exact, so that it can stretch the map by an ulp."""
+    """A place of a map in the body frame; its axis counts as exact and can stretch the map by an ulp."""
     (x, y), (a, b) = frame
     return x + place[0] * a - place[1] * b, y + place[1] * a + place[0] * b
 
