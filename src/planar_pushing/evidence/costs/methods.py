@@ -96,7 +96,7 @@ def _carlson(k: Array) -> tuple[Array, Array]:
 
 
 def _textbook(k: Array) -> tuple[Array, Array]:
-    """E and K as handbooks print them: cancellation affects the torque for small k, and K(1) is infinite."""
+    """E and K as handbooks print them: the torque cancels for small k, and K(1) is infinite."""
     m = k * k
     with np.errstate(invalid="ignore"):
         return 2 / np.pi * ellipe(m), 2 / np.pi * (ellipe(m) - (1 - m) * ellipk(m)) / k

@@ -23,7 +23,7 @@ from planar_pushing.study.catalog import EVIDENCE
 from planar_pushing.study.describe import describe
 from planar_pushing.terms.quantities import COSTS
 
-#: Spin ratios at which the default build measures times: regular, center near the ring, on it, and spinning.
+#: Spin ratios at which the default build measures times: regular, near the ring, on it, and a spin.
 TIMED = np.array([0.1, 1 - 1e-9, 1, 1e8])
 #: Rounds in `snakemake accuracy`, in that of motion, and in the default build, where one takes 0.1 s.
 REPEATS, MOTION_REPEATS, ROUNDS = 9, 5, 15

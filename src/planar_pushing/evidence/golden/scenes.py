@@ -42,7 +42,7 @@ def slider_of(scene: Mapping[str, Any]) -> tuple[Slider, Effects]:
 
 
 def pusher_degrees(own: Slider, effects: Effects, push: Mapping[str, Any]) -> fmpq:
-    """Angle of the fence's motion: as given, or the double closest to the contact's motion under a force."""
+    """Angle of the fence's motion: as given, or the double closest to the motion under a force."""
     if push["force_angle"] is None:
         return rational(push["pusher_angle"])
     share = fmpq(1, 2) if effects is Effects.BOTH else effects.shares[0]
