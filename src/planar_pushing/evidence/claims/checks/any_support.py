@@ -29,10 +29,10 @@ def power_of_any_support() -> Evidence:
     Let the contact move at u while the slider rotates at k. A point of the support at r from the
     contact slides at v = u + k J r, where J rotates by 90 degrees, and v . v = u . v + k (r x v), an
     identity. The friction of a point with the load p is p v / |v|, or any force of magnitude up to p if
-    v = 0. These forces sum to f, and their torques about the contact sum to zero. Summation of the
-    powers over the support therefore gives f . u as the sum of p |v|, which is positive unless a single
-    point carries the whole load and is the center of rotation. The motion therefore lies within 90
-    degrees of the force.
+    v = 0. These forces sum to f, and their torques about the contact sum to zero. Summing the powers
+    over the support gives f . u as the sum of p |v|, which is positive unless a single point carries
+    the whole load and is the center of rotation. The motion therefore lies within 90 degrees of the
+    force.
     """
     rest = ids.dot(SLIDE, SLIDE) - ids.dot(SLIDE, CONTACT) - ids.k * ids.cross(POINT, SLIDE)
     return identity({"the power of a point": rest})
@@ -77,8 +77,8 @@ def symmetric_about_rod() -> Evidence:
     """The limit curve of a mirror-symmetric support is symmetric about the rod.
 
     If a motion is reflected in the line of the rod, the mirror image of each point slides in the
-    reflected direction, an identity. A support that equals its own mirror image is therefore subject to
-    the same force at equal angles on the two sides of the rod.
+    reflected direction, an identity. For a support that equals its own mirror image, the forces at
+    equal angles on the two sides of the rod therefore have the same magnitude.
     """
     image = {"a": -ids.a, "k": -ids.k, "p": -ids.p}
     along, across = (ids.replaced(each, **image) for each in SLIDE)
@@ -137,14 +137,15 @@ def _one_motion() -> Evidence:
 def aligned_where_symmetric() -> Evidence:
     """The rod along the normal and a mirror-symmetric support: n . v_s = 0 under a force along the fence.
 
-    If the motion (u_x, u_y, k) requires a force along the fence, its mirror image, reversed, is (u_x,
-    -u_y, k) and requires the same force, by identities at each point. Since the difference of the two
-    forces vanishes, so does each term of the sum over the support, (s_1 + s_2) (1 - e_1 . e_2), and
-    each point has the same friction in both motions. Its two slides are thus parallel; their cross
-    product is 2 u_y times the slide along the fence, an identity. Either u_y = 0, or every slide is
-    along the normal. In the second case no point is at rest in both motions, so that all friction is
-    along the normal, and the force is not along the fence. Therefore u_y = 0, and both edges of the
-    cone of infinite friction are along the fence.
+    Let the rod lie along the normal and the support be symmetric about it. If the motion (u_x, u_y, k)
+    requires a force along the fence, its mirror image, reversed, is (u_x, -u_y, k) and requires the
+    same force, by identities at each point. Since the difference of the two forces vanishes, so does
+    each term of the sum over the support, (s_1 + s_2) (1 - e_1 . e_2), and each point has the same
+    friction in both motions. Its two slides are thus parallel; their cross product is 2 u_y times the
+    slide along the fence, an identity. Either u_y = 0, or every slide is along the normal. In the
+    second case no point is at rest in both motions, so that all friction is along the normal, and the
+    force is not along the fence. Therefore u_y = 0, and both edges of the cone of infinite friction are
+    along the fence.
     """
     return together(symmetric_about_rod(), opposite_edges(), _one_motion())
 
@@ -170,14 +171,15 @@ def pull_has_a_slip() -> Evidence:
     """If a retreating fence sticks, a slip is consistent too.
 
     Let the contact stick to a fence that moves at w, with w_y < 0, under a force inside the friction
-    cone. Since f . w > 0 and f_y >= 0, f_x w_x > 0; say w_x > 0. Vary the motion u of the contact from
-    w to (0, w_y). Its force changes continuously, or through connected sets if a point of the support
-    is the center of rotation, and f . u > 0 throughout. At the end this requires f_y < 0; hence the
-    force leaves the cone at some u_x in (0, w_x]. It leaves through the right edge, since on the left
-    edge no term of f . u is positive. The motion at this u_x has the normal component of w and lags
-    behind the fence under the force of the right edge: it is a slip to the left, or, if u_x = w_x, the
-    sticking motion itself, which then also admits the force of the edge. The power is positive because
-    v . v = u . v + k (r x v) at each point of the support and at the mass center, an identity.
+    cone. From f . w > 0, f_y >= 0 and w_y < 0 it follows that f_x w_x > 0; let w_x > 0 without loss of
+    generality. Vary the motion u of the contact from w to (0, w_y). Its force changes continuously, or
+    through connected sets if a point of the support is the center of rotation, and f . u > 0
+    throughout. At the end this requires f_y < 0; hence the force leaves the cone at some u_x in (0,
+    w_x]. It leaves through the right edge, since on the left edge no term of f . u is positive. The
+    motion at this u_x has the normal component of w and lags behind the fence under the force of the
+    right edge: it is a slip to the left, or, if u_x = w_x, the sticking motion itself, which then also
+    admits the force of the edge. The power is positive because v . v = u . v + k (r x v) at each point
+    of the support and at the mass center, an identity.
     """
     return together(power_of_any_support(), _no_other_edge())
 
@@ -238,7 +240,7 @@ def center_within_bound() -> Evidence:
     point of the support at r <= a from the center of pressure and rho from the center of rotation. Per
     unit weight, the torque T about the center of pressure is the mean of (r^2 - c x) / rho, and the
     force is at least its component across x, the mean of (c - x) / rho. For a unit rotation T is the
-    mean of v . (v - w) / |v|, where w is the velocity of the center of pressure and the mean of v; the
+    mean of v . (v - w) / |v|, where w, the velocity of the center of pressure, is the mean of v. The
     mean of |v| is at least |w|; hence T >= 0. Since d is the ratio of torque and force, the bound c d
     <= a^2 follows if the mean of (a^2 (c - x) - c (r^2 - c x)) / rho is not negative. With e = a^2 -
     r^2 and s^2 = a^2 + c^2, each term less (c^2 - a^2) x / s is a positive multiple of c e s (s + rho)

@@ -86,15 +86,15 @@ def sticks_inside_slips_outside() -> Evidence:
     """Sec. 3.2: an approaching pusher sticks inside the cone and slips outside it.
 
     With one effect the direction of the motion increases with the force angle and stays within 90
-    degrees of it, so that the friction cone maps one-to-one onto the motion cone. Let the pusher's
-    motion w approach, w_y > 0; the contact then cannot separate. It sticks if and only if w is in the
-    motion cone, under one force. A slip to the right requires the force of the left edge and the motion
-    u on the left edge of the motion cone, scaled to the normal component of w, with u_x > w_x. Since u
-    x w = w_y (u_x - w_x), an identity, this holds if and only if w lies beyond the left edge; an edge
-    without a positive normal component is at 180 degrees or more, and no w is beyond it. The same
-    argument applies to the right edge. Therefore the contact sticks inside the cone, slips outside it
-    under the force of the nearer edge, and no other mode is consistent, for every l and psi, every
-    coefficient of friction, and infinite friction by definition 1.
+    degrees of it, so that the friction cone maps one-to-one onto the motion cone. Let the pusher
+    approach with the motion w, w_y > 0; the contact then cannot separate. It sticks if and only if w is
+    in the motion cone, under one force. A slip to the right requires the force of the left edge and the
+    motion u on the left edge of the motion cone, scaled to the normal component of w, with u_x > w_x.
+    Since u x w = w_y (u_x - w_x), an identity, this holds if and only if w lies beyond the left edge; a
+    left edge without a positive normal component is at 180 degrees or more, and no w lies beyond it.
+    The same argument applies to the right edge. Therefore the contact sticks inside the cone, slips
+    outside it under the force of the nearer edge, and no other mode is consistent, for every l and psi,
+    every coefficient of friction, and infinite friction by definition 1.
     """
     return together(
         lemmas.positive_work(),
@@ -174,12 +174,12 @@ def _beyond_left_edge(rod_length: float, pusher_angle: float, effects: str) -> E
 def slips_beyond_edge(rod_length: float, pusher_angle: float, effects: str) -> Evidence:
     """From this pusher angle to below 180 degrees slip to the right is the only mode, definition 1.
 
-    The direction of the pusher lies beyond the left edge of the cone of each effect, which a change of
-    sign encloses; under both effects every motion lies between the two pure ones, at any magnitude.
+    The direction of the pusher lies beyond the left edge of the cone of each effect, enclosed by a
+    change of sign; under both effects every motion lies between the two pure ones, at any magnitude.
     Therefore no force into the slider sticks, and the contact cannot separate, since the pusher
     approaches. Under the force at 180 degrees, on the left edge, the normal motion takes every positive
     value as the force grows. The motion with the normal component of the pusher lags behind the pusher,
-    so that slip to the right is consistent. The pusher also lies beyond the right edge, on its left, so
+    so that slip to the right is consistent. Its direction is also to the left of the right edge, so
     that slip to the left is not consistent.
     """
     return _beyond_left_edge(rod_length, pusher_angle, effects)
@@ -189,8 +189,8 @@ def slips_beyond_edge(rod_length: float, pusher_angle: float, effects: str) -> E
 def no_solution_beyond_edge(rod_length: float, pusher_angle: float, effects: str) -> Evidence:
     """From this pusher angle to below 180 degrees no mode is consistent, definition 2.
 
-    The direction of the pusher lies beyond the left edge of the cone of each effect, which a change of
-    sign encloses, so that no force into the slider sticks, at any magnitude. The contact cannot
+    The direction of the pusher lies beyond the left edge of the cone of each effect, enclosed by a
+    change of sign, so that no force into the slider sticks, at any magnitude. The contact cannot
     separate, since the pusher approaches, and no transmitted force is along the fence, as slip would
     require.
     """

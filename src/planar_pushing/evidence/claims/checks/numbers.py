@@ -202,6 +202,6 @@ def normal_motion_dip(rod_length: float, friction_coefficient: float) -> tuple[a
 
 @quantity("a^2")
 def offset_times_center_distance(spin_ratio: float) -> arb:
-    """The offset of a ring is H(k) = f(1 / k) / t(1 / k) by duality, the distance of the center 1 / k."""
+    """The offset is H(k) = f(1 / k) / t(1 / k), by duality, and the center is at the distance 1 / k."""
     force, torque = ring.profile(1 / arb(rational(spin_ratio)))
     return force / torque / rational(spin_ratio)

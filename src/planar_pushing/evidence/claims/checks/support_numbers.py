@@ -104,7 +104,7 @@ def constant_of_rectangle(aspect: float) -> arb:
 
 @quantity("1")
 def constant_of_annulus(hole: float) -> arb:
-    """The mean distance is 2/3 (1 + q + q^2) / (1 + q) of the outer radius; q: ratio of the radii."""
+    """The mean distance is 2/3 (1 + q + q^2) / (1 + q) outer radii, where q is the ratio of the radii."""
     part = rational(hole)
     return arb(fmpq(2, 3) * (1 + part + part**2) / (1 + part))
 
