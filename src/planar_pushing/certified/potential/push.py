@@ -35,7 +35,7 @@ class Push:
 
     @property
     def contact(self) -> Place:
-        """P."""
+        """The contact P."""
         return -self.length, fmpq(0)
 
     def arm(self, place: Vector) -> arb:

@@ -33,7 +33,7 @@ class Quartic:
 
     @property
     def convex(self) -> bool:
-        """Whether the Hessian is nowhere negative."""
+        """Whether the Hessian is positive semidefinite everywhere."""
         return min(self.a, self.c) >= 0 and 0 <= self.b <= 6 * np.sqrt(self.a * self.c)
 
     def twist(self, wrench: Array) -> Array:

@@ -268,7 +268,7 @@ def _place(badness: Floats) -> tuple[int, ...]:
 
 
 def _described(check: Check, computed: Any, middle: Any, badness: Floats, label: Any) -> Check:
-    """The check with its worst place."""
+    """The check, with its worst value and the place of this value."""
     if not badness.size or not badness.any():
         return check
     at = _place(badness)

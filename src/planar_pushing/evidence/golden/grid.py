@@ -200,7 +200,7 @@ def _assembled(
 
 
 def _empty(name: str, dtype: np.dtype[Any]) -> Any:
-    """The value of unused entries, such as those behind the last solution."""
+    """The value of unused entries, such as those after the last solution."""
     if dtype.kind == "f":
         return np.nan
     return -1 if name in ("mode", "pivot") else 0

@@ -124,7 +124,7 @@ def _cones(own: Slider, effects: Effects, law: modes.Law, size: fmpq) -> Record:
 
 
 def _sample(forces: cones.Cone, mu: float, index: int) -> Heading:
-    """Force angle number `index` from the right to the left edge of the friction cone."""
+    """The force angle with this index, from the right to the left edge of the friction cone."""
     if math.isinf(mu):
         return heading(fmpq(180 * index, CONE_SAMPLES - 1))
     part = fmpq(index, CONE_SAMPLES - 1)

@@ -65,7 +65,7 @@ def make_scene(
     rho: float = 1.0,
     law: ContactLaw | None = None,
 ) -> Scene:
-    """Scene with W = m = R = 1: friction for a share of inertia of 0, inertia for 1, else both."""
+    """Scene with W = m = R = 1: friction for a share of inertia of 0, inertia for 1, otherwise both."""
     contact = law or (InfiniteFriction() if math.isinf(mu) else Coulomb(mu))
     friction, inertia = RingFriction(), Inertia(gyration_radius=rho)
     ends: dict[float, tuple[Effect, ...]] = {0.0: (friction,), 1.0: (inertia,)}

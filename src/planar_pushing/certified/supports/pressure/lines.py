@@ -14,7 +14,7 @@ Part = tuple[arb, arb, arb, arb, arb, arb]
 
 
 class Seen(NamedTuple):
-    """A line seen from a center of rotation.
+    """A line relative to a center of rotation.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class Seen(NamedTuple):
 
 
 def seen(line: Line, c: Vector) -> Seen:
-    """A line seen from a center of rotation, exact or a ball."""
+    """A line relative to a center of rotation, exact or a ball."""
     d_x, d_y = map(arb, line.along)
     length = (d_x * d_x + d_y * d_y).sqrt()
     ends = [(x - c[0], y - c[1]) for x, y in (line.start, line.end)]
