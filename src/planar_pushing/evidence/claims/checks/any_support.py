@@ -236,18 +236,18 @@ def corner_of_a_line() -> Evidence:
 def center_within_bound() -> Evidence:
     """A center at c > a has c d <= a^2, so that d <= a gives c <= a^2 / d, and d > a gives c <= a.
 
-    Let the center of rotation lie at c > a from the center of pressure, in the direction of x, and a
-    point of the support at r <= a from the center of pressure and rho from the center of rotation. Per
-    unit weight, the torque T about the center of pressure is the mean of (r^2 - c x) / rho, and the
-    force is at least its component across x, the mean of (c - x) / rho. For a unit rotation T is the
-    mean of v . (v - w) / |v|, where w, the velocity of the center of pressure, is the mean of v. The
-    mean of |v| is at least |w|; hence T >= 0. Since d is the ratio of torque and force, the bound c d
-    <= a^2 follows if the mean of (a^2 (c - x) - c (r^2 - c x)) / rho is not negative. With e = a^2 -
-    r^2 and s^2 = a^2 + c^2, each term less (c^2 - a^2) x / s is a positive multiple of c e s (s + rho)
-    + (c^2 - a^2) x (2 c x + e), by identities. This is not negative, because |x| <= a and c s^2 > (c^2
-    - a^2) a; the difference of the last two is a polynomial in a and c - a without negative terms. The
-    mean of x is zero, which proves the bound. It gives c <= a^2 / d for d <= a and excludes c > a for d
-    > a.
+    For c <= a both statements hold, since a <= a^2 / d if d <= a. Let the center of rotation lie at c >
+    a from the center of pressure, in the direction of x, and a point of the support at r <= a from the
+    center of pressure and rho from the center of rotation. Per unit weight, the torque T about the
+    center of pressure is the mean of (r^2 - c x) / rho, and the force is at least its component across
+    x, the mean of (c - x) / rho. For a unit rotation T is the mean of v . (v - w) / |v|, where w, the
+    velocity of the center of pressure, is the mean of v. The mean of |v| is at least |w|; hence T >= 0.
+    Since d is the ratio of torque and force, the bound c d <= a^2 follows if the mean of (a^2 (c - x) -
+    c (r^2 - c x)) / rho is not negative. With e = a^2 - r^2 and s^2 = a^2 + c^2, each term less (c^2 -
+    a^2) x / s is a positive multiple of c e s (s + rho) + (c^2 - a^2) x (2 c x + e), by identities.
+    This is not negative, because |x| <= a and c s^2 > (c^2 - a^2) a; the difference of the last two is
+    a polynomial in a and c - a without negative terms. The mean of x is zero, which proves the bound.
+    It gives c <= a^2 / d for d <= a and excludes c > a for d > a.
     """
     c, a, x, e, s, rho = ids.c, ids.a, ids.x, ids.e, ids.t, ids.k  # f: c - a
     excess = c**2 - a**2

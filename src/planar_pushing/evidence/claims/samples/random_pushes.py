@@ -100,7 +100,7 @@ def pulls_of_random_supports(supports: float, contacts: float) -> Evidence:
 
 @sample
 def centers_of_random_supports(supports: float, contacts: float) -> Evidence:
-    """The center is within a^2 / d if the line of force crosses the disc of radius a, and otherwise within a.
+    """The center is within a^2 / d if the line of force crosses the disc of radius a, otherwise within a.
 
     The library computes the center of rotation under a random line of force, in double precision.
     """
