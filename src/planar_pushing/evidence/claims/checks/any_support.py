@@ -170,16 +170,15 @@ def _no_other_edge() -> Evidence:
 def pull_has_a_slip() -> Evidence:
     """If a retreating fence sticks, a slip is consistent too.
 
-    Let the contact stick to a fence that moves at w, with w_y < 0, under a force inside the friction
-    cone. From f . w > 0, f_y >= 0 and w_y < 0 it follows that f_x w_x > 0; let w_x > 0 without loss of
-    generality. Vary the motion u of the contact from w to (0, w_y). Its force changes continuously, or
-    through connected sets if a point of the support is the center of rotation, and f . u > 0
-    throughout. At the end this requires f_y < 0; hence the force leaves the cone at some u_x in (0,
-    w_x]. It leaves through the right edge, since on the left edge no term of f . u is positive. The
-    motion at this u_x has the normal component of w and lags behind the fence under the force of the
-    right edge: it is a slip to the left, or, if u_x = w_x, the sticking motion itself, which then also
-    admits the force of the edge. The power is positive because v . v = u . v + k (r x v) at each point
-    of the support and at the mass center, an identity.
+    Let the contact stick to a fence that moves at w, with w_y < 0, and let each force of this motion be
+    inside the friction cone. For such a force f . w > 0, f_y >= 0 and w_y < 0, so that f_x w_x > 0; let
+    w_x > 0 without loss of generality. Vary the motion u of the contact from w to (0, w_y). Its force
+    changes continuously, or through connected sets if a point of the support is the center of rotation,
+    and f . u > 0 throughout. At the end this requires f_y < 0; hence the force leaves the cone at some
+    u_x in (0, w_x). It leaves through the right edge, since on the left edge no term of f . u is
+    positive. The motion at this u_x has the normal component of w and lags behind the fence under the
+    force of the right edge: it is a slip to the left. The power is positive because
+    v . v = u . v + k (r x v) at each point of the support and at the mass center, an identity.
     """
     return together(power_of_any_support(), _no_other_edge())
 
