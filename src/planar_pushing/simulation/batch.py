@@ -125,7 +125,7 @@ def _given(problem: Problem) -> Given:
 
 
 def _require_free(given: Given) -> None:
-    """Refuse dimensions and coordinates with the names of results."""
+    """Reject dimensions and coordinates with the names of results."""
     taken = {*SAMPLED, *FINGER, "mode_changes", "evaluations", "part", "piece", "xy"}
     for name in (*given.dims, *map(str, given.own)):
         if name in taken:

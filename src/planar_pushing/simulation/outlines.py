@@ -20,7 +20,7 @@ def tolerance(outline: Corners) -> float:
 
 
 def require_above(slider: Slider, gap: Number) -> None:
-    """Refuse an outline that begins through the fence.
+    """Reject an outline that begins through the fence.
 
     Raises
     ------

@@ -104,7 +104,7 @@ class Problem:
 
 
 def _require_narrow(radius: Number, slider_radius: Number) -> None:
-    """Refuse a finger whose radius is out of proportion to the slider's, or of another shape."""
+    """Reject a finger whose radius is out of proportion to the slider's, or of another shape."""
     try:
         ratio = radius / slider_radius
     except ValueError:

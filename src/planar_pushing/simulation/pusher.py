@@ -271,7 +271,7 @@ def _pieces(given: Any) -> tuple[tuple[float, Vector], ...]:
 
 
 def _require_alone(velocity: Any) -> None:
-    """Refuse a velocity beside waypoints."""
+    """Reject a velocity beside waypoints."""
     if velocity is not None:
         raise InvalidValue(
             "velocity", velocity, "none beside waypoints", "give the velocity or the waypoints"

@@ -40,7 +40,7 @@ The datasets are netCDF4 files by the CF conventions; `planar_pushing.open_datas
 one with xarray, `open_dataset(name, study="NAME")` that of another study, and `planar-pushing query` prints
 parts of it. The attributes `study` and `study_digest` name the study and give the digest of the values
 that the dataset is computed from.
-Angles are degrees, counter-clockwise from the fence. NaN marks values that do not exist; infinite
+Angles are degrees, counterclockwise from the fence. NaN marks values that do not exist; infinite
 coordinates are those of a translation's motion center. Truth values are stored as bytes, and come back
 as `bool`.
 """

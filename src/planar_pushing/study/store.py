@@ -230,7 +230,7 @@ def _not_built(name: str, path: Path) -> PlanarPushingError:
 
 
 def _require_part(name: str, group: str | None, path: Path) -> None:
-    """Refuse a part that a file does not have, and a whole where the file has parts alone."""
+    """Reject a part that a file does not have, and a whole where the file has parts alone."""
     parts = group_names(path)
     if group is None and not parts:
         return

@@ -72,7 +72,7 @@ def first_event(system, mode, run):
 
 @inlined
 def look_for_pivot(system, mode, run):
-    """Where the motion is not smooth within a step that was tried, steps are graded towards that time."""
+    """Where the motion is not smooth within a step that was tried, steps are graded toward that time."""
     sign, end = run.guards[at.SIGNS, base.KINK], run.guards[at.END]
     if sign * end[base.KINK] < -base.SLACK:
         equation, slack = Guarded(system, mode, run, base.KINK), BEHIND * (run.until - run.time)

@@ -1,4 +1,4 @@
-"""The effects of a step: friction, and inertia that pulls towards the twist before."""
+"""The effects of a step: friction, and inertia that pulls toward the twist before."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _quasi_static_step(system, run, now, h, size, before):
 
 @compiled
 def _inertial_step(system, run, now, h, size, before):
-    """Effects of a step with inertia, which pulls towards the twist before, and its unit of motion."""
+    """Effects of a step with inertia, which pulls toward the twist before, and its unit of motion."""
     body, (v_x, v_y), spin = system.body, seen(system, run, run.twist), run.twist[2]
     load, (x, y) = load_at(body, run.state[base.ANGLE]), to_body(now.frame, v_x, v_y)
     c_x, c_y = body.center

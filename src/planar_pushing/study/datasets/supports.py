@@ -22,7 +22,7 @@ ERRORS = ("worst_force_error", "mean_force_error", "worst_motion_error", "mean_m
 
 
 def rotations(part: Part) -> Array:
-    """Twists of unit rotation, counter-clockwise, about every center of the grid, shape S + (3,)."""
+    """Twists of unit rotation, counterclockwise, about every center of the grid, shape S + (3,)."""
     x, y = np.meshgrid(part.grid["center_x"], part.grid["center_y"], indexing="ij")
     return np.stack([y, -x, np.ones_like(x)], axis=-1)
 
