@@ -230,7 +230,9 @@ def test_a_cut_file_ends_in_one_line(path, size):
     write_dataset(DATASET, path)
     path.write_bytes(path.read_bytes()[:size])
     for read in (read_dataset, group_names, read_attributes):
-        with pytest.raises(InvalidFile, match="is not a netCDF4 file; delete it and build it again"):
+        with pytest.raises(
+            InvalidFile, match="is not a netCDF4 file; delete it and build it again"
+        ):
             read(path)
 
 
