@@ -1,4 +1,4 @@
-"""What the workflow's jobs on the report call."""
+"""Functions that the workflow's jobs for the report call."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TABLES = {
 
 
 def report_tables(*, study: str, results: str, golden: str, **paths: str) -> None:
-    """Write the tables that the report is set from, each to the path under its name."""
+    """Write the tables of the report, each to the path given under its name."""
     found = Results(Path(results), Path(golden))
     texts = {name: text(found) for name, text in TABLES.items()}
     texts["provenance"] = tables.provenance_text(found, study)
@@ -29,7 +29,7 @@ def report_tables(*, study: str, results: str, golden: str, **paths: str) -> Non
 
 
 def supplement_tables(*, results: str, golden: str, **paths: str) -> None:
-    """Write the tables that the supplement on time is set from."""
+    """Write the tables of the supplement on time."""
     found = Results(Path(results), Path(golden))
     for path in paths.values():
         write_text(supplement.TABLES[Path(path).name](found), path)

@@ -1,4 +1,4 @@
-"""The numbers of the part on evidence: the golden check and the claims, some of their values included."""
+"""The numbers of the part on evidence: the golden check, the claims, and some of their values."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_pushing.report.verdict import (
     verdict_word,
 )
 
-#: Verdicts that the ledger can expect.
+#: Verdicts that the ledger can specify.
 VERDICTS = [verdict for verdict in Verdict if verdict is not Verdict.UNDECIDED]
 
 
