@@ -57,7 +57,9 @@ def _begin() -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     tqdm.set_lock(threading.RLock())
-    logging.getLogger("planar_pushing").setLevel(logging.ERROR)  # no announcements
+    logging.getLogger("planar_pushing").setLevel(
+        logging.ERROR
+    )  # hide messages about the compilation
     gc.set_threshold(100_000)  # the compiler creates millions of objects
 
 

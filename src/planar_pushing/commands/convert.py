@@ -26,7 +26,7 @@ def add(commands: Commands) -> None:
     listed = "; ".join(f"{name}: {each}" for name, each in FORMATS.items())
     sub.add_argument("format", metavar="FORMAT", help=listed)
     sub.add_argument("files", type=Path, nargs="+", metavar="FILE", help="files of this format")
-    add_output(sub, "PUSHES.nc", f"dataset to write; its name ends in {' or '.join(ENDINGS)}")
+    add_output(sub, "PUSHES.nc", f"output dataset; its name ends in {' or '.join(ENDINGS)}")
 
 
 def converted(args: argparse.Namespace) -> dict[str, Any]:

@@ -57,7 +57,7 @@ def add(commands: Commands) -> None:
     sub.add_argument(
         "--family", default="points", metavar="NAME", help=f"{listed} (default: points)"
     )
-    add_output(sub, "SUPPORT.yaml", f"scene file to write; its name ends in {' or '.join(ENDINGS)}")
+    add_output(sub, "SUPPORT.yaml", f"output scene file; its name ends in {' or '.join(ENDINGS)}")
 
 
 def identified(args: argparse.Namespace) -> dict[str, Any]:

@@ -98,7 +98,7 @@ def acceleration(fence, during, time):
 
 @compiled
 def displacement(fence, during, time):
-    """Displacement of the fence since the start of its motion."""
+    """Displacement of the fence from the start of its motion."""
     piece = fence[_piece(fence, during, time)]
     passed, origin = time - piece.start, piece.origin
     x, y = _value(piece, MEAN, time), _value(piece, MEAN + 1, time)

@@ -37,7 +37,7 @@ def require_above(slider: Slider, gap: Number) -> None:
     if lowest < -tolerance(slider.outline) / 2:
         raise InvalidValue(
             "outline", f"a corner {-lowest:.6g} below the fence", "corners on the fence or above it",
-            "turn the slider, start higher by gap, or give the contact as a point of the outline",
+            "rotate the slider, raise it by gap, or put the contact on the outline",
         )  # fmt: skip
 
 

@@ -55,10 +55,10 @@ class Until:
         }
         if not given:
             raise InvalidValue(
-                "Until", None, ", ".join(self.__slots__), "say how far the motion goes"
+                "Until", None, ", ".join(self.__slots__), "give at least one of them"
             )
         for name, value in given.items():
-            positive = require_positive(name, value, "say how far the motion goes, or leave it out")
+            positive = require_positive(name, value, "give a positive number, or leave it out")
             object.__setattr__(self, name, positive)
 
 

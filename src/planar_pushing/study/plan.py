@@ -63,7 +63,7 @@ def _plan(study: StudyFile, name: str) -> Plan:
         dataset=name,
         points=count,
         chunks=max(number, 1),
-        jobs=number + 1,  # the last gathers the chunks, lists them, or is the one
+        jobs=number + 1,  # the last job combines or indexes the chunks, or is the only job
         memory=chunks.MEMORY,
         disk=count * stored * copies / 1e6,
         cpu_hours=(count * seconds * copies + (number + 1) * START) / 3600,

@@ -122,4 +122,4 @@ def check_push(args: argparse.Namespace) -> None:
             require_number(name, given, math.isfinite, allowed, "give one angle")
     magnitude = getattr(args, "pusher_magnitude", None)
     if magnitude is not None:
-        require_positive("pusher_magnitude", magnitude, "turn the pusher around by its angle")
+        require_positive("pusher_magnitude", magnitude, "use the angle to reverse the pusher")

@@ -184,7 +184,7 @@ def _gets_on(system, run):
 
 @inlined
 def _move_on(system, run):
-    """Go to the end of a step."""
+    """Advance to the end of a step."""
     step.move_on(run)
     base.remember(
         system,

@@ -123,7 +123,7 @@ def _goes_on(mode, slip):
 
 @inlined
 def _setting_off(system, during, time, state):
-    """Acceleration of the fence, and whether it moves at all."""
+    """Acceleration of the fence, and whether the fence moves."""
     turn_x, turn_y = base.acceleration(system, during, time, state)
     w_x, w_y = base.velocity(system, during, time, state)
     size = sqrt(turn_x * turn_x + turn_y * turn_y)

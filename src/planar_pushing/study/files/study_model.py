@@ -117,7 +117,7 @@ class PushEntry(FileModel):
 
 
 class FigureEntry(FileModel):
-    """Values that a figure takes from the grid."""
+    """Values of a figure that must be in the grid."""
 
     rod_length: NonNegative | tuple[NonNegative, ...] | None = None
     mapped_rod_length: NonNegative | None = None
@@ -172,7 +172,7 @@ class Part(Parameters):
 
 
 class StudyFile(Parameters):
-    """The grid of every dataset, the scenes, and the values that the paper leaves open.
+    """The grid of every dataset, the scenes, and values that the paper does not specify.
 
     `supports` is an axis of the datasets whose names begin with `support`. `simulations` names the scene
     files to simulate, each with a section `simulate`. `chunks` gives the maximum number of values along
