@@ -103,7 +103,9 @@ def test_a_python_that_is_too_old_is_refused_with_one_line(folder):
     (folder / "old").write_text("#!/bin/sh\necho False\n", encoding="utf-8")
     (folder / "old").chmod(0o755)
     said = make(folder, "PYTHON=./old", code=2)
-    assert "Python 3.11 to 3.14 is required, but ./old was found; set PYTHON=/path/to/python" in said
+    assert (
+        "Python 3.11 to 3.14 is required, but ./old was found; set PYTHON=/path/to/python" in said
+    )
     assert len(said.splitlines()) == 1
 
 
