@@ -121,8 +121,8 @@ def test_the_comparison_of_simulated_pushes_is_drawn():
 @pytest.mark.parametrize(
     ("given", "ax", "said"),
     [
-        ("a", None, "dataset: 'str' given; allowed: a dataset of compare; call compare on pushes first"),
-        (xr.Dataset(), None, "dataset: 'one without median' given; allowed: a dataset of compare"),
+        ("a", None, "dataset: 'str' given; allowed: a dataset returned by compare; call compare on pushes"),
+        (xr.Dataset(), None, "dataset: 'one without median' given; allowed: a dataset returned by compare"),
         (compared().drop_vars("model"), None, "'one without model' given"),
         (compared() * np.nan, None, "dataset: 'no errors' given; allowed: errors of a model"),
         (compared(), Figure().subplots(), "ax: '1 axes' given; allowed: 2 axes, for motion, pose"),
@@ -293,7 +293,7 @@ def test_the_figures_are_drawn_from_the_file(tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (None, "no such file; write it anew with snakemake pushes --config data=FOLDER"),
+        (None, "no such file; write it again with snakemake pushes --config data=FOLDER"),
         ("{", "is not JSON"),
         ("[]", "lacks three_feet; allowed: three_feet, patch, polygons, about_a_foot"),
         ('{"three_feet": {}, "patch": {}}', "lacks polygons"),

@@ -17,6 +17,7 @@ from planar_pushing.figures.studies import (
     numbered,
     settings,
 )
+from planar_pushing.report.provenance import commit
 from planar_pushing.study import chunks
 from planar_pushing.study.catalog import DATASETS, dataset_file
 from planar_pushing.study.provenance import provenance, whole_digest

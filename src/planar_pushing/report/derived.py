@@ -22,7 +22,6 @@ from planar_pushing.study.files.study_model import labelled_law
 from planar_pushing.terms.options import EffectSet
 
 ROD_ANGLE = 45.0
-SLIPS = (ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
 #: Angles from the rod, in radians, at which the deviation of a curve from its ellipse is evaluated.
 QUARTER = np.linspace(0.0, np.pi / 2, 901)
 
@@ -41,20 +40,6 @@ def ellipse_deviation(curves: xr.Dataset, rod_length: float) -> float:
     long, short = force[0], force[-1]
     ellipse = long * short / np.hypot(short * np.cos(QUARTER), long * np.sin(QUARTER))
     return 100 * float(np.max(np.abs(force / ellipse - 1)))
-
-
-def cone_span(cones: xr.Dataset) -> float:
-    """Width furthest from 180 degrees among the motion cones of infinite friction with one effect."""
-    one = cones.sel(effects=[name for name in cones.effects.values if name != BOTH])
-    one = one.sel(friction_coefficient=np.inf)
-    spans = (one.motion_cone_left - one.motion_cone_right).values.ravel()
-    return float(spans[np.argmax(abs(spans - 180.0))])
-
-
-def least_pulling(cones: xr.Dataset, effects: str, rod_length: float) -> float:
-    """Smallest friction coefficient of the grid for which pulling is possible."""
-    pulls = cones.pulls.sel(effects=effects, rod_length=rod_length, rod_angle=ROD_ANGLE)
-    return float(pulls.friction_coefficient[pulls.values > 0].min())
 
 
 def slip_share(scene: xr.Dataset) -> float:
@@ -83,28 +68,12 @@ def outcomes(modes: xr.Dataset, outcome: Outcome) -> float:
     return float((modes.outcome == int(outcome)).sum())
 
 
-def inconsistent_definition_2(modes: xr.Dataset) -> float:
-    """Number of pushes without a solution under the second definition of infinite friction."""
-    one = modes.outcome.sel(contact="infinite_friction_none")
-    return float((one == int(Outcome.INCONSISTENT)).sum())
-
-
-def _sticking_pulls(modes: xr.Dataset) -> xr.Dataset:
-    """Contact modes of the pushes under Coulomb's law in which a sticking contact pulls; others are -1."""
-    angle = modes.pusher_angle
-    some = modes[["mode"]].isel(contact=modes.law.values == "coulomb")
-    away = some.sel(pusher_angle=angle[(angle > -180) & (angle < 0)])
-    return away.where((away["mode"] == ContactMode.STICK).any("solution"), -1)
-
-
 def sticking_pulls(modes: xr.Dataset) -> float:
-    """Number of pushes under Coulomb's law in which a sticking contact pulls."""
-    return float((_sticking_pulls(modes)["mode"] == ContactMode.STICK).any("solution").sum())
-
-
-def slipping_pulls(modes: xr.Dataset) -> float:
-    """Number of these pushes in which a slipping contact can also pull."""
-    return float(_sticking_pulls(modes)["mode"].isin(SLIPS).any("solution").sum())
+    """Number of pushes under Coulomb's law in which the contact can stick while the fence retreats."""
+    angle = modes.pusher_angle
+    some = modes["mode"].isel(contact=modes.law.values == "coulomb")
+    away = some.sel(pusher_angle=angle[(angle > -180) & (angle < 0)])
+    return float((away == ContactMode.STICK).any("solution").sum())
 
 
 def furthest_pull(modes: xr.Dataset, contact: str, magnitude: float) -> float:

@@ -7,6 +7,7 @@ from pathlib import Path
 from planar_pushing.evidence.writing import write_text
 from planar_pushing.report import supplement, tables
 from planar_pushing.report.costs.tables import COST_TABLES
+from planar_pushing.report.provenance import provenance_text
 from planar_pushing.report.results import Results
 
 TABLES = {
@@ -19,13 +20,17 @@ TABLES = {
 }
 
 
-def report_tables(*, study: str, results: str, golden: str, **paths: str) -> None:
+def report_tables(*, results: str, golden: str, **paths: str) -> None:
     """Write the tables of the report, each to the path given under its name."""
     found = Results(Path(results), Path(golden))
     texts = {name: text(found) for name, text in TABLES.items()}
-    texts["provenance"] = tables.provenance_text(found, study)
     for name, path in paths.items():
         write_text(texts[name], path)
+
+
+def report_provenance(output: str, *, study: str, results: str, golden: str, state: str) -> None:
+    """Write the table that identifies the code, the state of the repository, and the study."""
+    write_text(provenance_text(Results(Path(results), Path(golden)), study, state), output)
 
 
 def supplement_tables(*, results: str, golden: str, **paths: str) -> None:

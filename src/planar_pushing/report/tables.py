@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import platform
 import re
-from importlib.metadata import version
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text, json_text
-from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.figure import entry, full_caption
 from planar_pushing.figures.studies import OURS, PUSHES
 from planar_pushing.report.costs.times import machine
 from planar_pushing.report.derived import ROD_ANGLE
@@ -20,26 +18,10 @@ from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from planar_pushing.report.verdict import verdict_rows
 from planar_pushing.study.datasets.base import words
-from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.study.provenance import whole_digest
 from planar_pushing.study.store import read_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
-
-#: Packages with which the results and the report are produced.
-PACKAGES = (
-    "planar-pushing",
-    "numpy",
-    "scipy",
-    "xarray",
-    "h5netcdf",
-    "h5py",
-    "matplotlib",
-    "pydantic",
-    "snakemake",
-    "typst",
-)
 
 
 def numbers_text(results: Results) -> str:
@@ -74,11 +56,11 @@ def _ours(name: str, results: Results) -> dict[str, object]:
 
 
 def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
-    figure = drawing(name)
+    figure = entry(name)
     return {
-        "caption": figure.caption(data),
-        "promise": figure.FIGURE.promise,
-        "section": figure.FIGURE.section,
+        "caption": full_caption(name, data),
+        "promise": figure.promise,
+        "section": figure.section,
         "file": f"{folder}/{name}",
     }
 
@@ -151,15 +133,3 @@ def verdict_text(results: Results) -> str:
             f"{results.folder}/tables/golden_verdict.json: compares nothing; build it"
         )
     return csv_text(rows)
-
-
-def provenance_text(results: Results, study: PathLike) -> str:
-    """Table of the software versions for the results, with the study and its digest."""
-    rows = [("study", str(study)), ("SHA-256 of the study", whole_digest(load_study(study))[:16])]
-    rows.append(("Python", platform.python_version()))
-    rows += [(name, version(name)) for name in PACKAGES]
-    marks = results.golden_marks()[0]
-    for each in marks["golden_versions"].split(", "):
-        name, number = each.split(" ")
-        rows.append((f"{name}, golden data", number))
-    return csv_text([{"what": name, "version": value} for name, value in rows])

@@ -180,7 +180,7 @@ TABLES = {
     "numbers.json": "the numbers of the report's prose, each with its unit and source",
     "figures.json": "captions and margins of the figures",
     "infinite_friction_cones.csv": "motion cones of infinite friction by rod length, degrees",
-    "provenance.csv": "the study, and the versions of the software that computed the results",
+    "provenance.csv": "the study, the code, and the versions of the packages that computed the results",
     "accuracy_wrench.csv": "methods for the friction wrench: setting, calls and worst error",
     "accuracy_cone.csv": "methods for motion cones: setting, calls and largest error",
     "hard_places.csv": "hard cases by place, with their errors in units in the last place",

@@ -90,7 +90,7 @@ def test_a_side_that_does_not_hold_the_contact(tmp_path, side):
     assert said.startswith("slider.side: ")
     assert said.endswith(
         " given; allowed: (start, end) with start < 0 < end, infinite for a side without an end; measure "
-        "both ends along the side from the contact, which is between them, the one towards -x first; "
+        "both ends along the side from the contact, which is between them, the one toward -x first; "
         "change the value"
     )
 
