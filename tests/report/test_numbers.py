@@ -372,7 +372,7 @@ def test_missing_tables_and_claims_are_named(results, tmp_path):
     both = [tmp_path / each / "tables/golden_verdict.json" for each in (".", "studies/sliders")]
     for path in both:
         write_text(json_text(verdict(failed)), path)
-    with pytest.raises(InvalidFile, match="holds no verdict that passed"):
+    with pytest.raises(InvalidFile, match="the golden check did not pass"):
         NUMBERS["golden-enclosed"].entry(empty)
     for path in both:
         write_text(json_text(verdict([])), path)

@@ -200,9 +200,9 @@ def test_an_unknown_number_stops_the_report(setting):
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        ("#missing", r"report.typ:\d+:\d+: cannot be set: unknown variable: missing"),
-        ('#json("none.json")', "cannot be set: file not found"),
-        ('#text(font: "No Such Font")[word]', "cannot be set: unknown font family: no such font"),
+        ("#missing", r"report.typ:\d+:\d+: cannot be typeset: unknown variable: missing"),
+        ('#json("none.json")', "cannot be typeset: file not found"),
+        ('#text(font: "No Such Font")[word]', "cannot be typeset: unknown font family"),
     ],
 )
 def test_a_fault_in_the_source_is_one_message(setting, line, said):

@@ -323,7 +323,7 @@ def test_a_fence_has_no_radius():
     with pytest.raises(pp.InvalidValue) as caught:
         pp.Pusher(velocity=(0, 1), radius=0.2)
     assert str(caught.value) == (
-        "radius: 0.2 given; allowed: 0 for a fence, which is a line; leave the radius out, or push with "
+        "radius: 0.2 given; allowed: 0 for a fence, which is a line; leave the radius out, or set "
         'shape="finger"'
     )
     assert pp.Pusher(velocity=(0, 1), radius=0).radius == 0

@@ -1,4 +1,4 @@
-"""The code behind the report: version, commit, license, platform, and the versions of packages."""
+"""Identification of the code for the report: version, commit, license, platform and package versions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.provenance import whole_digest
 from planar_pushing.study.study_file import load_study
 
-#: Packages that the results and the report are made with.
+#: Packages with which the results and the report are produced.
 PACKAGES = (
     "numpy",
     "scipy",
@@ -28,7 +28,7 @@ PACKAGES = (
 
 
 def commit(folder: PathLike = ".") -> str:
-    """Commit that is checked out in a folder, its date, and whether tracked files differ from it."""
+    """Current commit of a folder, its date, and whether tracked files differ from it."""
     try:
         head = _git(folder, "log", "-1", "--format=%h of %cs", "--abbrev=12")
         changed = _git(folder, "status", "--porcelain", "--untracked-files=no")
@@ -44,7 +44,7 @@ def _git(folder: PathLike, *arguments: str) -> str:
 
 
 def provenance_text(results: Results, study: PathLike, state: str) -> str:
-    """Table that identifies the code and the study: `state` is the commit, as `commit` returns it."""
+    """Table that identifies the code and the study; `state` is the commit from `commit`."""
     rows = [
         ("planar-pushing", version("planar-pushing")),
         ("commit", state),

@@ -1,4 +1,4 @@
-"""The tables that the report is set from, as files in results/tables."""
+"""The tables of the report, as files in results/tables."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ def numbers_text(results: Results) -> str:
 
 
 def figures_text(results: Results) -> str:
-    """Table of the figures: captions, promises of the paper's captions, files, and sections.
+    """Table of the figures: captions, contents according to the paper's captions, files and sections.
 
-    Figures about our own work are numbered on from those of the paper's subjects and of any slider. The
-    caption of one that shows times ends with the machine.
+    Figures about our own computation are numbered after those on the paper's subjects and on any slider.
+    The caption of a figure that shows times ends with the machine.
     """
     studies = {"figures": PAPER_FILE, f"studies/{SLIDERS}/figures": SLIDERS_FILE}
     found: dict[str, dict[str, object]] = {}
@@ -47,7 +47,7 @@ def figures_text(results: Results) -> str:
 
 
 def _ours(name: str, results: Results) -> dict[str, object]:
-    """A figure on how this work computes, or on measured pushes."""
+    """Entry of a figure about the computation itself or about measured pushes."""
     if name in PUSHES:
         return _figure(name, results.pushes, "figures")
     data = results.dataset(entry(name).reads[0])
@@ -66,7 +66,7 @@ def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
 
 
 def _machine(data: xr.Dataset) -> str:
-    """Sentence that names the machine on which a figure's dataset was measured, if it was."""
+    """Sentence that describes the machine on which a figure's dataset was measured, if any."""
     if "machine" not in data.attrs:
         return ""
     found = machine(data)
@@ -76,7 +76,7 @@ def _machine(data: xr.Dataset) -> str:
 
 
 def ellipsoids_text(results: Results) -> str:
-    """Table of the ellipsoids in the supports' place: integration constants, and errors in degrees."""
+    """Table of the ellipsoids that approximate supports: integration constants, and errors in degrees."""
     found = results.dataset(f"{SLIDERS}/supports")
     rows = []
     for name in found.support.values:
@@ -91,7 +91,7 @@ def ellipsoids_text(results: Results) -> str:
 
 
 def cones_text(results: Results) -> str:
-    """Table of the motion cones of infinite friction, degrees, by rod length."""
+    """Table of the motion cones of infinite friction by rod length, degrees."""
     cones = results.dataset("motion_cones").sel(friction_coefficient=np.inf, rod_angle=ROD_ANGLE)
     centers = results.dataset("acceleration_centers")
     rows = []
@@ -125,7 +125,7 @@ def verdict_text(results: Results) -> str:
     Raises
     ------
     InvalidFile
-        Where there is no verdict, or no variable in it agrees.
+        If there is no verdict, or it compares no variable.
     """
     rows = verdict_rows(results)
     if not rows:

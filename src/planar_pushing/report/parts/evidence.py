@@ -1,4 +1,4 @@
-"""The numbers of the part on evidence: the golden check and the claims, some of their values included."""
+"""The numbers of the part on evidence: the golden check, the claims, and some of their values."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from planar_pushing.report.verdict import (
     verdict_word,
 )
 
-#: Verdicts that the ledger can expect.
+#: Verdicts that the ledger can specify.
 VERDICTS = [verdict for verdict in Verdict if verdict is not Verdict.UNDECIDED]
 
 
@@ -33,7 +33,7 @@ GOLDEN: Numbers = {
 
 
 def _of_the_paper(what: str, verdicts: Collection[Verdict]) -> Quantity:
-    """Statements of the paper with one of these verdicts."""
+    """Number of statements of the paper with one of these verdicts."""
     return counted(
         f"statements of the paper, {what}",
         lambda claim: int(claim["origin"] == "paper" and claim["verdict"] in verdicts),

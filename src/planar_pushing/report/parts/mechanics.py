@@ -1,4 +1,4 @@
-"""The numbers of the parts on the mechanics, section by section of the paper."""
+"""The numbers of the parts on mechanics, by section of the paper."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from planar_pushing.report.derived import (
 from planar_pushing.report.quantities import Numbers, Quantity, computed, picked
 from planar_pushing.report.results import FRICTION, INERTIA
 
-#: A contact under which slow pulling exists and fast pulling does not.
+#: A contact law for which slow pulling is possible but fast pulling is not.
 SLOW = "coulomb_1.4"
 
 
@@ -38,13 +38,13 @@ def _cone(prefix: str, effects: str, rod_length: float, mu: float) -> Numbers:
 
 
 def _force(effects: str, rod_length: float, force_angle: float, digits: int = 4) -> Quantity:
-    """Size of a force on a limit curve."""
+    """Magnitude of a force on a limit curve."""
     at = _at(effects, rod_length) | {"force_angle": force_angle}
     return picked("limit_curves", "force", at, digits=digits, unit="force")
 
 
 def _scene(number: str, prefix: str, digits: int = 0) -> Numbers:
-    """Rod length and pusher angle of a figure's scene, the angle with so many digits."""
+    """Rod length and pusher angle of a figure's scene, with the given number of digits of the angle."""
     name = f"scenes/figure_{number}"
     return {
         f"{prefix}-rod-length": picked(name, "rod_length", digits=0, unit="length"),
@@ -53,13 +53,13 @@ def _scene(number: str, prefix: str, digits: int = 0) -> Numbers:
 
 
 def _spin_ratio(number: str) -> Quantity:
-    """Spin ratio of the sticking solution of a pulling scene, its second."""
+    """Spin ratio of the sticking solution, the second one, of a pulling scene."""
     name = f"scenes/figure_{number}"
     return picked(name, "spin_ratio", {"solution": 1}, digits=3, unit="1")
 
 
 def _map(number: str, prefix: str) -> Numbers:
-    """Rod length and coefficient of friction of the map that a figure shows."""
+    """Rod length and friction coefficient of the map in a figure."""
     name = f"figures/figure_{number}"
     return {
         f"{prefix}-rod-length": picked(name, "mapped_rod_length", digits=0, unit="length"),
@@ -68,12 +68,12 @@ def _map(number: str, prefix: str) -> Numbers:
 
 
 def _axis(dataset: str, axis: str, value: float, digits: int = 0) -> Quantity:
-    """A value of an axis."""
+    """A value on an axis."""
     return picked(dataset, axis, {axis: value}, digits=digits, unit="1")
 
 
 def _bounds() -> Numbers:
-    """Edges of the exact and of the conservative acceleration cone, and how far they are apart."""
+    """Edges of the exact and the conservative acceleration cones, and their differences."""
     at = {"rod_length": 5.0}
     edges = {
         f"{kind}-cone-{side}": picked("acceleration_centers", f"{kind}_cone_{side}", at)
