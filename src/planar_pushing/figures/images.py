@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from planar_pushing.figures.figure import entry
 from planar_pushing.figures.studies import PUSHES, pictures
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
@@ -57,8 +56,8 @@ def every_picture(results: Path) -> dict[str, Path]:
     own = study_folder(study_name(SLIDERS_FILE), results)
     folders = {PAPER_FILE: results, SLIDERS_FILE: own}
     found = [pictures(folder, load_study(file)) for file, folder in folders.items()]
-    measured = [name + variant for name in PUSHES for variant in entry(name).variants]
-    return found[0] | found[1] | {name: results / "figures" / f"{name}.png" for name in measured}
+    measured = {name: results / "figures" / f"{name}.png" for name in PUSHES}
+    return found[0] | found[1] | measured
 
 
 def main(arguments: list[str] | None = None) -> int:
