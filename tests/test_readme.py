@@ -1,4 +1,4 @@
-"""What README shows is what the program prints and draws, and what it links to is there."""
+"""README shows what the program prints and draws, and its links lead to files."""
 
 import doctest
 import json
@@ -91,3 +91,10 @@ def test_links_lead_to_files():
     assert ANIMATION.relative_to(PATH.parent).as_posix() in links
     for link in links:
         assert (PATH.parent / link).is_file(), link
+
+
+def test_the_citation_names_the_last_release():
+    changes = (PATH.parent / "CHANGELOG.md").read_text(encoding="utf-8")
+    version, date = re.search(r"^## (\d\S*) \((\S+)\)$", changes, re.MULTILINE).groups()
+    citation = (PATH.parent / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"\nversion: {version}\ndate-released: {date}\n" in citation
