@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from planar_pushing.figures.studies import pictures
+from planar_pushing.figures.studies import PUSHES, pictures
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
 from planar_pushing.study.study_file import load_study
@@ -52,11 +52,12 @@ def difference(path: Path, stored: Path) -> float:
 
 
 def every_picture(results: Path) -> dict[str, Path]:
-    """Pictures of the figures of both default studies."""
+    """Pictures of the figures of both default studies and of those on measured pushes."""
     own = study_folder(study_name(SLIDERS_FILE), results)
     folders = {PAPER_FILE: results, SLIDERS_FILE: own}
     found = [pictures(folder, load_study(file)) for file, folder in folders.items()]
-    return found[0] | found[1]
+    measured = {name: results / "figures" / f"{name}.png" for name in PUSHES}
+    return found[0] | found[1] | measured
 
 
 def main(arguments: list[str] | None = None) -> int:
