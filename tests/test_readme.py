@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import planar_pushing as pp
 from planar_pushing.commands import main
 from planar_pushing.figures import images
 from planar_pushing.figures.parts.measured import PUSHES_FILE
@@ -22,7 +23,7 @@ from shown import Checker
 PATH = Path("README.md").resolve()
 README = PATH.read_text(encoding="utf-8")
 ANIMATION = PATH.parent / "paper/manual/pictures/pulling.gif"
-MEASURED = PATH.parent / "tests/golden/images/figure_21.png"
+MEASURED = PATH.parent / "tests/golden/images/measured_pressures.png"
 #: Largest root mean square difference of two frames' color levels, 0 to 255: text moves a little.
 TOLERANCE = 4.0
 
@@ -69,10 +70,10 @@ def test_commands_make_the_animation(folder, monkeypatch, capsys):
         assert np.sqrt(np.mean((new - stored) ** 2)) < TOLERANCE
 
 
-def test_the_measured_picture_is_figure_21(tmp_path):
+def test_the_measured_picture_is_that_of_the_report(tmp_path):
     assert MEASURED.relative_to(PATH.parent).as_posix() in README
-    pushes_figure(PUSHES_FILE, name="figure_21", png=tmp_path / "figure_21.png")
-    assert images.difference(tmp_path / "figure_21.png", MEASURED) < TOLERANCE
+    pushes_figure(PUSHES_FILE, name="measured_pressures", png=tmp_path / "measured_pressures.png")
+    assert images.difference(tmp_path / "measured_pressures.png", MEASURED) < TOLERANCE
 
 
 def test_numbers_of_measured_pushes():
@@ -98,3 +99,4 @@ def test_the_citation_names_the_last_release():
     version, date = re.search(r"^## (\d\S*) \((\S+)\)$", changes, re.MULTILINE).groups()
     citation = (PATH.parent / "CITATION.cff").read_text(encoding="utf-8")
     assert f"\nversion: {version}\ndate-released: {date}\n" in citation
+    assert version == pp.__version__

@@ -16,7 +16,7 @@ from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
 #: Figures on measured pushes, drawn from numbers in the project's folder.
-PUSHES = ("figure_21", "figure_22")
+PUSHES = ("measured_pressures", "measured_errors")
 #: Figures on the computations and predictions of this work, in the order of the report and of its
 #: supplement; they are the same for every study.
 OURS = (*PUSHES, "accuracy_evaluations", "hard_cases", "effect_counts", "accuracy_time")

@@ -1,4 +1,4 @@
-"""Figure 21: pressures identified from measured pushes, compared with the true feet."""
+"""Pressures identified from measured pushes, compared with the true feet."""
 
 from __future__ import annotations
 

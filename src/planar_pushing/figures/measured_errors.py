@@ -1,4 +1,4 @@
-"""Figure 22: errors of friction models on measured pushes."""
+"""Errors of friction models on measured pushes."""
 
 from __future__ import annotations
 
