@@ -51,7 +51,7 @@ reveal_type(pp.spin_ratio(scene, labelled, 0.5))  # DataArray
 reveal_type(pp.spin_ratio(scene, floats, labelled))  # DataArray
 reveal_type(pp.spin_ratio(scene, 1.0, force_ratio=labelled))  # DataArray
 reveal_type(pp.motion_centers(scene, 1.0, 0.5))  # Array
-reveal_type(pp.motion_centers(scene, 1.0, 0.5, "ring-center"))  # Array
+reveal_type(pp.motion_centers(scene, 1.0, 0.5, "slider-center"))  # Array
 reveal_type(pp.motion_centers(scene, labelled, 0.5))  # DataArray
 reveal_type(pp.motion_centers(scene, 1.0, labelled))  # DataArray
 reveal_type(pp.limit_curve(scene, 1.0))  # LimitCurve

@@ -79,8 +79,8 @@ def test_json_and_dataset(run, files, tmp_path, found):
     assert (code, err) == (0, "")
     assert told["written"] == str(path)
     assert told["units"] == {"wrench": "degree", "motion": "degree", "pose": "mm"}
-    one = told["comparison"]["pose"]["exact"]
-    each = found.sel(quantity="pose", model="exact")
+    one = told["comparison"]["pose"]["known_feet"]
+    each = found.sel(quantity="pose", model="known_feet")
     assert one["median"] == pytest.approx(float(each["median"]), rel=1e-9)
     assert one["difference_interval"] == pytest.approx(each["difference_interval"].values, rel=1e-9)
     xr.testing.assert_allclose(read_dataset(path), found)
@@ -101,7 +101,7 @@ def test_quantities_and_models_that_are_not_known_are_left_out(found):
     known = found.copy(deep=True)
     for name in ("median", "ratio"):
         known[name].loc[{"quantity": ["wrench", "motion"]}] = np.nan
-        known[name].loc[{"model": "exact"}] = np.nan
+        known[name].loc[{"model": "known_feet"}] = np.nan
     told = command.summary(known)
     assert told["units"] == {"pose": "mm"}
     assert {name: list(rows) for name, rows in told["comparison"].items()} == {"pose": FAST[1:]}

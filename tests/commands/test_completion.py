@@ -44,7 +44,7 @@ def completed(run):
     (["query", "scen"], []),
     (["simulate", "scene.yaml", "--pusher-shape", ""], ["fence", "finger"]),
     (["query", "motion_cones", "--effects", "in"], ["inertia"]),
-    (["identify", "pushes.nc", "--family", ""], ["points", "even_and_corners", "ellipse", "map"]),
+    (["identify", "pushes.nc", "--family", ""], ["points", "uniform_and_corners", "ellipse", "map"]),
     (["identify", "pushes.nc", "--o"], ["--object", "--outline", "--output"]),
     (["compare", "pushes.nc", "--i"], ["--identify"]),
     (["query", "motion_cones", "--rod-length", ""], []),

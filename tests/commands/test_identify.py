@@ -41,7 +41,7 @@ def files(pushes, tmp_path_factory):
 @pytest.fixture(scope="module")
 def supports(files):
     """Scene files: with forces, on any points, and without, on an even pressure and corners."""
-    options = {"forces": ("--seed", "3"), "poses": ("--family", "even_and_corners")}
+    options = {"forces": ("--seed", "3"), "poses": ("--family", "uniform_and_corners")}
     found = {name: files / f"{name}.yaml" for name in options}
     for name, given in options.items():
         assert main(["identify", str(files / f"{name}.nc"), *given, "-o", str(found[name])]) == 0
@@ -139,7 +139,14 @@ def test_other_commands_take_the_scene(run, supports, tmp_path, name):
 
 def test_without_forces_the_weight_is_1_and_is_said_to_be_unknown(run, files, supports, tmp_path):
     path = tmp_path / "support.yaml"
-    given = ("identify", str(files / "poses.nc"), "--family", "even_and_corners", "-o", str(path))
+    given = (
+        "identify",
+        str(files / "poses.nc"),
+        "--family",
+        "uniform_and_corners",
+        "-o",
+        str(path),
+    )
     code, out, err = run(*given, "--json")
     assert (code, err) == (0, "")
     told = json.loads(out)
@@ -163,7 +170,7 @@ def test_an_outline_from_a_list_and_from_a_scene_file(run, files, tmp_path):
     path, corners = tmp_path / "support.yaml", tmp_path / "corners.yaml"
     wide = [*SQUARE[:2], (50.5, 50.0), (-50.5, 50.0)]
     corners.write_text(json.dumps(wide))
-    given = ("identify", str(files / "forces.nc"), "--family", "even_and_corners", "-o")
+    given = ("identify", str(files / "forces.nc"), "--family", "uniform_and_corners", "-o")
     assert run(*given, str(path), "--outline", str(corners))[0] == 0
     assert content(path)["object"]["outline"] == [list(each) for each in wide]
     again = tmp_path / "again.yml"
@@ -211,7 +218,7 @@ def test_wrong_input_is_refused_before_any_work(refused, files, tmp_path, monkey
         ([forces, "-o", "support.nc"],
          "output: 'support.nc' given; allowed: a name ending in .yaml or .yml; rename the file"),
         ([forces, "--family", "point", *out],
-         "family: 'point' given; allowed: points, even_and_corners, ellipse, map; did you mean points?"),
+         "family: 'point' given; allowed: points, uniform_and_corners, ellipse, map; did you mean points?"),
         ([forces, "--spacing", "-1", *out], "spacing: -1.0 given; allowed: a finite number > 0; "),
         ([forces, "--spacing", "2", *out], "pushes: '8 pushes for 2601 candidates' given; "),
         ([forces, "--spacing", "0.01", *out], "spacing: 0.01 given; allowed: a number from 1 to 100, "),

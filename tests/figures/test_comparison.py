@@ -19,7 +19,7 @@ from report.pushes import measured_pushes
 
 
 def compared(
-    models=("exact", "uniform", "mine_too", "fitted_ellipsoid"), quantities=("motion", "pose")
+    models=("known_feet", "uniform", "mine_too", "fitted_ellipsoid"), quantities=("motion", "pose")
 ):
     """A comparison as `compare` returns it, with known numbers; wrenches were not measured."""
     names = ["wrench", *quantities]
@@ -91,7 +91,7 @@ def test_ratios_are_written_with_their_intervals():
 
 def test_a_model_without_a_value_has_no_row():
     data = compared()
-    data["median"].loc[{"quantity": "motion", "model": "exact"}] = np.nan
+    data["median"].loc[{"quantity": "motion", "model": "known_feet"}] = np.nan
     axes = pp.plot_comparison(data)
     assert len(axes[0].get_yticks()) == 3
     assert len(axes[1].get_yticks()) == 4

@@ -131,8 +131,8 @@ def test_the_magnitude_counts_where_friction_and_inertia_resist():
         ({"solution": ContactMode.SLIP_RIGHT}, f"given; allowed: {NUMBERS}; "),
         ({"pusher_angle": np.nan}, "pusher_angle: nan given; allowed: a finite number"),
         ({"pusher_angle": np.array([1.0, 2.0])}, "pusher_angle: array([1., 2.]) given; allowed: "),
-        ({"magnitude": -1.0}, "pusher_magnitude: -1.0 given; allowed: "),
-        ({"magnitude": np.array([1.0, 2.0])}, "magnitude: "),
+        ({"pusher_magnitude": -1.0}, "pusher_magnitude: -1.0 given; allowed: "),
+        ({"pusher_magnitude": np.array([1.0, 2.0])}, "pusher_magnitude: "),
     ],
 )  # fmt: skip
 def test_what_cannot_be_drawn_is_one_line(options, said):
@@ -250,9 +250,13 @@ def test_a_frame_says_what_the_contact_does(logs):
 @pytest.mark.parametrize("name", OTHERS)
 def test_any_support_is_animated_in_a_notebook_or_a_file(logs, tmp_path, name):
     path = tmp_path / "motion.gif"
-    found = pp.animate(logs[name], path, frames=4, rate=10)
+    found = pp.animate(logs[name], path, frames=4, frames_per_second=10)
     assert found.frames == 4
-    assert pp.animate(logs[name], frames=4, rate=10.0).gif == found.gif == path.read_bytes()
+    assert (
+        pp.animate(logs[name], frames=4, frames_per_second=10.0).gif
+        == found.gif
+        == path.read_bytes()
+    )
     start, _, data = found._repr_html_().partition("base64,")
     assert start.startswith("<img alt=")
     assert base64.b64decode(data.partition('"')[0]) == found.gif
@@ -273,9 +277,10 @@ def test_any_support_is_animated_in_a_notebook_or_a_file(logs, tmp_path, name):
         ({"frames": 2.5}, "frames: 2.5 given; allowed: a whole number from 2 to 1000"),
         ({"frames": 1001}, "frames: 1001 given; allowed: a whole number from 2 to 1000"),
         ({"frames": "many"}, "frames: 'many' given; allowed: a whole number from 2 to 1000"),
-        ({"rate": 0.0}, "frames_per_second: 0.0 given; allowed: a number in (0, 50]; slow it down"),
-        ({"rate": np.nan}, "frames_per_second: nan given; allowed: a number in (0, 50]"),
-        ({"rate": 51}, "frames_per_second: 51 given; allowed: a number in (0, 50]"),
+        ({"frames_per_second": 0.0},
+         "frames_per_second: 0.0 given; allowed: a number in (0, 50]; slow it down"),
+        ({"frames_per_second": np.nan}, "frames_per_second: nan given; allowed: a number in (0, 50]"),
+        ({"frames_per_second": 51}, "frames_per_second: 51 given; allowed: a number in (0, 50]"),
     ],
 )  # fmt: skip
 def test_wrong_options_of_an_animation_are_one_line(logs, options, said):

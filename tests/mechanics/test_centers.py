@@ -36,7 +36,7 @@ def test_centers_are_where_nothing_moves(effects):
     for phi in (0.2, 1.4, 2.5):
         k = pp.spin_ratio(scene, phi, share)
         from_ring = -0.5 / k * direction(phi - np.pi / 2)
-        found = pp.motion_centers(scene, phi, share, origin=Origin.RING_CENTER)
+        found = pp.motion_centers(scene, phi, share, origin=Origin.SLIDER_CENTER)
         assert found == pytest.approx(from_ring, rel=1e-13, abs=0)
         found = pp.motion_centers(scene, phi, share)
         assert found == pytest.approx(from_ring + 3.0 * direction(PSI), rel=1e-13, abs=0)
@@ -44,7 +44,7 @@ def test_centers_are_where_nothing_moves(effects):
 
 def test_a_translation_has_its_center_at_infinity():
     assert np.all(np.isinf(pp.motion_centers(make_scene(2.0), PSI)))
-    assert np.all(np.isinf(pp.motion_centers(make_scene(2.0), PSI, origin=Origin.RING_CENTER)))
+    assert np.all(np.isinf(pp.motion_centers(make_scene(2.0), PSI, origin=Origin.SLIDER_CENTER)))
 
 
 def test_the_bound_of_the_paper_holds_every_motion_of_its_cases():

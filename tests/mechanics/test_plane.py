@@ -37,7 +37,7 @@ def test_direction_elsewhere():
 
 
 def test_moment_arm_sign():
-    """A force right of the ring centre turns the slider counter-clockwise."""
+    """A force right of the ring centre turns the slider counterclockwise."""
     assert moment_arm(OWN, toward(OWN, 0.0)) == pytest.approx(np.sqrt(2))
     assert moment_arm(OWN, toward(OWN, np.pi / 2)) == pytest.approx(-np.sqrt(2))
     assert moment_arm(OWN, toward(OWN, PSI)) == 0

@@ -206,14 +206,14 @@ def test_a_labelled_limit_curve_is_a_dataset():
     assert isinstance(found, xr.Dataset)
     units = {name: unit_of(found[name].attrs) for name in found.data_vars}
     assert units == {
-        "force_size": "force",
+        "magnitude": "force",
         "spin_ratio": "1",
         "motion_angle": "radian",
         "status": "1",
     }
     assert dict(found.sizes) == {"length": 3, "phi": 2}
     plain = pp.limit_curve(make_scene(VALUES["rod_length"][:, None]), np.array([0.1, 0.2]))
-    assert np.array_equal(found.force_size, plain.magnitude)
+    assert np.array_equal(found.magnitude, plain.magnitude)
     assert np.array_equal(found.motion_angle, plain.motion_angle)
 
 

@@ -12,7 +12,7 @@ def loads(rng, wrenches, count=4000):
     force = wrenches.radius * np.stack([size * np.cos(angle), size * np.sin(angle)], axis=-1)
     foot = np.zeros(2) if wrenches.foot is None else wrenches.foot
     torque = foot[0] * force[:, 1] - foot[1] * force[:, 0]
-    return wrenches.rest + np.column_stack([force, torque])
+    return wrenches.offset + np.column_stack([force, torque])
 
 
 def contacts(outline, wrenches):

@@ -1,4 +1,4 @@
-"""First touch of a moving disc, against distances that are sampled along the way."""
+"""First touch of a moving disc, against distances that are sampled along the fraction."""
 
 import numpy as np
 import pytest
@@ -25,13 +25,13 @@ def distances(outline, points):
 
 
 def star(random, corners):
-    """A random polygon around the origin, counter-clockwise, with reflex corners."""
+    """A random polygon around the origin, counterclockwise, with reflex corners."""
     angles = np.sort(random.uniform(0.0, 2.0 * np.pi, corners))
     sizes = random.uniform(0.4, 1.0, corners)
     return np.stack([sizes * np.cos(angles), sizes * np.sin(angles)], axis=-1)
 
 
-@pytest.mark.parametrize(("position", "displacement", "radius", "contact", "normal", "side", "way"), [
+@pytest.mark.parametrize(("position", "displacement", "radius", "contact", "normal", "side", "fraction"), [
     ((0.3, -3), (0, 4), 0.0, (0.3, -1), (0, 1), 0, 0.5),
     ((0.3, -3), (0, 4), 0.5, (0.3, -1), (0, 1), 0, 0.375),
     ((3, 0.2), (-4, 0), 0.5, (1, 0.2), (-1, 0), 1, 0.375),
@@ -43,11 +43,11 @@ def star(random, corners):
     ((0, -1.5), (0.1, 0.1), 0.5, (0, -1), (0, 1), 0, 0.0),
     ((0, -2), (0, 1), 0.0, (0, -1), (0, 1), 0, 1.0),
 ])  # fmt: skip
-def test_the_square(position, displacement, radius, contact, normal, side, way):
+def test_the_square(position, displacement, radius, contact, normal, side, fraction):
     touch = pp.first_touch(SQUARE, position, displacement, radius)
     assert touch.contact == pytest.approx(contact, abs=1e-15)
     assert touch.normal == pytest.approx(normal, abs=1e-15)
-    assert (int(touch.side), float(touch.way)) == (side, pytest.approx(way, abs=1e-15))
+    assert (int(touch.side), float(touch.fraction)) == (side, pytest.approx(fraction, abs=1e-15))
     assert bool(touch.corner) == (max(map(abs, contact)) == min(map(abs, contact)))
 
 
@@ -62,7 +62,7 @@ def test_the_square(position, displacement, radius, contact, normal, side, way):
 ])  # fmt: skip
 def test_one_that_misses_or_grazes_does_not_touch(position, displacement, radius):
     touch = pp.first_touch(SQUARE, position, displacement, radius)
-    assert np.isnan([*touch.contact, *touch.normal, touch.way]).all()
+    assert np.isnan([*touch.contact, *touch.normal, touch.fraction]).all()
     assert (int(touch.side), bool(touch.corner), float(touch.overlap)) == (-1, False, 0.0)
 
 
@@ -75,19 +75,21 @@ def test_a_reflex_corner_is_reached_by_its_sides():
     # Both at once: the contact is that of one of them.
     assert sorted(touch.contact[0].tolist()) == pytest.approx([0.0, 0.2], abs=1e-15)
     point = pp.first_touch(ELL, (0.5, 0.5), (-1, -1))
-    assert (bool(point.corner), float(point.way)) == (False, pytest.approx(0.5, abs=1e-15))
+    assert (bool(point.corner), float(point.fraction)) == (False, pytest.approx(0.5, abs=1e-15))
     assert point.contact == pytest.approx((0, 0), abs=1e-15)
 
 
-@pytest.mark.parametrize(("position", "displacement", "contact", "way"), [
+@pytest.mark.parametrize(("position", "displacement", "contact", "fraction"), [
     ((0.7, 0.2), (-1, 0), (0, 0.2), 0.5),  # along one side of the L to the other
     ((0.2, 0.2), (-1, 0.5), (0, 0.2), 0.0),  # in touch with both, and away from one
     ((0.2, 0.2), (0.5, -1), (0.2, 0), 0.0),
 ])  # fmt: skip
-def test_one_that_leaves_a_side_that_it_touches_meets_another(position, displacement, contact, way):
+def test_one_that_leaves_a_side_that_it_touches_meets_another(
+    position, displacement, contact, fraction
+):
     touch = pp.first_touch(ELL, position, displacement, 0.2)
     assert touch.contact == pytest.approx(contact, abs=1e-15)
-    assert touch.way == pytest.approx(way, abs=1e-15)
+    assert touch.fraction == pytest.approx(fraction, abs=1e-15)
 
 
 @pytest.mark.parametrize(("position", "radius", "contact", "normal"), [
@@ -100,12 +102,12 @@ def test_one_that_overlaps_a_little_touches_at_once(position, radius, contact, n
     touch = pp.first_touch(SQUARE, position, (0.1, 0.3), radius, tolerance=0.05)
     assert touch.contact == pytest.approx(contact, abs=1e-15)
     assert touch.normal == pytest.approx(normal, abs=1e-15)
-    assert (float(touch.way), 0.0 < touch.overlap <= 0.05) == (0.0, True)
+    assert (float(touch.fraction), 0.0 < touch.overlap <= 0.05) == (0.0, True)
     deep = pp.first_touch(SQUARE, position, (0.1, 0.3), radius, tolerance=0.01)
-    assert np.isnan(deep.way)
+    assert np.isnan(deep.fraction)
     assert deep.overlap == touch.overlap
     away = pp.first_touch(SQUARE, position, (-0.1, -0.3), radius, tolerance=0.05)
-    assert np.isnan(away.way)
+    assert np.isnan(away.fraction)
 
 
 @pytest.mark.parametrize("radius", [0.0, 0.05, 0.4])
@@ -117,29 +119,29 @@ def test_random_outlines_against_sampled_distances(radius, corners):
     start = start[distances(outline, start) > radius]
     motion = random.normal(size=start.shape) - start
     touch = pp.first_touch(outline, start, motion, radius)
-    assert 20 < np.isfinite(touch.way).sum() < len(start)
+    assert 20 < np.isfinite(touch.fraction).sum() < len(start)
     ways = np.linspace(0.0, 1.0, 400)
-    for k, way in enumerate(touch.way):
+    for k, fraction in enumerate(touch.fraction):
         nearest = distances(outline, start[k] + ways[:, None] * motion[k])
-        if np.isnan(way):
+        if np.isnan(fraction):
             assert nearest.min() > radius - 1e-12
             continue
-        center = start[k] + way * motion[k]
+        center = start[k] + fraction * motion[k]
         assert distances(outline, center[None]) == pytest.approx(radius, abs=1e-12)
         assert distances(outline, touch.contact[None, k]) == pytest.approx(0.0, abs=1e-12)
         assert center + radius * touch.normal[k] == pytest.approx(touch.contact[k], abs=1e-12)
         assert np.hypot(*touch.normal[k]) == pytest.approx(1.0, abs=1e-14)
-        assert (nearest[ways < way] > radius - 1e-12).all()
+        assert (nearest[ways < fraction] > radius - 1e-12).all()
         assert touch.normal[k] @ motion[k] > 0.0
 
 
 def test_shapes_are_those_of_the_pushes_and_the_sense_of_the_outline_does_not_count():
     starts = np.array([[(0.3, -3.0), (0.0, 3.0)], [(5.0, 5.0), (-3.0, 0.1)]])
     touch = pp.first_touch(SQUARE, starts, -0.9 * starts, np.array([0.1, 0.2]))
-    assert (touch.contact.shape, touch.way.shape) == ((2, 2, 2), (2, 2))
+    assert (touch.contact.shape, touch.fraction.shape) == ((2, 2, 2), (2, 2))
     assert touch == pp.first_touch(SQUARE[::-1], starts, -0.9 * starts, np.array([0.1, 0.2]))
     one = pp.first_touch(SQUARE, starts[1, 1], -0.9 * starts[1, 1], 0.2)
-    assert one.way == touch.way[1, 1]
+    assert one.fraction == touch.fraction[1, 1]
 
 
 @pytest.mark.parametrize(("changed", "said"), [

@@ -133,7 +133,7 @@ def test_trials_agree_about_the_feet_of_a_table(outline, foot, omega):
 def test_trials_agree_where_a_load_leaves_no_torque_about_the_foot():
     """All lines of force then pass through the origin of forces: each contact has one coefficient."""
     rng, twist = np.random.default_rng(11), about((1, 1))
-    rest = pp.wrench_set(TABLE, twist).rest
+    rest = pp.wrench_set(TABLE, twist).offset
     moment = rest[2] - (rest[1] - rest[0])
     pull = pp.Load(force=(4 * moment, 0.0), center=(1.0, 0.75))
     effects = (*TABLE, pp.Inertia(mass=1e-9), pull)

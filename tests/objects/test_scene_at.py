@@ -331,7 +331,7 @@ class TestUnits:
         assert found.center.units == "mm"
         assert "quantity" not in found.force.attrs
         assert pp.solve(self.scene(pp.Inertia()), angles).contact_motion.units == "mm s-2"
-        assert pp.limit_curve(self.scene(), angles).force_size.units == "N"
+        assert pp.limit_curve(self.scene(), angles).magnitude.units == "N"
         assert pp.motion_centers(self.scene(), angles).units == "mm"
 
     def test_logs_and_batches_have_them_too(self, tmp_path):

@@ -23,7 +23,7 @@ def smallest(wrenches, wrench, length):
     scale = np.array([1.0, 1.0, 1.0 / length])
     x, y = wrenches.foot
     lever = np.array([[1.0, 0.0], [0.0, 1.0], [-y, x]]) * scale[:, None]
-    away = (wrench - wrenches.rest) * scale
+    away = (wrench - wrenches.offset) * scale
     inside = np.linalg.lstsq(lever, away, rcond=None)[0]
     if np.linalg.norm(inside) <= wrenches.radius:
         return np.linalg.norm(away - lever @ inside)
@@ -48,12 +48,12 @@ def test_without_a_foot_on_the_center_it_is_the_wrench():
     twist = (1.5, -0.5, 1.0)
     effects = (pp.SupportFriction(support=pp.Polygon(SQUARE)),)
     found = pp.wrench_set(effects, twist)
-    assert found.rest == pytest.approx((0.88059012, -0.28398883, 0.22779024), abs=1e-8)
+    assert found.offset == pytest.approx((0.88059012, -0.28398883, 0.22779024), abs=1e-8)
     assert (found.foot, found.radius) == (None, 0.0)
     assert found.length == pytest.approx(np.sqrt(2))
-    assert found.distance(found.rest) == 0.0
-    assert found.distance([*found.rest[:2], 0.0]) == pytest.approx(0.22779024 / np.sqrt(2))
-    assert found.distance([*found.rest[:2], 0.0], length=0.1) == pytest.approx(2.2779024)
+    assert found.distance(found.offset) == 0.0
+    assert found.distance([*found.offset[:2], 0.0]) == pytest.approx(0.22779024 / np.sqrt(2))
+    assert found.distance([*found.offset[:2], 0.0], length=0.1) == pytest.approx(2.2779024)
 
 
 def test_the_foot_about_which_it_turns():
@@ -62,9 +62,9 @@ def test_the_foot_about_which_it_turns():
     assert found.radius == pytest.approx(1.5)
     slant = np.sqrt(0.5)
     force = 0.5 * slant * np.array([1, -1]) + [0, -2.0] + [1.0, 0]
-    assert found.rest[:2] == pytest.approx(force)
+    assert found.offset[:2] == pytest.approx(force)
     # The torque about the foot, and from there about the origin.
-    assert found.rest[2] == pytest.approx(0.5 * 2 * np.sqrt(2) + 4.0 + 2.0 + force[1] - force[0])
+    assert found.offset[2] == pytest.approx(0.5 * 2 * np.sqrt(2) + 4.0 + 2.0 + force[1] - force[0])
 
 
 @pytest.mark.parametrize("kind", ["points", "polygon", "disc", "composite"])
@@ -89,17 +89,17 @@ def test_the_rim_is_the_load_of_centers_beside_the_foot():
         beside = about(found.foot + 1e-7 * np.array([np.cos(angle), np.sin(angle)]), 2.0)
         load = pp.wrench(FEET[0], beside)
         assert found.distance(load) < 1e-6
-        assert np.hypot(*(load - found.rest)[:2]) == pytest.approx(found.radius, abs=1e-6)
+        assert np.hypot(*(load - found.offset)[:2]) == pytest.approx(found.radius, abs=1e-6)
 
 
 def test_a_center_near_a_foot_counts_within_a_distance():
     twist = about((1.003, 1.0), 2.0)
     assert pp.wrench_set(FEET, twist).foot is None
-    assert pp.wrench_set(FEET, twist, within=0.0029).foot is None
-    found = pp.wrench_set(FEET, twist, within=0.0031)
+    assert pp.wrench_set(FEET, twist, tolerance=0.0029).foot is None
+    found = pp.wrench_set(FEET, twist, tolerance=0.0031)
     assert found.foot.tolist() == [1.0, 1.0]
     assert found.distance(pp.wrench(FEET[0], twist)) < 1e-14
-    assert pp.wrench_set(FEET, about((0.9, 0.0)), within=5.0).foot.tolist() in ([1, 1], [1, -1])
+    assert pp.wrench_set(FEET, about((0.9, 0.0)), tolerance=5.0).foot.tolist() in ([1, 1], [1, -1])
 
 
 def test_feet_of_several_effects_at_one_place_add():
@@ -110,34 +110,36 @@ def test_feet_of_several_effects_at_one_place_add():
     # The foot at the center, the disc, and the mass.
     speed = 2.0 * np.array([1.0, -1.0])
     disc = pp.wrench(pp.SupportFriction(support=pp.Disc(0.5), weight=2.0), ABOUT)
-    own = pp.wrench_set(FEET, ABOUT).rest
+    own = pp.wrench_set(FEET, ABOUT).offset
     force = 2.0 * speed / np.hypot(*speed)
     rest = own + disc + [*force, 0.0] + [*(2.0 * speed), 2.0 * 2.0]
-    assert found.rest == pytest.approx(rest)
+    assert found.offset == pytest.approx(rest)
 
 
 def test_a_translation_has_no_foot_at_rest():
     found = pp.wrench_set(FEET, (0.0, -3.0, 0.0))
     assert found.foot is None
-    assert found.rest == pytest.approx((0.0, -5.0, 0.0 - 5.0 * (1 - 2 - 3 + 4) / 10 + 0.0))
+    assert found.offset == pytest.approx((0.0, -5.0, 0.0 - 5.0 * (1 - 2 - 3 + 4) / 10 + 0.0))
 
 
 def test_viscous_friction_is_absent_where_there_is_inertia():
     viscous, mass = pp.Viscous(support=pp.Disc(1.0), coefficient=0.5), pp.Inertia(mass=2.0)
     twist = np.array([1.0, 0.5, -2.0])
-    assert pp.wrench_set((viscous,), twist).rest == pytest.approx(pp.wrench(viscous, twist))
-    assert pp.wrench_set((viscous, mass), twist).rest == pytest.approx(pp.wrench(mass, twist))
+    assert pp.wrench_set((viscous,), twist).offset == pytest.approx(pp.wrench(viscous, twist))
+    assert pp.wrench_set((viscous, mass), twist).offset == pytest.approx(pp.wrench(mass, twist))
 
 
 def test_a_load_acts_at_its_point_and_by_default_at_the_center():
-    bare = pp.wrench_set(FEET, ABOUT).rest
+    bare = pp.wrench_set(FEET, ABOUT).offset
     pulled = (*FEET, pp.Load(force=(0.3, 0.7), center=(2.0, -1.0)))
-    assert pp.wrench_set(pulled, ABOUT).rest == pytest.approx(bare - [0.3, 0.7, 1.4 + 0.3])
+    assert pp.wrench_set(pulled, ABOUT).offset == pytest.approx(bare - [0.3, 0.7, 1.4 + 0.3])
     x, y = FEET[0].support.center_of_pressure
     middle = (*FEET, pp.Load(force=(0.3, 0.7)))
-    assert pp.wrench_set(middle, ABOUT).rest == pytest.approx(bare - [0.3, 0.7, x * 0.7 - y * 0.3])
+    assert pp.wrench_set(middle, ABOUT).offset == pytest.approx(
+        bare - [0.3, 0.7, x * 0.7 - y * 0.3]
+    )
     mass = pp.Inertia(mass=2.0, center=(0.5, 0.25))
-    heavy = pp.wrench_set((mass, pp.Load(force=(0.3, 0.7))), ABOUT).rest
+    heavy = pp.wrench_set((mass, pp.Load(force=(0.3, 0.7))), ABOUT).offset
     assert heavy == pytest.approx(pp.wrench(mass, ABOUT) - [0.3, 0.7, 0.5 * 0.7 - 0.25 * 0.3])
 
 
@@ -146,7 +148,7 @@ def test_a_load_acts_at_its_point_and_by_default_at_the_center():
 def test_the_nearest_wrench(foot, length):
     rng, scale = np.random.default_rng(4), np.array([1.0, 1.0, length])
     rest = rng.normal(size=3) * scale
-    found = pp.WrenchSet(rest=rest, foot=np.array(foot), radius=0.7, length=length)
+    found = pp.WrenchSet(offset=rest, foot=np.array(foot), radius=0.7, length=length)
     away = 10.0 ** rng.uniform(-3, 3, 60)[:, None] * rng.normal(size=(60, 3))
     wrench = rest + away * scale
     near, distances = found.nearest(wrench), found.distance(wrench)
@@ -166,9 +168,9 @@ def test_wrenches_of_the_set_and_of_its_rim_are_at_no_distance():
     rng = np.random.default_rng(5)
     found = pp.wrench_set(FEET, ABOUT)
     assert found.distance(loads(rng, found, 200)) == pytest.approx(np.zeros(200), abs=1e-14)
-    assert found.nearest(found.rest) == pytest.approx(found.rest)
+    assert found.nearest(found.offset) == pytest.approx(found.offset)
     # Straight out from the rim where the torque about the foot stays: the foot's force is then too large.
-    out = found.rest + 2.0 * found.radius * np.array([1.0, 1.0, 0.0]) / np.sqrt(2)
+    out = found.offset + 2.0 * found.radius * np.array([1.0, 1.0, 0.0]) / np.sqrt(2)
     assert found.distance(out, length=1e9) == pytest.approx(found.radius)
 
 
@@ -222,8 +224,8 @@ def test_wrong_wrenches_and_lengths():
             found.distance(wrench)
     with pytest.raises(pp.InvalidValue, match="a finite number > 0"):
         found.distance([1.0, 2.0, 3.0], length=0.0)
-    with pytest.raises(pp.InvalidValue, match="within: -1"):
-        pp.wrench_set(FEET, ABOUT, within=-1.0)
+    with pytest.raises(pp.InvalidValue, match="tolerance: -1"):
+        pp.wrench_set(FEET, ABOUT, tolerance=-1.0)
 
 
 def test_a_small_object_far_from_its_origin():

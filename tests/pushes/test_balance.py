@@ -8,7 +8,7 @@ from scipy.optimize import minimize, nnls
 
 import planar_pushing as pp
 from planar_pushing.pushes.balance import _violation, balance, fit_balance, ridge, solve_balance
-from planar_pushing.pushes.candidates import Family, even_and_corners, points
+from planar_pushing.pushes.candidates import Family, points, uniform_and_corners
 from planar_pushing.pushes.measured import measured
 from pushes.written import TRIANGLE, feet
 
@@ -60,7 +60,7 @@ def test_without_places_at_rest_it_is_nonnegative_least_squares():
 
 def test_with_places_at_rest_it_is_a_cone_program():
     """By SLSQP over amounts and forces, each at most the weight of its place."""
-    family = even_and_corners(np.array(TRIANGLE), 30.0)
+    family = uniform_and_corners(np.array(TRIANGLE), 30.0)
     pushes = replace(pushed(6), noise=(0.5, 0.005, 0.05))
     problem = balance(pushes, family, family.columns @ np.full(4, 1.25))
     count, pairs = 4, len(problem.pairs)

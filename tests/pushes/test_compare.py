@@ -15,7 +15,7 @@ from pushes.written import TRIANGLE, feet, small
 
 NOISE = (0.5, 0.3, 0.05)
 FEET = feet()[0].support
-QUICK = ["exact", "uniform", "exact_ellipsoid", "uniform_ellipsoid"]
+QUICK = ["known_feet", "uniform", "known_feet_ellipsoid", "uniform_ellipsoid"]
 
 
 def pushed(count, **options):
@@ -36,9 +36,9 @@ def test_exact_feet_beat_every_other_model(found):
     assert found["model"].values.tolist() == list(MODELS)
     for quantity in ("motion", "pose"):
         median = found["median"].sel(quantity=quantity)
-        assert (median.sel(model="exact") <= median).all(), quantity
+        assert (median.sel(model="known_feet") <= median).all(), quantity
         assert median.sel(model="identified") < 0.8 * median.sel(model="fitted_ellipsoid")
-    ratio = found.sel(quantity="motion", model="exact")
+    ratio = found.sel(quantity="motion", model="known_feet")
     assert float(ratio["ratio"]) < 0.6
     assert float(ratio["ratio_interval"].sel(bound="high")) < 0.8
     assert float(ratio["difference_interval"].sel(bound="high")) < 0.0
@@ -67,10 +67,10 @@ def test_halves_are_disjoint_and_every_push_is_scored(pushes, monkeypatch):
         scores.append(part)
         return errors_of(model, friction, part)
 
-    monkeypatch.setitem(room.MODELS, "exact", recorded)
+    monkeypatch.setitem(room.MODELS, "known_feet", recorded)
     monkeypatch.setitem(room.MODELS, "fitted_ellipsoid", recorded)
     monkeypatch.setattr(room, "errors_of", scored)
-    names = ["exact"]
+    names = ["known_feet"]
     odd = pushes.isel(push=slice(59))
     found = pp.compare(odd, names, seed=3, resamples=2)
     contacts = [each.pushes.contact for each in fits]
@@ -85,7 +85,7 @@ def test_halves_are_disjoint_and_every_push_is_scored(pushes, monkeypatch):
     assert fits[0].dataset["contact"].values.tolist() == contacts[0].tolist()
     # Every push has the error of this model, in its own place.
     expected = errors_of(OnSupport(FEET), 0.25, measured(odd))
-    assert found["error"].sel(model="exact").values == pytest.approx(expected)
+    assert found["error"].sel(model="known_feet").values == pytest.approx(expected)
     fits.clear()
     pp.compare(odd, names, seed=4, resamples=2)
     assert set(map(tuple, fits[0].pushes.contact.tolist())) not in (rows[0], rows[2])
@@ -129,7 +129,7 @@ def test_models_of_ones_own(pushes):
     found = pp.compare(pushes.isel(push=slice(24)), own, resamples=5, spacing=40.0)
     assert found["model"].values.tolist() == ["guess", "truth", *MODELS]
     errors = found["error"]
-    assert errors.sel(model="truth").values == pytest.approx(errors.sel(model="exact").values)
+    assert errors.sel(model="truth").values == pytest.approx(errors.sel(model="known_feet").values)
     median = found["median"].sel(quantity="wrench")
     assert median.sel(model="truth") < median.sel(model="guess")
 
@@ -157,8 +157,8 @@ def test_pushes_without_force_among_others(pushes):
     force = pushes["force"].values[:16].copy()
     force[3] = np.nan
     some = pushes.isel(push=slice(16)).assign(force=(("push", "xy"), force, {"units": "N"}))
-    error = pp.compare(some, ["exact"], resamples=2)["error"]
-    missing = np.isnan(error.sel(model="exact"))
+    error = pp.compare(some, ["known_feet"], resamples=2)["error"]
+    missing = np.isnan(error.sel(model="known_feet"))
     assert missing.sel(quantity="motion").values.tolist() == [k == 3 for k in range(16)]
     assert not missing.sel(quantity="pose").any()
 
@@ -170,7 +170,7 @@ def test_two_objects_are_fitted_apart(pushes):
     found = pp.compare(pp.concat_pushes([other, one]), QUICK, resamples=5)
     assert found["object"].values.tolist() == ["plate", "object"]
     plates = (found["pushed"] == "plate").values
-    exact = found["error"].sel(model="exact").values
+    exact = found["error"].sel(model="known_feet").values
     assert np.isnan(exact[:, plates]).all()
     assert np.isfinite(exact[:, ~plates]).all()
     alone = pp.compare(one, QUICK, resamples=5)["error"]
@@ -194,13 +194,13 @@ def test_the_fitted_ellipsoid_is_found_again():
 
 
 @pytest.mark.parametrize(("models", "options", "said"), [
-    (["exakt"], {}, "models: 'exakt' given; allowed: a sequence of exact, identified,"),
-    ("exact", {}, "models: 'exact' given; allowed: a sequence of"),
+    (["exakt"], {}, "models: 'exakt' given; allowed: a sequence of known_feet, identified,"),
+    ("known_feet", {}, "models: 'known_feet' given; allowed: a sequence of"),
     (3, {}, "models: 3 given; allowed: a sequence of"),
-    ({"exact": FEET}, {}, "models: {'exact': Points("),
+    ({"known_feet": FEET}, {}, "models: {'known_feet': Points("),
     ({"mine": 3}, {}, "models: {'mine': 3} given; allowed: supports under names of your own"),
-    (["exact"], {"resamples": 0}, "resamples: 0 given; allowed: a whole number >= 1"),
-    (["exact"], {"seed": -1}, "seed: -1 given; allowed: a whole number >= 0"),
+    (["known_feet"], {"resamples": 0}, "resamples: 0 given; allowed: a whole number >= 1"),
+    (["known_feet"], {"seed": -1}, "seed: -1 given; allowed: a whole number >= 0"),
     (["identified"], {"family": "line"}, "family: 'line' given; allowed: points,"),
 ])  # fmt: skip
 def test_wrong_input(pushes, models, options, said):

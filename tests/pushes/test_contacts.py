@@ -86,7 +86,7 @@ def test_a_push_that_slides_onto_one_side(name, turned):
     side = int(np.argmax(contacts.aligned[:2]))
     found = final_poses(MODELS[name], pushes, 0.1)[0]
     assert found == pytest.approx(ends.poses[side], abs=1e-12)
-    # The side x = 1: pushed at its upper end towards -x it turns counter-clockwise.
+    # The side x = 1: pushed at its upper end towards -x it turns counterclockwise.
     assert matrix.T @ contacts.normal[side] == pytest.approx([-1, 0], abs=1e-12)
     x, y = matrix.T @ found[:2]
     assert x < -0.05

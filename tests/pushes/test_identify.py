@@ -112,7 +112,7 @@ def test_known_feet(noisy):
         assert found.undetermined == ()
 
 
-@pytest.mark.parametrize("family", ["points", "even_and_corners", "ellipse", "map"])
+@pytest.mark.parametrize("family", ["points", "uniform_and_corners", "ellipse", "map"])
 def test_each_family_finds_an_even_plate(family):
     plate = pp.SupportFriction(support=pp.Polygon(TRIANGLE), weight=5.0)
     pushes = pp.simulate_pushes((plate,), TRIANGLE, 40, noise=NOISE, seed=3)
@@ -127,7 +127,7 @@ def test_weight_at_the_corners_is_told_from_an_even_pressure():
     support = pp.Composite([(2, pp.Polygon(TRIANGLE)), (1, pp.Points([CORNERS[1]], [1]))])
     effects = (pp.SupportFriction(support=support, weight=5.0),)
     pushes = pp.simulate_pushes(effects, TRIANGLE, 40, noise=NOISE, seed=3)
-    found = pp.identify(pushes, family="even_and_corners", resamples=5)
+    found = pp.identify(pushes, family="uniform_and_corners", resamples=5)
     assert weight_near(found.support, CORNERS[1], 1e-6) == pytest.approx(1 / 3, abs=0.04)
     for corner in (CORNERS[0], CORNERS[2]):
         assert weight_near(found.support, corner, 1e-6) < 0.04
@@ -228,11 +228,12 @@ def not_finite():
     (small, {"spacing": 1e9, "known": [(0.0, 0.0)]}, "spacing: 1000000000.0 given; allowed: a number from"),
     (small, {"spacing": "wide"}, "spacing: 'wide' given; allowed: a number from 0.02 to 2"),
     (small, {"spacing": -1.0}, "spacing: -1.0 given; allowed: a number from 0.02 to 2"),
-    (small, {"family": "point"}, "family: 'point' given; allowed: points, even_and_corners, ellipse, map"),
-    (small, {"family": "even_and_corners", "resamples": 0}, "resamples: 0 given; allowed: a whole number"),
+    (small, {"family": "point"},
+     "family: 'point' given; allowed: points, uniform_and_corners, ellipse, map"),
+    (small, {"family": "uniform_and_corners", "resamples": 0}, "resamples: 0 given; allowed: a whole"),
     (small, {"resamples": 0.5}, "resamples: 0.5 given; allowed: a whole number >= 1"),
     (small, {"seed": "a"}, "seed: 'a' given; allowed: a whole number >= 0"),
-    (lambda: small().isel(push=slice(1)), {}, "pushes: '1 pushes for 4 candidates' given; allowed:"),
+    (lambda: small().isel(push=slice(1)), {}, "pushes: '1 push for 4 candidates' given; allowed:"),
     (corner_pushes, {}, "pushes: 'pushes that touch a corner first' given; allowed: some that"),
     (not_finite, {}, "displacement: 'nan of push 1' given; allowed: finite numbers"),
     (lambda: xr.Dataset(), {}, "pushes: 'a dataset without pushed, outline"),

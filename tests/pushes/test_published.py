@@ -92,9 +92,13 @@ def test_the_numbers_of_a_folder(tmp_path):
     for part in ("three_feet", "patch"):
         assert found[part]["comparison"].keys() == {"wrench", "motion", "pose"}
     motion = found["three_feet"]["comparison"]["motion"]
-    assert motion["exact"]["median"] < motion["identified"]["median"] < motion["uniform"]["median"]
+    assert (
+        motion["known_feet"]["median"]
+        < motion["identified"]["median"]
+        < motion["uniform"]["median"]
+    )
     assert motion["fitted_ellipsoid"]["ratio"] == 1.0
-    assert "exact" not in found["patch"]["comparison"]["motion"]
+    assert "known_feet" not in found["patch"]["comparison"]["motion"]
     polygons = found["polygons"]
     assert polygons["comparison"].keys() == polygons["with_corners"].keys() == {"pose"}
     assert polygons["objects"]["abs_rect1"].keys() == polygons["comparison"]["pose"].keys()

@@ -16,7 +16,7 @@ def test_the_copy_has_units_names_and_doubles():
     found = required_pushes(given)
     assert found["rotation"].dtype == found["contact"].dtype == np.float64
     assert found["rotation"].attrs == {
-        "units": "degree", "long_name": "rotation of the object, counter-clockwise",
+        "units": "degree", "long_name": "rotation of the object, counterclockwise",
     }  # fmt: skip
     assert found["displacement"].attrs["units"] == found["contact"].attrs["units"] == "mm"
     assert found["normal"].attrs["units"] == "1"

@@ -102,7 +102,7 @@ def replaced(number, text):
     ("patch", replaced(1, "13"), "cut short in push 13 of 13 after line 1309, where the pose before"),
     ("patch", replaced(4, "99"), "line 104 (push 1 of 12) holds 3 numbers, where the number of tool poses "
      "is expected: the counts do not match"),
-    ("patch", replaced(4, "101"), "line 105 (push 1 of 12) holds 1 numbers, where a force sample has 3: "
+    ("patch", replaced(4, "101"), "line 105 (push 1 of 12) holds 1 number, where a force sample has 3: "
      "the counts do not match"),
     ("patch", replaced(4, "2.5"),
      "line 4 (push 1 of 12) holds 2.5, where the number of force samples is expected, at least 0"),

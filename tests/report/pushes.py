@@ -12,11 +12,11 @@ FEET = {
     "30_63.33_43.33_30_43.33_63.33": [[30.0, 30.0], [63.33, 43.33], [43.33, 63.33]],
 }
 #: Medians of each model, degrees or mm, by quantity.
-ANGLES = {"exact": 6.0, "identified": 7.0, "uniform": 15.0, "exact_ellipsoid": 12.0,
+ANGLES = {"known_feet": 6.0, "identified": 7.0, "uniform": 15.0, "known_feet_ellipsoid": 12.0,
           "uniform_ellipsoid": 14.0, "fitted_ellipsoid": 10.0}  # fmt: skip
 QUANTITIES = {"wrench": 0.5, "motion": 1.0, "pose": 0.25}
 #: Models without the feet of an object.
-OTHERS = [name for name in ANGLES if "exact" not in name]
+OTHERS = [name for name in ANGLES if "known" not in name]
 
 
 def compared(models, quantities=QUANTITIES, factor=1.0):

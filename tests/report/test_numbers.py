@@ -172,7 +172,7 @@ def numbers(results):
         ("pushes-objects", "2"),
         ("pushes-sides", "300"),
         ("pushes-objects-better", "1"),
-        ("pushes-feet-motion-exact", "6.0"),
+        ("pushes-feet-motion-known-feet", "6.0"),
         ("pushes-feet-pose-fitted-ellipsoid", "2.5"),
         ("pushes-face-motion-uniform", "22.5"),
         ("pushes-sides-pose-ratio-low", "0.63"),

@@ -48,7 +48,7 @@ def test_places_behind_the_last_solution_have_no_values(results):
     held = xr.DataArray(np.arange(modes.sizes["solution"]), dims="solution") < modes.solutions
     assert (modes.consistent == held).all()
     assert ((modes["mode"] == -1) == ~held).all()
-    assert modes["mode"].attrs["comment"] == "-1 behind the last solution"
+    assert modes["mode"].attrs["comment"] == "-1 after the last solution"
     for name in ("force", "twist", "contact_motion", "spin_ratio"):
         assert (modes[name].isnull() == ~held).all(), name
     rests = (modes.twist == 0).all("twist_component")

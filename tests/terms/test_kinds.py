@@ -41,7 +41,7 @@ def test_a_scene_is_a_scene(function, given):
 def test_origin_of_centers(given):
     check(
         lambda: pp.motion_centers(make_scene(1.0), 1.0, origin=given), "origin", given,
-        "contact, ring-center", "name one of these points",
+        "contact, slider-center", "name one of these points",
     )  # fmt: skip
 
 

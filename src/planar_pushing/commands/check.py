@@ -14,7 +14,7 @@ from planar_pushing.study.studies import (
     paper_file,
     study_folder,
 )
-from planar_pushing.terms.errors import InvalidFile, InvalidValue
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, number_of
 
 
 def add(commands: Commands) -> None:
@@ -78,7 +78,8 @@ def _short(text: str) -> str:
     lines = text.rstrip().splitlines()
     kept = [line for line in lines if not line.startswith("ok ")]
     agree = len(lines) - len(kept)
-    return "\n".join([*kept, *([f"{agree} variables agree; --json lists them"] if agree else [])])
+    agreeing = [f"{number_of(agree, 'variable')} agree; --json lists them"] if agree else []
+    return "\n".join([*kept, *agreeing])
 
 
 def _points(folder: Path, file: Path, number: int) -> Any:

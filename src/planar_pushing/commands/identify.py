@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 #: Families of supports: name and help.
 FAMILIES = {
     "points": "a weight at each point of a grid",
-    "even_and_corners": "a uniform pressure, and a weight at each corner",
+    "uniform_and_corners": "a uniform pressure, and a weight at each corner",
     "ellipse": "uniform pressures within ellipses",
     "map": "a pressure interpolated linearly between points of a grid",
 }

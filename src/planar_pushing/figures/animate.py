@@ -28,6 +28,7 @@ from planar_pushing.figures.style import paper_style
 from planar_pushing.figures.timeline import plotted
 from planar_pushing.study.files.replacing import replacing
 from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.renamed import renamed_keywords
 
 #: Size of a picture in inches, its pixels per inch, and the padding around the drawing in points.
 SIZE, DPI, PAD = (4.2, 3.2), 120, 16.0
@@ -48,8 +49,13 @@ class Animation:
         return f'<img alt="motion over time" src="data:image/gif;base64,{data}">'
 
 
+@renamed_keywords(rate="frames_per_second")
 def animate(
-    log: xr.Dataset, path: PathLike | None = None, *, frames: int = 75, rate: float = 25.0
+    log: xr.Dataset,
+    path: PathLike | None = None,
+    *,
+    frames: int = 75,
+    frames_per_second: float = 25.0,
 ) -> Animation:
     """Draw a log as an animated GIF; its bytes depend only on the log.
 
@@ -61,8 +67,8 @@ def animate(
         File to write, completely or not at all; its name ends in .gif.
     frames : int
         Number of frames, evenly spaced over the duration of the log, 2 to 1000.
-    rate : float
-        Frames per second, in (0, 50]; the format stores time in hundredths of a second.
+    frames_per_second : float
+        In (0, 50]; the format stores time in hundredths of a second.
 
     Returns
     -------
@@ -82,9 +88,10 @@ def animate(
         "frames", frames, lambda n: 2 <= n <= 1000 and n == int(n), FRAMES, "choose another number"
     )
     require_number(
-        "frames_per_second", rate, lambda x: 0 < x <= 50, "a number in (0, 50]", "slow it down"
-    )
-    found = Animation(_gif(resampled(plotted(log), frames), rate), frames)
+        "frames_per_second", frames_per_second, lambda x: 0 < x <= 50, "a number in (0, 50]",
+        "slow it down",
+    )  # fmt: skip
+    found = Animation(_gif(resampled(plotted(log), frames), frames_per_second), frames)
     if path is not None:
         with replacing(path) as temporary:
             temporary.write_bytes(found.gif)

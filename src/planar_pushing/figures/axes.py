@@ -69,7 +69,7 @@ def _area(ax: Axes, area: Area, sheet: Sheet) -> None:
 
 
 def _wound(paths: list[Path]) -> list[Path]:
-    """Paths with the first counter-clockwise and the others clockwise, so that these are holes."""
+    """Paths with the first counterclockwise and the others clockwise, so that these are holes."""
     found = []
     for index, path in enumerate(paths):
         x, y = np.asarray(path.vertices).T

@@ -26,10 +26,10 @@ class Look(NamedTuple):
 
 #: Styles of the models of `compare`; their colors differ in gray level.
 LOOKS: dict[str, Look] = {
-    "exact": Look("known feet", "#0A2E66"),
+    "known_feet": Look("known feet", "#0A2E66"),
     "identified": Look("identified pressure", "#B5400A"),
     "uniform": Look("uniform pressure", "#3E5A2A"),
-    "exact_ellipsoid": Look("ellipsoid of known feet", "#3C86CC", "D"),
+    "known_feet_ellipsoid": Look("ellipsoid of known feet", "#3C86CC", "D"),
     "uniform_ellipsoid": Look("ellipsoid of uniform pressure", "#A1934A", "D"),
     "fitted_ellipsoid": Look("fitted ellipsoid", "#1C1C1C", "D"),
 }

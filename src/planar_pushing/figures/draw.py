@@ -25,6 +25,7 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.renamed import renamed_keywords
 
 #: Sizes of the pictures of a scene and of a log, inches; padding, points.
 SCENE, LOG, PAD = (4.2, 4.0), (7.0, 3.2), 24.0
@@ -38,10 +39,11 @@ SERIES = {
 }
 
 
+@renamed_keywords(magnitude="pusher_magnitude")
 def draw(
     scene: Scene,
     pusher_angle: float | None = None,
-    magnitude: float = 1.0,
+    pusher_magnitude: float = 1.0,
     *,
     solution: int | ContactMode | None = None,
     cones: bool = True,
@@ -55,9 +57,9 @@ def draw(
     scene : Scene
         A single scene with scalar parameters.
     pusher_angle : float, optional
-        Direction of the pusher's motion, radians counter-clockwise from the fence; if omitted, the picture
+        Direction of the pusher's motion, radians counterclockwise from the fence; if omitted, the picture
         shows the slider and its cones.
-    magnitude : float
+    pusher_magnitude : float
         Magnitude of this motion: of a velocity, or of an acceleration if the scene has inertia; >= 0.
     solution : int or ContactMode, optional
         Number or mode of the solution to draw in full; the others are pale. By default the sticking
@@ -83,11 +85,12 @@ def draw(
     if pusher_angle is None:
         sketch = Sketch.of(scene)
     else:
-        for name, given in (("pusher_angle", pusher_angle), ("magnitude", magnitude)):
+        push = {"pusher_angle": pusher_angle, "pusher_magnitude": pusher_magnitude}
+        for name, given in push.items():
             require_number(name, given, math.isfinite, "a finite number", "draw one push at a time")
-        found = solve(scene, pusher_angle, magnitude)
+        found = solve(scene, pusher_angle, pusher_magnitude)
         chosen = None if solution is None else _number(list(found), solution)
-        sketch = Sketch.of(scene, pusher_angle, magnitude, found=found, chosen=chosen)
+        sketch = Sketch.of(scene, pusher_angle, pusher_magnitude, found=found, chosen=chosen)
     return _drawn(with_curve(sketch, scene) if limit_curve else sketch, cones, ax)
 
 

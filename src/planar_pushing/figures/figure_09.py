@@ -74,7 +74,7 @@ def caption(data: xr.Dataset) -> str:
         "Acceleration cones for inertia alone, from rest. The acceleration centers c_r and c_l are "
         "the force duals of the edges f_r and f_l of the friction cone. The friction cone allows "
         "the heavy part of the line of centers, which passes through infinity, with "
-        "counter-clockwise (+) or clockwise (−) rotation. (a) The pusher's acceleration a_p is "
+        "counterclockwise (+) or clockwise (−) rotation. (a) The pusher's acceleration a_p is "
         "inside the acceleration cone and points away from the slider: pulling is consistent. "
         "(b) a_p points above the fence and is outside the cone: slip is the only solution "
         f"({pushes}; "

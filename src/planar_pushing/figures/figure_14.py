@@ -40,7 +40,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
     sizes = motions[0][["radius", "rod_length"]]
     moving = [motion.drop_vars(list(sizes)) for motion in motions]
     data = xr.concat(moving, policies, join="exact", combine_attrs="override").merge(sizes)
-    names = {"units": "1", "long_name": "which mode is taken where several are consistent"}
+    names = {"units": "1", "long_name": "mode that is chosen if several are consistent"}
     data["policy"].attrs = names
     return titled(data, "Pulling over time", sources)
 

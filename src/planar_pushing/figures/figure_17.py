@@ -33,7 +33,9 @@ ALONG_FENCE = 1e-12
 TICKS = np.array([0.5, 1, 1.5, 2, 3, 5, 10, np.inf])
 #: A larger change of the friction angle between two samples, degrees, is a jump.
 JUMP = 8.0
-LEAST = "smallest coefficient of friction with which the contact can pull; infinite where none can"
+LEAST = (
+    "smallest coefficient of friction with which the contact can pull; infinite if it cannot pull"
+)
 
 
 def pulling_friction(scenes: Scene) -> xr.DataArray:
@@ -71,7 +73,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
     for axis, rod in rods.items():
         law = named(axis, inertia_friction(*rod), "1", f"{LEAST}; of the ring with inertia alone")
         data[f"inertia_over_{axis}"] = law
-    return titled(data, "How much friction pulling takes", sources)
+    return titled(data, "How much friction pulling requires", sources)
 
 
 def caption(data: xr.Dataset) -> str:

@@ -25,7 +25,7 @@ FIGURE = Figure(
     column=(COLUMN, 9.0),
     section=SECTION,
 )
-PART = "part of the pushes into the slider, from 0 to 180 degrees, that slip"
+PART = "fraction of the pushes into the slider, from 0 to 180 degrees, that slip"
 #: Upper end of the axis of fractions in all panels, percent.
 HIGHEST = 41.0
 

@@ -230,7 +230,7 @@ class Picture:
         self, right: float, left: float, radius: float, color: str, *, apex: Place = (0.0, 0.0),
         strength: float = 0.16, order: float = AREAS + 0.5, hatch: str = "",
     ) -> None:  # fmt: skip
-        """Add a cone of directions counter-clockwise from right to left, radians; a line if they are equal.
+        """Add a cone of directions counterclockwise from right to left, radians; a line if they are equal.
 
         It covers the cones drawn before, so the largest must be drawn first.
         """
@@ -258,7 +258,7 @@ class Picture:
             self.label(place, text, color=color, offset=away)
 
     def turning(self, place: Place, sense: float, radius: float, color: str) -> None:
-        """Add a curved arrow around a center, counter-clockwise for a positive sense."""
+        """Add a curved arrow around a center, counterclockwise for a positive sense."""
         turns = np.deg2rad(np.linspace(-30.0, 210.0, 25))
         points = direction(turns) * [1.0 if sense > 0 else -1.0, 1.0]
         around = np.asarray(place, dtype=float) + radius * points

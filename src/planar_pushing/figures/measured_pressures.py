@@ -23,7 +23,7 @@ FIGURE = Figure(
     column=(COLUMN, 5.6),
 )
 #: Colors of true and of identified quantities, as in the comparison of models.
-TRUE, FOUND = LOOKS["exact"].color, LOOKS["identified"].color
+TRUE, FOUND = LOOKS["known_feet"].color, LOOKS["identified"].color
 #: Radius of a disc for the whole weight, relative to the outline's extent; fraction shown in the key.
 WHOLE, KEY = 0.13, 0.25
 #: Side of the frame of the enlarged centers, relative to the outline's extent; largest enlargement.

@@ -20,7 +20,7 @@ RESOLUTION = 8 * EPSILON
 
 @dataclass(frozen=True, slots=True)
 class AngleInterval:
-    """Directions from `right` counter-clockwise to `left`, radians, unwrapped: right <= left.
+    """Directions from `right` counterclockwise to `left`, radians, unwrapped: right <= left.
 
     ``angle in interval`` tests one direction, and `contains` an array of directions.
 

@@ -28,6 +28,7 @@ from planar_pushing.mechanics.plane import (
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
+from planar_pushing.terms.renamed import renamed_value
 from planar_pushing.terms.units import named_units
 
 if TYPE_CHECKING:
@@ -38,11 +39,14 @@ class Origin(StrEnum):
     """The point to which positions are relative."""
 
     CONTACT = "contact"
-    RING_CENTER = "ring-center"
+    SLIDER_CENTER = "slider-center"
+    RING_CENTER = SLIDER_CENTER
 
 
 #: The enum, or its value.
-OriginName = Origin | Literal["contact", "ring-center"]
+OriginName = Origin | Literal["contact", "slider-center"]
+#: Names of `Origin` by their former names.
+FORMER = {"ring-center": "slider-center"}
 CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
@@ -115,14 +119,15 @@ def motion_centers(
         phi, radians.
     inertia_share, force_ratio : float or array, optional
         As in `spin_ratio`, which raises the same errors.
-    origin : {"contact", "ring-center"}
-        The point to which the centers are relative; "ring-center" is the slider's center.
+    origin : {"contact", "slider-center"}
+        The point to which the centers are relative.
 
     Returns
     -------
     ndarray or DataArray
         A DataArray if an argument, or a parameter of the scene, is one.
     """
+    origin = renamed_value(origin, FORMER)
     origin = require_option("origin", origin, Origin, "name one of these points")
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 OUTPUTS = (
-    *map(Output, ("force_angle", "force_size", "spin_ratio", "motion_angle")),
+    *map(Output, ("force_angle", "magnitude", "spin_ratio", "motion_angle")),
     Output("status", (), "i1"),
 )
 

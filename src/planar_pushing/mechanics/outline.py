@@ -22,7 +22,7 @@ ALIGNED = 1e-3
 
 
 def required_outline(given: Any) -> Corners:
-    """Corners of a simple polygon, counter-clockwise, without those inside a straight side.
+    """Corners of a simple polygon, counterclockwise, without those inside a straight side.
 
     Raises
     ------

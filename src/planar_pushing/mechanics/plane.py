@@ -8,7 +8,7 @@ r"""Geometry of the plane: frame, signs and the kinematics of a pushed slider.
                 \|  \  /    /           phi   force angle: f points along (cos phi, sin phi)
                  |   `/....'            n     outward normal of the fence = +y
                  |   / rod              theta angle of a velocity or an acceleration
-                 |  / ) psi             all angles from +x (the fence), counter-clockwise
+                 |  / ) psi             all angles from +x (the fence), counterclockwise
    --------------+-*----------- x
          fence     contact = free end of the rod, origin of all positions; slider above the fence
 

@@ -245,7 +245,7 @@ class Scene:
 
     @property
     def weight(self) -> Number:
-        """Friction force in a translation; 1, an unused value, without friction."""
+        """W = mu_s m g, the weight times the coefficient of support friction; 1 without friction."""
         return sum(each.weight for each in self.friction) if self.friction else 1.0
 
     @property

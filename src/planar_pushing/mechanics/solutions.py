@@ -18,7 +18,7 @@ from planar_pushing.mechanics.numerics.arrays import dataset, named, same
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.status import BEHIND
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, number_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -340,7 +340,8 @@ class SolutionArrays:
             or len({*axes, "solution", *PARTS.values()}) != len(self.shape) + 3
         ):
             raise InvalidValue(
-                "dims", dims, f"{len(self.shape)} names, none of them solution, xy or twist_component",
+                "dims", dims,
+                f"{number_of(len(self.shape), 'name')}, none of them solution, xy or twist_component",
                 f"name each axis of the shape {self.shape}",
             )  # fmt: skip
         return as_dataset(

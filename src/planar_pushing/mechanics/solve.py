@@ -278,7 +278,7 @@ def solve(
     scene : Scene
         Its parameters can be arrays.
     pusher_angle : float or array, optional
-        Angle of the pusher's velocity or initial acceleration, radians counter-clockwise from the fence
+        Angle of the pusher's velocity or initial acceleration, radians counterclockwise from the fence
         (the scene's +x); pi / 2 is into the slider. By default the push of the scene's file.
     pusher_magnitude : float or array, optional
         Its magnitude, >= 0, by default 1. It affects the modes only if the scene has both friction and

@@ -70,7 +70,7 @@ FLAGS: dict[str, Mapping[str, int]] = {
     "status": Status.__members__,
 }
 #: Description of the value of a mode after the last solution.
-BEHIND = "-1 behind the last solution"
+BEHIND = "-1 after the last solution"
 
 
 def flag_attributes(names: Mapping[str, int], dtype: npt.DTypeLike = np.int8) -> dict[str, Any]:

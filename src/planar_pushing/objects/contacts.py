@@ -64,7 +64,7 @@ class Disc(NamedTuple):
 
 def stretches(side: Side, loads: WrenchSet) -> list[Stretch]:
     """The contacts on a side at which a push exerts a load of the set, in order along the side."""
-    force, torque = loads.rest[:2], float(loads.rest[2])
+    force, torque = loads.offset[:2], float(loads.offset[2])
     along, normal = float(force @ side.tangent), float(force @ side.normal)
     slack = ROUNDING * (abs(torque) + hypot(along, normal) * hypot(*side.start, *side.end))
     if loads.foot is None:

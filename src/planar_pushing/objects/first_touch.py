@@ -12,11 +12,13 @@ from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.renamed import renamed_attributes
 
 #: Rounding error of positions, relative to the numbers from which they are computed.
 ROUNDING = 1e-12
 
 
+@renamed_attributes(way="fraction")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Touch:
     """First touches of a moving disc, as arrays over the pushes.
@@ -29,11 +31,11 @@ class Touch:
         Unit vector into the object, from the disc's center to the contact. For a disc of radius 0, the
         inward normal of the side, or at a corner the bisector of the normals of its sides.
     side : ndarray of int, shape S
-        Number of the side, which goes from corner `side` of the counter-clockwise outline to the next one.
+        Number of the side, which goes from corner `side` of the counterclockwise outline to the next one.
         At a corner, the side that ends there; -1 where the disc does not touch.
     corner : ndarray of bool, shape S
         Whether the contact is at a convex corner.
-    way : ndarray, shape S
+    fraction : ndarray, shape S
         Fraction of the displacement before the touch; NaN where the disc does not touch.
     overlap : ndarray, shape S
         Depth of the overlap of disc and object at the start; 0 for a disc that starts outside.
@@ -43,7 +45,7 @@ class Touch:
     normal: Array
     side: npt.NDArray[np.intp]
     corner: npt.NDArray[np.bool_]
-    way: Array
+    fraction: Array
     overlap: Array
 
     def __eq__(self, other: object) -> Any:
@@ -77,8 +79,8 @@ def first_touch(
     Returns
     -------
     Touch
-        Its `way` is NaN where the disc does not touch, starts deeper in the object than the tolerance (see
-        `overlap`), or moves away from it. A disc that only grazes the object does not touch it.
+        Its `fraction` is NaN where the disc does not touch, starts deeper in the object than the tolerance
+        (see `overlap`), or moves away from it. A disc that only grazes the object does not touch it.
 
     Raises
     ------
@@ -118,21 +120,21 @@ def _touch(
     )
     near = nearest(sides, start)
     gap = near.gap - radius
-    side, place, way = _first_meeting(sides, start, motion, radius, error)
+    side, place, fraction = _first_meeting(sides, start, motion, radius, error)
     # A disc that starts in contact, or within the tolerance, and moves into the object touches at once.
     normal = _contact(sides, start, near.side, near.place, error)["normal"]
     into = (normal * motion).sum(axis=1) > 0.0
     at_once = into & (gap <= error) & (gap >= -slack - error)
     side, place = np.where(at_once, near.side, side), np.where(at_once, near.place, place)
-    way = np.where(at_once, 0.0, np.where(gap < -slack - error, np.nan, way))
-    found = _contact(sides, start + np.nan_to_num(way)[:, None] * motion, side, place, error)
-    missed = np.isnan(way) | ((found["normal"] * motion).sum(axis=1) <= 0.0)
+    fraction = np.where(at_once, 0.0, np.where(gap < -slack - error, np.nan, fraction))
+    found = _contact(sides, start + np.nan_to_num(fraction)[:, None] * motion, side, place, error)
+    missed = np.isnan(fraction) | ((found["normal"] * motion).sum(axis=1) <= 0.0)
     return {
         "contact": np.where(missed[:, None], np.nan, found["contact"]),
         "normal": np.where(missed[:, None], np.nan, found["normal"]),
         "side": np.where(missed, -1, found["side"]),
         "corner": found["corner"] & ~missed,
-        "way": np.where(missed, np.nan, way),
+        "fraction": np.where(missed, np.nan, fraction),
         "overlap": np.where(gap < -error, -gap, 0.0),
     }
 
@@ -141,8 +143,8 @@ def _first_meeting(
     sides: Sides, start: Array, motion: Array, radius: Array, error: Array
 ) -> tuple[npt.NDArray[np.intp], Array, Array]:
     """Side, place on it, and fraction of the motion at which the center first reaches the grown object."""
-    ways, places = _ways_to_sides(sides, start, motion, radius, error)
-    every = np.concatenate([ways, _ways_to_corners(sides, start, motion, radius)], axis=1)
+    fractions, places = _fractions_to_sides(sides, start, motion, radius, error)
+    every = np.concatenate([fractions, _fractions_to_corners(sides, start, motion, radius)], axis=1)
     rows, which = np.arange(len(start)), np.where(np.isnan(every), np.inf, every).argmin(axis=1)
     count = len(sides.length)
     at_circle = which >= count
@@ -150,7 +152,7 @@ def _first_meeting(
     return side, np.where(at_circle, 0.0, places[rows, side]), every[rows, which]
 
 
-def _ways_to_sides(
+def _fractions_to_sides(
     sides: Sides, start: Array, motion: Array, radius: Array, error: Array
 ) -> tuple[Array, Array]:
     """Fractions of the motion at which the center crosses each moved side, or NaN, and the places there."""
@@ -159,14 +161,14 @@ def _ways_to_sides(
     rate, speed = motion @ sides.normal.T, motion @ sides.tangent.T
     with np.errstate(divide="ignore", invalid="ignore"):
         slack, ahead = error[:, None], -(height + radius[:, None])
-        way = np.where(np.abs(ahead) <= slack, 0.0, ahead) / rate
-        place = along + way * speed
-        meets = (rate > 0.0) & (way >= 0.0) & (way <= 1.0)
+        fraction = np.where(np.abs(ahead) <= slack, 0.0, ahead) / rate
+        place = along + fraction * speed
+        meets = (rate > 0.0) & (fraction >= 0.0) & (fraction <= 1.0)
         meets &= (place >= -slack) & (place <= sides.length + slack)
-    return np.where(meets, way, np.nan), np.clip(np.nan_to_num(place), 0.0, sides.length)
+    return np.where(meets, fraction, np.nan), np.clip(np.nan_to_num(place), 0.0, sides.length)
 
 
-def _ways_to_corners(sides: Sides, start: Array, motion: Array, radius: Array) -> Array:
+def _fractions_to_corners(sides: Sides, start: Array, motion: Array, radius: Array) -> Array:
     """Fractions of the motion at which the center enters the circle about each convex corner, or NaN."""
     away = start[:, None] - sides.start
     square = (motion * motion).sum(axis=1)[:, None]
@@ -177,9 +179,9 @@ def _ways_to_corners(sides: Sides, start: Array, motion: Array, radius: Array) -
     outside = (away * away).sum(axis=-1) - (radius * radius)[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
         # The smaller root, as a ratio without cancellation.
-        way = outside / (np.sqrt(root) - middle)
-    enters = sides.convex & (root > 0.0) & (middle < 0.0) & (way >= 0.0) & (way <= 1.0)
-    return np.where(enters, way, np.nan)
+        fraction = outside / (np.sqrt(root) - middle)
+    enters = sides.convex & (root > 0.0) & (middle < 0.0) & (fraction >= 0.0) & (fraction <= 1.0)
+    return np.where(enters, fraction, np.nan)
 
 
 def _contact(
@@ -206,10 +208,10 @@ def _normal(
     """Normals of the side; at a corner, from the disc's center to it, or for a point the bisector."""
     own, before = sides.normal[vertex], sides.normal[vertex - 1]
     middle = own + before
-    way = point - center
-    length = np.hypot(*way.T)
-    outside = (length > 1e3 * error) & ((way * middle).sum(axis=1) > 0.0)
-    from_center = np.where(outside[:, None], way, middle)
+    offset = point - center
+    length = np.hypot(*offset.T)
+    outside = (length > 1e3 * error) & ((offset * middle).sum(axis=1) > 0.0)
+    from_center = np.where(outside[:, None], offset, middle)
     found = np.where(corner[:, None], from_center, sides.normal[side])
     return np.asarray(found / np.hypot(*found.T)[:, None])
 

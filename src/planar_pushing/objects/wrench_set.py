@@ -22,6 +22,7 @@ from planar_pushing.objects.resistance import (
 )
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_number, require_positive
+from planar_pushing.terms.renamed import renamed_attributes, renamed_keywords
 
 #: Distance within which the center of rotation is on a foot, relative to the numbers from which it is
 #: computed: the rounding error of a twist transformed between frames.
@@ -31,25 +32,26 @@ ROUNDING = 1e-12
 STEPS = 50
 
 
+@renamed_attributes(rest="offset")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WrenchSet:
-    """The wrenches that sustain a twist: ``rest + {(g, r x g): |g| <= radius}``.
+    """The wrenches that sustain a twist: ``offset + {(g, r x g): |g| <= radius}``.
 
     Attributes
     ----------
-    rest : ndarray, shape (3,)
+    offset : ndarray, shape (3,)
         (f_x, f_y, tau) about the origin of the object's frame: the load without the friction of the foot at
         the center of rotation.
     foot : ndarray, shape (2,), or None
         Position r of this foot; None if no foot is at the center of rotation, and the set is the single
-        wrench `rest`.
+        wrench `offset`.
     radius : float
         Maximum force of the foot, its share of the weight W; 0 without one.
     length : float
         Default length by which torques are divided to compare them with forces.
     """
 
-    rest: Array
+    offset: Array
     foot: Array | None
     radius: float
     length: float
@@ -83,12 +85,12 @@ class WrenchSet:
         """
         wrenches, unit = _wrenches(wrench), self._unit(length)
         if self.foot is None:
-            return np.broadcast_to(self.rest, wrenches.shape).copy()
+            return np.broadcast_to(self.offset, wrenches.shape).copy()
         x, y = self.foot
-        away = (wrenches - self.rest) / [1.0, 1.0, unit]
+        away = (wrenches - self.offset) / [1.0, 1.0, unit]
         force = _held(away, np.array([-y, x]) / unit, self.radius)
         torque = x * force[..., 1] - y * force[..., 0]
-        return np.asarray(self.rest + np.concatenate([force, torque[..., None]], axis=-1))
+        return np.asarray(self.offset + np.concatenate([force, torque[..., None]], axis=-1))
 
     def distance(self, wrench: npt.ArrayLike, length: float | None = None) -> Array:
         """Distance of wrenches of shape S + (3,) from the set, shape S, in the unit of force.
@@ -157,8 +159,9 @@ def _multiplier(parts: Array, stiff: Array, radius: float) -> Array:
     return np.asarray(shift)
 
 
+@renamed_keywords(within="tolerance")
 def wrench_set(
-    effects: tuple[Effect, ...], twist: npt.ArrayLike, *, within: float = 0.0
+    effects: tuple[Effect, ...], twist: npt.ArrayLike, *, tolerance: float = 0.0
 ) -> WrenchSet:
     """Every wrench that sustains a twist: the subdifferential of the effects' potential.
 
@@ -169,20 +172,20 @@ def wrench_set(
         acceleration from rest, and viscous friction is absent.
     twist : array_like, shape (3,)
         (v_x, v_y, omega) of the object's frame about its origin, omega in radians per unit of time.
-    within : float, optional
+    tolerance : float, optional
         Distance from a foot, in the unit of length, within which the center of rotation counts as on it:
         the error of a measured motion. By default the rounding error.
 
     Returns
     -------
     WrenchSet
-        In the object's frame, with torques about its origin. If several feet are within the distance, the
+        In the object's frame, with torques about its origin. If several feet are within the tolerance, the
         nearest determines the set.
 
     Raises
     ------
     InvalidValue
-        If the twist is not three finite numbers or is zero, the distance is negative, or an effect is of
+        If the twist is not three finite numbers or is zero, the tolerance is negative, or an effect is of
         another type, has arrays of parameters, or is a ring without a radius.
 
     Notes
@@ -192,13 +195,13 @@ def wrench_set(
     """
     acting, motion = required_effects(effects), required_twist(twist)
     reach = require_number(
-        "within", within, lambda x: 0 <= x < inf, "a finite number >= 0", "give a distance"
+        "tolerance", tolerance, lambda x: 0 <= x < inf, "a finite number >= 0", "give a distance"
     )
     feet = feet_of(acting)
     at = _resting(feet, motion, reach)
     held = feet[at]
     return WrenchSet(
-        rest=resistance(acting, motion, feet[~at]),
+        offset=resistance(acting, motion, feet[~at]),
         foot=held[0, :2] if len(held) else None,
         radius=float(held[:, 2].sum()),
         length=float(_size(acting)),
@@ -216,7 +219,7 @@ def required_twist(given: npt.ArrayLike) -> Array:
     return numbers
 
 
-def _resting(feet: Array, twist: Array, within: float) -> Any:
+def _resting(feet: Array, twist: Array, tolerance: float) -> Any:
     """Mask of the feet at the center of rotation: the nearest foot, and all at the same place."""
     near = np.zeros(len(feet), dtype=bool)
     if twist[2] == 0.0 or not len(feet):
@@ -225,7 +228,7 @@ def _resting(feet: Array, twist: Array, within: float) -> Any:
     speed, spin = np.hypot(motion[:, 0], motion[:, 1]), abs(twist[2]) / np.abs(twist).max()
     size = np.abs(feet[:, :2]).max()
     nearest = speed.argmin()
-    if speed[nearest] > spin * max(within, ROUNDING * size):
+    if speed[nearest] > spin * max(tolerance, ROUNDING * size):
         return near
     apart = feet[:, :2] - feet[nearest, :2]
     return np.hypot(apart[:, 0], apart[:, 1]) <= ROUNDING * size

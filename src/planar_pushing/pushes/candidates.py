@@ -32,7 +32,7 @@ def points(outline: Array, spacing: float) -> Family:
     return Family(places, np.eye(len(places)))
 
 
-def even_and_corners(outline: Array, spacing: float) -> Family:
+def uniform_and_corners(outline: Array, spacing: float) -> Family:
     """A uniform pressure, and a weight at each corner."""
     even = inside(outline, np.ptp(outline, axis=0).max() / EVEN, 0.5)
     first = np.concatenate([np.full(len(even), 1.0 / len(even)), np.zeros(len(outline))])
@@ -74,8 +74,10 @@ def pressure_map(outline: Array, spacing: float) -> Family:
 
 
 FAMILIES: dict[str, Callable[[Array, float], Family]] = {
-    "points": points, "even_and_corners": even_and_corners, "ellipse": ellipse, "map": pressure_map,
+    "points": points, "uniform_and_corners": uniform_and_corners, "ellipse": ellipse, "map": pressure_map,
 }  # fmt: skip
+#: Names of families by their former names.
+FORMER = {"even_and_corners": "uniform_and_corners"}
 
 
 def inside(outline: Array, spacing: float, offset: float = 0.0) -> Array:

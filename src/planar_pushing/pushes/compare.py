@@ -12,6 +12,7 @@ import xarray as xr
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
 from planar_pushing.mechanics.supports.base import Support
+from planar_pushing.pushes.candidates import FORMER as FAMILIES
 from planar_pushing.pushes.combine import of_object
 from planar_pushing.pushes.contacts import Model, final_poses
 from planar_pushing.pushes.ellipsoid import Ellipsoid
@@ -23,7 +24,8 @@ from planar_pushing.pushes.measured import Mask, Measured, measured, twists_at, 
 from planar_pushing.pushes.schema import required_pushes, without_padding
 from planar_pushing.pushes.statistics import QUANTITIES, REFERENCE, statistics
 from planar_pushing.pushes.supported import OnSupport
-from planar_pushing.terms.errors import InvalidValue, suggestion
+from planar_pushing.terms.errors import InvalidValue, number_of, suggestion
+from planar_pushing.terms.renamed import renamed_value
 
 #: Candidate contact friction coefficients for a given support, if no measured force determines it.
 FRICTIONS = np.geomspace(0.05, 1.2, 20)
@@ -48,7 +50,7 @@ def feet_of(dataset: xr.Dataset) -> Points | None:
     return Points(places, loads) if len(places) and np.isfinite(loads).all() else None
 
 
-def _exact(half: Half) -> tuple[Model, float] | None:
+def _known_feet(half: Half) -> tuple[Model, float] | None:
     feet = feet_of(half.dataset)
     return None if feet is None else on_support(feet, half.pushes)
 
@@ -62,7 +64,7 @@ def _identified(half: Half) -> tuple[Model, float]:
     return OnSupport(found.support), found.contact_friction
 
 
-def _exact_ellipsoid(half: Half) -> tuple[Model, float] | None:
+def _known_feet_ellipsoid(half: Half) -> tuple[Model, float] | None:
     feet = feet_of(half.dataset)
     return None if feet is None else on_ellipsoid(feet, half.pushes)
 
@@ -77,9 +79,12 @@ def _fitted_ellipsoid(half: Half) -> tuple[Model, float]:
 
 #: Functions that fit each model and the contact friction to pushes, or return None if it does not apply.
 MODELS: dict[str, Callable[[Half], tuple[Model, float] | None]] = {
-    "exact": _exact, "identified": _identified, "uniform": _uniform, "exact_ellipsoid": _exact_ellipsoid,
-    "uniform_ellipsoid": _uniform_ellipsoid, REFERENCE: _fitted_ellipsoid,
+    "known_feet": _known_feet, "identified": _identified, "uniform": _uniform,
+    "known_feet_ellipsoid": _known_feet_ellipsoid, "uniform_ellipsoid": _uniform_ellipsoid,
+    REFERENCE: _fitted_ellipsoid,
 }  # fmt: skip
+#: Names of models by their former names.
+FORMER = {"exact": "known_feet", "exact_ellipsoid": "known_feet_ellipsoid"}
 
 
 def compare(
@@ -99,10 +104,10 @@ def compare(
     pushes : xarray.Dataset
         Pushes of one or several objects (`load_pushes`, `pushes_from_poses`).
     models : sequence of str, or mapping of names to supports, optional
-        Any of "exact" (the feet in the dataset), "identified" (`identify`), "uniform" (a uniform pressure
-        on the outline), "exact_ellipsoid" and "uniform_ellipsoid" (`fit_ellipsoid` of these supports) and
-        "fitted_ellipsoid" (fitted to the same pushes); by default all that apply. A mapping adds the user's
-        own supports, in the object's frame, to these models.
+        Any of "known_feet" (the feet in the dataset), "identified" (`identify`), "uniform" (a uniform
+        pressure on the outline), "known_feet_ellipsoid" and "uniform_ellipsoid" (`fit_ellipsoid` of these
+        supports) and "fitted_ellipsoid" (fitted to the same pushes); by default all that apply. A mapping
+        adds the user's own supports, in the object's frame, to these models.
     seed : int
         Seed of the division into halves and of the resampling.
     resamples : int
@@ -138,6 +143,7 @@ def compare(
     checked = required_pushes(pushes)
     draws, seed = whole("resamples", resamples, 1), whole("seed", seed, 0)
     fits = _required_models(models)
+    family = renamed_value(family, FAMILIES)
     options = {"spacing": spacing, "family": family, "progress": progress}
     count, lengths = checked.sizes["push"], []
     errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
@@ -221,6 +227,7 @@ def _required_models(given: Any) -> dict[str, Callable[[Half], tuple[Model, floa
     if given is None:
         return dict(MODELS)
     names = list(given) if isinstance(given, (list, tuple)) else []
+    names = [renamed_value(each, FORMER) for each in names]
     unknown = [each for each in names if each not in MODELS]
     if unknown or not isinstance(given, (list, tuple, Mapping)):
         wrong = unknown[0] if unknown else given
@@ -251,7 +258,7 @@ def _require_halves(name: str, pushes: Measured) -> None:
     usable = pushes.has_force | ~pushes.at_corner
     if usable.sum() < LEAST:
         raise InvalidValue(
-            "pushes", f"{int(usable.sum())} pushes of {name} to which a model can be fitted",
+            "pushes", f"{number_of(int(usable.sum()), 'push')} of {name} to which a model can be fitted",
             f"at least {LEAST}",
             "measure more pushes: half of them are used for the fit",
         )  # fmt: skip

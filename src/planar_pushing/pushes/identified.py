@@ -12,6 +12,7 @@ from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.measured import Index
+from planar_pushing.terms.errors import number_of
 
 #: A point with less than this fraction of the heaviest point's weight does not belong to a foot.
 LIGHT = 0.1
@@ -26,7 +27,8 @@ class Identified:
     support : Points
         Candidates that carry weight, with weights that add up to 1.
     weight : float
-        mu_s W, the support friction in translation, in the unit of force; NaN if no force was measured.
+        W = mu_s m g, the weight times the coefficient of support friction, in the unit of force; NaN if no
+        force was measured.
     contact_friction : float
         Friction coefficient between finger and object; only a lower bound if `undetermined` says so.
     center_of_pressure : ndarray, shape (2,)
@@ -75,7 +77,7 @@ class Identified:
     def __repr__(self) -> str:
         x, y = self.center_of_pressure
         return (
-            f"Identified({len(self.support.positions)} points, weight={self.weight:.4g}, "
+            f"Identified({number_of(len(self.support.positions), 'point')}, weight={self.weight:.4g}, "
             f"contact_friction={self.contact_friction:.4g}, center_of_pressure=({x:.4g}, {y:.4g}), "
             f"spin_torque={self.spin_torque:.4g})"
         )

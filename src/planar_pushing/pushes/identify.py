@@ -9,14 +9,15 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
-from planar_pushing.pushes.candidates import FAMILIES, Family
+from planar_pushing.pushes.candidates import FAMILIES, FORMER, Family
 from planar_pushing.pushes.combine import with_outline
 from planar_pushing.pushes.estimate import Estimate, from_forces, from_motions
 from planar_pushing.pushes.given import whole
 from planar_pushing.pushes.identified import Identified, moments_of, summary
 from planar_pushing.pushes.measured import Index, Mask, Measured, measured
 from planar_pushing.pushes.schema import required_pushes
-from planar_pushing.terms.errors import InvalidValue, require_number, suggestion
+from planar_pushing.terms.errors import InvalidValue, number_of, require_number, suggestion
+from planar_pushing.terms.renamed import renamed_value
 
 #: Default candidates along the outline's extent, with and without forces; fewer if there are few pushes.
 WITH_FORCES, WITHOUT = 15, 5
@@ -54,7 +55,7 @@ def identify(
         default a fifteenth of it with forces and a fifth without, or more if there are few pushes.
     known : Points, or array_like of shape (n, 2), optional
         Positions of the feet, if only their weights are unknown.
-    family : {"points", "even_and_corners", "ellipse", "map"}
+    family : {"points", "uniform_and_corners", "ellipse", "map"}
         Family of supports to search: a weight at each candidate; a uniform pressure and a weight at each
         corner; uniform pressures within ellipses; or a pressure that varies linearly between candidates.
     resamples : int
@@ -83,7 +84,7 @@ def identify(
     poses. If only some pushes have forces, both methods are combined. Final poses of pushes that touch a
     corner first are not used.
     """
-    checked = required_pushes(pushes)
+    checked, family = required_pushes(pushes), renamed_value(family, FORMER)
     every = measured(checked if outline is None else with_outline(checked, outline))
     count = whole("resamples", resamples, 1)
     generator = np.random.default_rng(whole("seed", seed, 0))
@@ -152,8 +153,9 @@ def _require_enough(family: Family, most: float, pushes: int) -> None:
     count = family.columns.shape[1]
     if count > most:
         raise InvalidValue(
-            "pushes", f"{pushes} pushes for {count} candidates", f"at most {int(most)} candidates for them",
-            "measure more pushes, give a larger spacing, or choose the family even_and_corners",
+            "pushes", f"{number_of(pushes, 'push')} for {number_of(count, 'candidate')}",
+            f"at most {number_of(int(most), 'candidate')} for them",
+            "measure more pushes, give a larger spacing, or choose the family uniform_and_corners",
         )  # fmt: skip
 
 

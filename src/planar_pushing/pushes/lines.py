@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile, number_of
 
 
 class Lines:
@@ -61,9 +61,8 @@ class Lines:
         """Read a whole number from a separate line."""
         found = self.next_numbers(kind)
         if len(found) != 1:
-            raise self.wrong(
-                f"holds {len(found)} numbers, where {kind} is expected: the counts do not match"
-            )
+            count = number_of(len(found), "number")
+            raise self.wrong(f"holds {count}, where {kind} is expected: the counts do not match")
         if found[0] != int(found[0]) or found[0] < least:
             raise self.wrong(f"holds {found[0]:g}, where {kind} is expected, at least {least}")
         return int(found[0])
@@ -81,7 +80,7 @@ class Lines:
                 f"ends after {len(found)} of the {width} numbers of {kind}: it is cut short"
             )
         raise self.wrong(
-            f"holds {len(found)} numbers, where {kind} has {width}: the counts do not match"
+            f"holds {number_of(len(found), 'number')}, where {kind} has {width}: the counts do not match"
         )
 
     def wrong(self, fault: str) -> InvalidFile:

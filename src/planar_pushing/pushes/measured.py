@@ -33,7 +33,7 @@ class Measured:
     Attributes
     ----------
     outline : ndarray, shape (corners, 2)
-        Corners in counter-clockwise order.
+        Corners in counterclockwise order.
     contact, normal : ndarray, shape (n, 2)
         Point of first touch, and the unit normal there, into the object.
     finger, displacement : ndarray, shape (n, 2)

@@ -21,7 +21,7 @@ from planar_pushing.pushes.given import (
 from planar_pushing.pushes.path import Path, required_path
 from planar_pushing.pushes.schema import VARIABLES, XY, padded, required_pushes
 from planar_pushing.pushes.touching import listed, touching
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, number_of
 
 #: Range of distances of the finger from the object, in sizes of the outline, outside which units differ.
 FAR, NEAR = 100.0, 0.01
@@ -161,7 +161,8 @@ def _frames(before: Array, after: Array) -> Frames:
     """Frames before the pushes, and the motions of the object in these frames."""
     if len(before) != len(after):
         raise InvalidValue(
-            "poses_after", f"{len(after)} poses", f"{len(before)} poses, as in poses_before",
+            "poses_after", number_of(len(after), "pose"),
+            f"{number_of(len(before), 'pose')}, as in poses_before",
             "give both poses of each push",
         )  # fmt: skip
     rotation = (after[:, 2] - before[:, 2] + np.pi) % (2.0 * np.pi) - np.pi

@@ -41,9 +41,9 @@ class Variable(NamedTuple):
 #: All variables except `pushed`, the name of the object of each push.
 VARIABLES: dict[str, Variable] = {
     "outline": Variable(
-        ("object", "corner", "xy"), "length", "corners of the object, counter-clockwise", complete=False
+        ("object", "corner", "xy"), "length", "corners of the object, counterclockwise", complete=False
     ),
-    "feet": Variable(("object", "foot", "xy"), "length", "places of the feet", False, False),
+    "feet": Variable(("object", "foot", "xy"), "length", "positions of the feet", False, False),
     "foot_weight": Variable(("object", "foot"), "1", "fraction of the load on each foot", False, False),
     "center_of_mass": Variable(("object", "xy"), "length", "center of mass", False, False),
     "mass": Variable(("object",), "mass", "mass of the object", False, False),
@@ -59,7 +59,7 @@ VARIABLES: dict[str, Variable] = {
     "path_time": Variable(("push", "sample"), "time", "time since the first touch", False, False),
     "finger_radius": Variable(("push",), "length", "radius of the finger"),
     "displacement": Variable(("push", "xy"), "length", "displacement of the origin of the object's frame"),
-    "rotation": Variable(("push",), "degree", "rotation of the object, counter-clockwise"),
+    "rotation": Variable(("push",), "degree", "rotation of the object, counterclockwise"),
     "force": Variable(
         ("push", "xy"), "force",
         "mean force of the finger on the object, along the object's axes, which turn with it",
@@ -80,7 +80,7 @@ def required_pushes(given: Any) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        Loaded into memory, with numbers in double precision, counter-clockwise outlines, and units and long
+        Loaded into memory, with numbers in double precision, counterclockwise outlines, and units and long
         names for all variables. Additional variables over `push` or `object` are kept.
 
     Raises
@@ -230,7 +230,7 @@ def _numbers(given: xr.Dataset, name: str) -> Array:
 
 
 def _outlines(given: Array, names: list[str]) -> Array:
-    """Return counter-clockwise outlines, or raise the error for the first invalid outline."""
+    """Return counterclockwise outlines, or raise the error for the first invalid outline."""
     found = []
     for name, corners in zip(names, given, strict=True):
         try:

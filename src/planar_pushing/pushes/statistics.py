@@ -17,8 +17,8 @@ ENDS = (2.5, 97.5)
 VARIABLES = {
     "median": "median error",
     "percentile_90": "90th percentile of the error",
-    "ratio": "median error over that of the reference",
-    "difference": "median of the paired differences to the errors of the reference",
+    "ratio": "median error divided by that of the reference",
+    "difference": "median of the paired differences from the errors of the reference",
 }
 
 

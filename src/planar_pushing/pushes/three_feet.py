@@ -19,7 +19,7 @@ from planar_pushing.pushes.combine import concat_pushes, require_file_names
 from planar_pushing.pushes.lines import Lines
 from planar_pushing.pushes.poses import pushes_from_poses, turned
 from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.terms.errors import InvalidFile, InvalidValue
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, number_of
 
 SOURCE = "Zhou, Paolini, Bagnell and Mason, ICRA 2016"
 #: Right triangle with legs of 150 mm; the frame of its markers is at the right angle.
@@ -165,7 +165,7 @@ def read_records(file: Path) -> list[Record]:
         found = [_record(lines.of_push(k + 1, count)) for k in range(count)]
         if lines.left:
             raise lines.wrong(
-                f"is followed by more lines, but the first line announces {count} pushes"
+                f"is followed by more lines, but the first line announces {number_of(count, 'push')}"
             )
     else:
         lines.back()

@@ -30,8 +30,8 @@ def touching(
             f"an overlap of at most {tolerance:.4g}",
             "check poses, frame, radius and units, or raise the tolerance",
         )  # fmt: skip
-    rows = np.flatnonzero(np.isfinite(touch.way))
-    after = [after_touch(path, int(row), int(leg[row]), float(touch.way[row])) for row in rows]
+    rows = np.flatnonzero(np.isfinite(touch.fraction))
+    after = [after_touch(path, int(row), int(leg[row]), float(touch.fraction[row])) for row in rows]
     forward = [
         one.points[-1] @ touch.normal[row] > 0.0 for row, one in zip(rows, after, strict=True)
     ]
@@ -59,11 +59,11 @@ def _first(
         radius,
         tolerance=tolerance,
     )
-    leg = np.isfinite(every.way).argmax(axis=1)
+    leg = np.isfinite(every.fraction).argmax(axis=1)
     rows = np.arange(len(leg))
     return Touch(
         contact=every.contact[rows, leg], normal=every.normal[rows, leg], side=every.side[rows, leg],
-        corner=every.corner[rows, leg], way=every.way[rows, leg], overlap=every.overlap[:, 0],
+        corner=every.corner[rows, leg], fraction=every.fraction[rows, leg], overlap=every.overlap[:, 0],
     ), leg  # fmt: skip
 
 

@@ -45,7 +45,7 @@ class Stop(IntEnum):
 
     NO = 0
     INCONSISTENT = 1
-    LIES = 2
+    SLIDER_CENTER_REACHES_FENCE = 2
     NO_IMPULSE = 3
     SINGULAR = 4
     EVENTS = 5
@@ -57,7 +57,7 @@ class Stop(IntEnum):
 REASONS = {
     Stop.NO: "",
     Stop.INCONSISTENT: "no contact mode is consistent",
-    Stop.LIES: "the slider's center comes down to the fence",
+    Stop.SLIDER_CENTER_REACHES_FENCE: "the slider's center comes down to the fence",
     Stop.NO_IMPULSE: "no impulse at the contact is consistent",
     Stop.SINGULAR: "the motion is singular in the mode",
     Stop.EVENTS: "without any time between them",

@@ -111,7 +111,7 @@ DATASETS: Mapping[str, Dataset] = {
         about="the scenes of the figures, a group for each", source="Secs. 3 and 4", module="scenes"
     ),
     "supports": Dataset(
-        about="wrenches of each support over centers of rotation, and the ellipsoid in its place",
+        about="wrenches of each support over centers of rotation, and its ellipsoid",
         source="Sec. 3, Eqs. (1)-(3), for any pressure distribution",
         dims=("support", "center_x", "center_y"),
         inner=("twist_component", "wrench_component"),
@@ -123,7 +123,7 @@ DATASETS: Mapping[str, Dataset] = {
         module="supports",
     ),
     "support_cones": Dataset(
-        about="motion cones of each support, and what their edges pivot about",
+        about="motion cones of each support, and the support points about which their edges pivot",
         source="Secs. 3.1 and 3.2, for any pressure distribution",
         dims=("support", "rod_length", "rod_angle", "friction_coefficient"),
         inner=("edge",),

@@ -70,6 +70,11 @@ def shown(given: object) -> str:
     return " ".join(text.splitlines())
 
 
+def number_of(count: int, noun: str) -> str:
+    """A count and its noun, such as "1 push" or "2 pushes"."""
+    return f"{count} {noun}" + ("" if count == 1 else "es" if noun.endswith("sh") else "s")
+
+
 def as_float(given: object) -> float:
     """A real number as a float; NaN for anything else, such as strings, booleans, decimals and arrays."""
     plain = isinstance(given, (int, float)) and not isinstance(given, bool)

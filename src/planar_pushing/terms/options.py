@@ -8,6 +8,8 @@ from __future__ import annotations
 from enum import IntEnum, StrEnum
 from typing import Literal, NamedTuple
 
+from planar_pushing.terms.renamed import EventType
+
 
 class Policy(StrEnum):
     """Choice of a mode if several are consistent.
@@ -121,7 +123,7 @@ MOST_STEPS = 1e9
 TOLERANCE = Range(1e-13, 1e-2, "a number in [1e-13, 1e-2]")
 
 
-class Event(IntEnum):
+class Event(IntEnum, metaclass=EventType):
     """Reason why a contact mode ends or the modes are enumerated again: values of `event` in a log."""
 
     NONE = -1
@@ -130,22 +132,22 @@ class Event(IntEnum):
     SLIP_ENDS = 1
     FORCE_ENDS = 2
     TOUCHES = 3
-    #: The fence starts to push a slider at rest; without a force the contact would start, or stop, to
-    #: separate.
-    STARTS = 4
-    LIFTS = 5
+    #: The pusher starts to push a slider at rest.
+    PUSH_STARTS = 4
+    #: Without a contact force, the contact would now separate, or no longer separate.
+    SEPARATION_CHANGES = 5
     #: Friction no longer holds the support point about which the slider pivots.
-    HINGE_YIELDS = 6
+    PIVOT_YIELDS = 6
     #: The slider's center reaches the fence; the slider comes to rest.
-    LIES = 7
-    STOPS = 8
-    #: The center of rotation arrives at a support point, or leaves it.
-    ARRIVES = 9
+    SLIDER_CENTER_REACHES_FENCE = 7
+    SLIDER_STOPS = 8
+    #: The motion center reaches a support point, or leaves it.
+    MOTION_CENTER_AT_POINT = 9
     #: The response to the motion is not smooth, or a pivot starts or ends.
     KINK = 10
-    #: The normal velocity of the fence changes sign or starts; its tangential velocity does so.
-    TURNS = 11
-    TURNS_ALONG = 12
+    #: The normal or the tangential velocity of the pusher changes sign, or starts.
+    NORMAL_VELOCITY_REVERSES = 11
+    TANGENTIAL_VELOCITY_REVERSES = 12
     #: A finger reaches the end of its side.
     END_OF_SIDE = 13
     #: Another point of the outline meets the fence.

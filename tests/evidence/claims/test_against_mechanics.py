@@ -98,7 +98,7 @@ def test_one_motion_for_the_force_angles_of_a_pivot(part, pivots):
 @pytest.mark.parametrize("part", [0.9999999, 1.0000001])
 def test_farthest_offset_of_a_pivot(part):
     farthest = value("pivots-of-a-tripod", "farthest")
-    center = pp.motion_centers(scene(TRIPOD, part * farthest), 0.0, origin="ring-center")
+    center = pp.motion_centers(scene(TRIPOD, part * farthest), 0.0, origin="slider-center")
     assert (np.abs(center - [0.0, 1.0]).max() < 1e-14) == (part < 1)
 
 
@@ -145,7 +145,7 @@ def test_directions_that_one_force_along_the_fence_allows():
 def test_the_center_of_a_ring_beyond_the_bound():
     ratio = entries()["center-beyond-bound", "product"].at["spin_ratio"]
     offset = value("center-beyond-bound", "product") * ratio
-    center = pp.motion_centers(scene(pp.Ring(1.0), offset), 0.0, origin="ring-center")
+    center = pp.motion_centers(scene(pp.Ring(1.0), offset), 0.0, origin="slider-center")
     assert np.hypot(*center) == pytest.approx(1 / ratio, rel=1e-8)
 
 

@@ -56,7 +56,7 @@ def _small(total: Resistance, angle: fmpq) -> tuple[Vector, Vector]:
 
 
 def _holds_origin(corners: Sequence[Vector]) -> bool:
-    """Whether a polygon with counter-clockwise corners contains the origin."""
+    """Whether a polygon with counterclockwise corners contains the origin."""
     sides: Iterable[tuple[Vector, Vector]] = pairwise([*corners, corners[0]])
     return all(a[0] * b[1] - a[1] * b[0] > 0 for a, b in sides)
 

@@ -39,5 +39,5 @@ def animated(args: argparse.Namespace) -> dict[str, Any]:
         plotted(log)
     except InvalidFile as error:
         raise InvalidFile(f"{args.log}: {error}") from None
-    found = animate(log, args.output, frames=args.frames, rate=args.frames_per_second)
+    found = animate(log, args.output, frames=args.frames, frames_per_second=args.frames_per_second)
     return {"written": str(args.output), "frames": found.frames, "bytes": len(found.gif)}

@@ -55,7 +55,7 @@ def _spread(index: int) -> Motion:
 
 
 def _angles(support: Pieces, constant: arb, motion: Motion) -> tuple[arb, arb]:
-    """Errors of force and of motion for a motion that rotates counter-clockwise."""
+    """Errors of force and of motion for a motion that rotates counterclockwise."""
     v_x, v_y, spin = motion
     (x, y), extent = support.center, support.extent
     # An exact center takes a tenth of the time; it changes the motion only by a rounding error.

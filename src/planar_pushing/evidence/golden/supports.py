@@ -54,7 +54,7 @@ def _pusher(degrees: float) -> Direction:
 
 
 def wrench(values: Values, name: str, x: float, y: float) -> Record:
-    """Mean distance, and the wrench about the origin for a counter-clockwise rotation."""
+    """Mean distance, and the wrench about the origin for a counterclockwise rotation."""
     c = arb(rational(x)), arb(rational(y))
     now = moments(support(values, name), c)
     return {

@@ -43,9 +43,9 @@ def forces(scene: Scene, angles: xr.DataArray) -> xr.Dataset:
     return attributed(
         xr.Dataset(
             {
-                "force": curve.force_size,
-                "force_x": curve.force_size * x,
-                "force_y": curve.force_size * y,
+                "force": curve.magnitude,
+                "force_x": curve.magnitude * x,
+                "force_y": curve.magnitude * y,
                 "motion_angle": np.rad2deg(curve.motion_angle),
             }
         )
@@ -83,7 +83,7 @@ def cone_mapping(cones: xr.Dataset, effects: str, length: float, friction: float
             "mapped_force_y": named("map", tip[:, 1], "force", "mapped force normal to the fence"),
             "mapped_force_angle": named("map", angle, "degree", "angle of the mapped force"),
             "mapped_motion_angle": named(
-                "map", np.array(motion), "degree", "angle of the motion it causes"
+                "map", np.array(motion), "degree", "angle of the motion that the force causes"
             ),
             "mapped_rod_length": named((), length, "length", "rod length of the mapping"),
             "friction_coefficient": edges.friction_coefficient.variable,

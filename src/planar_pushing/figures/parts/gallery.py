@@ -69,7 +69,7 @@ def limit_forces(scenes: Scene, angles: Array) -> tuple[Array, Array]:
     phi = xr.DataArray(np.deg2rad(angles), dims="force_angle")
     curve = limit_curve(scenes, phi).transpose("support", "force_angle")
     pivot = sustaining(scenes, curve.motion_angle)[2].transpose("support", "force_angle")
-    return curve.force_size.values[..., None] * direction(phi.values), pivot.values.astype(np.int16)
+    return curve.magnitude.values[..., None] * direction(phi.values), pivot.values.astype(np.int16)
 
 
 def flat_parts(pivots: Array) -> list[tuple[int, slice]]:

@@ -24,7 +24,7 @@ class SupportFriction:
         Pressure of the slider on the plane: `Ring`, `Points`, `Segment`, `Disc`, `Annulus`, `Polygon`,
         `PressureMap` or `Composite`.
     weight : float or array
-        W > 0: the slider's weight times the coefficient of support friction.
+        W = mu_s m g, the weight times the coefficient of support friction; > 0.
 
     Raises
     ------
@@ -61,7 +61,7 @@ class RingFriction:
     Parameters
     ----------
     weight : float or array
-        W > 0: the slider's weight times the coefficient of support friction.
+        W = mu_s m g, the weight times the coefficient of support friction; > 0.
 
     Raises
     ------
@@ -85,7 +85,9 @@ class RingFriction:
 
 
 def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) -> Number:
-    """W = mu_s m g: the force that slides an object over the table in pure translation.
+    """W = mu_s m g, the weight times the coefficient of support friction.
+
+    The `weight` of `SupportFriction`: the force that slides an object over the table in pure translation.
 
     Parameters
     ----------
@@ -99,7 +101,7 @@ def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) ->
     Returns
     -------
     float or array
-        The `weight` of `SupportFriction`, in newtons.
+        W, in newtons.
 
     Raises
     ------

@@ -10,7 +10,7 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, number_of
 
 #: A position in the body frame: origin at the slider's center, x along the rod and away from the contact.
 Position = tuple[float, float]
@@ -105,6 +105,6 @@ def positions(name: str, given: object, remedy: str) -> tuple[Position, ...]:
 
 def weights(name: str, given: object, count: int, remedy: str) -> tuple[float, ...]:
     """Positive weights, one per member."""
-    found = array(name, given, (count,), f"{count} positive numbers", remedy)
+    found = array(name, given, (count,), number_of(count, "positive number"), remedy)
     require_all(name, found, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
     return tuple(found.tolist())

@@ -185,7 +185,7 @@ def _climbed(
 @kernel
 @compiled
 def _errors(pressure, constant, motions, force, motion):
-    """Angles between the support and the ellipsoid at counter-clockwise motions."""
+    """Angles between the support and the ellipsoid at counterclockwise motions."""
     square = constant * constant
     for i in range(len(motions)):
         v_x, v_y, spin = motions[i, 0], motions[i, 1], max(motions[i, 2], LEAST)

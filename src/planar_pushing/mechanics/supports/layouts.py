@@ -22,7 +22,7 @@ def placed_corners(places: Array, center: Any, angle: float) -> Array:
 
 
 def rectangle_corners(width: float, height: float) -> Array:
-    """Corners of a rectangle about the origin, counter-clockwise."""
+    """Corners of a rectangle about the origin, counterclockwise."""
     x = require_positive("width", width, "give the length of the sides along x") / 2
     y = require_positive("height", height, "give the length of the sides along y") / 2
     return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])

@@ -22,7 +22,7 @@ class Moments(NamedTuple):
     unit_x, unit_y : float
         G, the mean of (r - c) / rho; minus the gradient of D with respect to c.
     torque : float
-        T, about the center of pressure p of a slider that turns counter-clockwise: ``D + (c - p) . G``.
+        T, about the center of pressure p of a slider that turns counterclockwise: ``D + (c - p) . G``.
     xx, xy, yy : float
         Second derivatives of D with respect to c.
     atom : int

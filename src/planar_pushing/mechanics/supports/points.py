@@ -22,7 +22,7 @@ from planar_pushing.mechanics.supports.layouts import (
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import NOTHING
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, number_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +104,9 @@ def _names(given: Any, count: int) -> tuple[str, ...] | None:
         return None
     names = tuple(given) if isinstance(given, (list, tuple)) else ()
     if len(names) != count or not all(isinstance(each, str) and each for each in names):
-        raise InvalidValue("names", given, f"{count} names", "give a name for each point, or none")
+        raise InvalidValue(
+            "names", given, number_of(count, "name"), "give a name for each point, or none"
+        )
     if len(set(names)) < count:
         raise InvalidValue("names", given, "distinct names", "give each point its own name")
     return names

@@ -34,7 +34,7 @@ class Polygon(Pictured):
     Parameters
     ----------
     vertices : sequence of pairs, or an object with `coords` or `exterior`
-        At least three, in the body frame, clockwise or counter-clockwise; the polygon need not be convex.
+        At least three, in the body frame, clockwise or counterclockwise; the polygon need not be convex.
         The first may be repeated at the end, as in the rings of GeoJSON and shapely.
 
     Raises
@@ -89,7 +89,7 @@ class Polygon(Pictured):
 @kernel
 @compiled
 def _area(vertices):
-    """Area, positive where the vertices turn counter-clockwise."""
+    """Area, positive where the vertices turn counterclockwise."""
     total, (corner_x, corner_y) = 0.0, vertices[0]
     for i in range(1, len(vertices) - 1):
         x, y = vertices[i, 0] - corner_x, vertices[i, 1] - corner_y

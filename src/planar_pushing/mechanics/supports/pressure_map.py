@@ -12,7 +12,7 @@ from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, array, position, require_all
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, number_of
 
 #: Cells along a side of a block; a distant block is evaluated by one series.
 BLOCK = 4
@@ -52,7 +52,7 @@ class PressureMap(Pictured):
         x, y = (_edges(name, getattr(self, name)) for name in ("x", "y"))
         shape = len(y) - 1, len(x) - 1
         remedy = "give the edges of the cells in x and y, one more than columns and rows"
-        allowed = f"{shape[0]} rows of {shape[1]} numbers, to fit y and x"
+        allowed = f"{number_of(shape[0], 'row')} of {number_of(shape[1], 'number')}, to fit y and x"
         cells = array("pressure", self.pressure, shape, allowed, remedy)
         require_all(
             "pressure",

@@ -30,7 +30,8 @@ NO_TIME = 1e-12
 PATIENCE, LEAST_PROGRESS = 5000, 1e-6
 #: Fraction of the tolerance allowed for one step, since the errors of steps add up; and its minimum.
 STEP_PART, LEAST = 0.02, 2.3e-14
-GOES_ON, INCONSISTENT, LAY_DOWN = int(Stop.NO), int(Stop.INCONSISTENT), int(Stop.LIES)
+GOES_ON, INCONSISTENT = int(Stop.NO), int(Stop.INCONSISTENT)
+LAY_DOWN = int(Stop.SLIDER_CENTER_REACHES_FENCE)
 MET, SIDE_ENDED = int(Stop.PENETRATES), int(Stop.END_OF_SIDE)
 SINGULAR, TOO_MANY, NO_PROGRESS = int(Stop.SINGULAR), int(Stop.EVENTS), int(Stop.PROGRESS)
 
@@ -230,7 +231,7 @@ def _happen(system, run):
     else:
         policy = _policy(system, run)
         run.time, reason = base.after(system, run.cause, mode, run.event, state, policy)
-    if run.cause == base.LIES:
+    if run.cause == base.CENTER_REACHES_FENCE:
         reason = LAY_DOWN
     elif run.cause == base.PENETRATES:
         reason = MET

@@ -41,7 +41,8 @@ FARTHEST = 1e3
 #: Maximum number of steps before the driver returns, so that Python can handle an interrupt, and maximum
 #: number of rows per step.
 STEPS_AT_ONCE, ROOM = 20_000, 2
-INCONSISTENT, LIES, NO_EVENT = int(Stop.INCONSISTENT), int(Stop.LIES), int(Event.NONE)
+INCONSISTENT, NO_EVENT = int(Stop.INCONSISTENT), int(Event.NONE)
+LAY_DOWN = int(Stop.SLIDER_CENTER_REACHES_FENCE)
 PENETRATES, END_OF_SIDE = int(Stop.PENETRATES), int(Stop.END_OF_SIDE)
 
 
@@ -194,7 +195,7 @@ def _part(system, run):
         else:
             system.body.parted = True
     if shapes.upright(system.shape, system.body, state[base.ANGLE], state[base.GAP]) <= 0.0:
-        run.stopped = LIES
+        run.stopped = LAY_DOWN
     elif base.height(system, state) <= 0.0:
         run.stopped = PENETRATES
 

@@ -54,13 +54,18 @@ AT_REST = 1e-9
 #: counts.
 CAUSES = len(Event) - 1
 LEAVES_CONE, SLIP_ENDS = int(Event.LEAVES_CONE), int(Event.SLIP_ENDS)
-FORCE_ENDS, TOUCHES, STARTS = int(Event.FORCE_ENDS), int(Event.TOUCHES), int(Event.STARTS)
-HINGE_YIELDS, LIES, LIFTS = int(Event.HINGE_YIELDS), int(Event.LIES), int(Event.LIFTS)
-STOPS, ARRIVES, KINK = int(Event.STOPS), int(Event.ARRIVES), int(Event.KINK)
-TURNS, TURNS_ALONG = int(Event.TURNS), int(Event.TURNS_ALONG)
-END_OF_SIDE, PENETRATES = int(Event.END_OF_SIDE), int(Event.PENETRATES)
+FORCE_ENDS, TOUCHES, PUSH_STARTS = map(int, (Event.FORCE_ENDS, Event.TOUCHES, Event.PUSH_STARTS))
+SEPARATION_CHANGES, PIVOT_YIELDS = int(Event.SEPARATION_CHANGES), int(Event.PIVOT_YIELDS)
+CENTER_REACHES_FENCE = int(Event.SLIDER_CENTER_REACHES_FENCE)
+SLIDER_STOPS, CENTER_AT_POINT = int(Event.SLIDER_STOPS), int(Event.MOTION_CENTER_AT_POINT)
+NORMAL_REVERSES = int(Event.NORMAL_VELOCITY_REVERSES)
+TANGENTIAL_REVERSES = int(Event.TANGENTIAL_VELOCITY_REVERSES)
+KINK, END_OF_SIDE, PENETRATES = map(int, (Event.KINK, Event.END_OF_SIDE, Event.PENETRATES))
 #: Watches, whose change of sign is an event. The others are margins, which are positive while a mode lasts.
-WATCHED = LIFTS, STOPS, ARRIVES, KINK, TURNS, TURNS_ALONG, END_OF_SIDE
+WATCHED = (
+    SEPARATION_CHANGES, SLIDER_STOPS, CENTER_AT_POINT, KINK, NORMAL_REVERSES, TANGENTIAL_REVERSES,
+    END_OF_SIDE,
+)  # fmt: skip
 WATCHES = tuple(cause in WATCHED for cause in range(CAUSES))
 
 #: Constants of a scene: l / R; edges of the friction cone, their angles, and whether the law allows slip

@@ -52,12 +52,13 @@ def _guards(system, mode, state, now, found):
     body = system.body
     found[:] = nan
     if mode.kind == base.HELD or mode.kind == base.PROPPED:
-        found[base.STARTS] = base.PUSHES - now.fence_y / body.speed
+        found[base.PUSH_STARTS] = base.PUSHES - now.fence_y / body.speed
     elif base.contact_mode(mode.kind) == base.SEPARATE:
         height = base.clearance(system, state)
         found[base.TOUCHES] = height if height < inf else nan
     if mode.kind < base.CLEAR:
-        found[base.LIES] = shapes.upright(system.shape, body, state[base.ANGLE], state[base.GAP])
+        above = shapes.upright(system.shape, body, state[base.ANGLE], state[base.GAP])
+        found[base.CENTER_REACHES_FENCE] = above
     if mode.kind != base.SEPARATE and mode.kind != base.CLEAR and state[base.GAP] <= base.SLACK:
         found[base.END_OF_SIDE] = shapes.room(system.shape, state[base.ALONG])
     found[base.PENETRATES] = base.height(system, state)

@@ -124,9 +124,9 @@ def after(system, cause, mode, time, state, policy):
         return time, contact.impact(system, mode.during, time, state, mode.kind, policy)
     if cause == base.SLIP_ENDS:
         state[base.OVER] = 0.0
-    elif cause == base.STOPS:
+    elif cause == base.SLIDER_STOPS:
         return rest.stopped(system, mode, time, state), 0
-    elif cause == base.STARTS:
+    elif cause == base.PUSH_STARTS:
         return time, rest.set_off(system, mode, time, state, policy)
     falls = state[base.RISE] < -base.SLACK * system.body.speed
     if mode.kind == base.SEPARATE and falls and base.clearance(system, state) <= base.SLACK:
@@ -244,13 +244,15 @@ def guard_contact(system, mode, state, now, found):
         found[base.SLIP_ENDS] = side * now.slip / body.speed
         found[base.FORCE_ENDS] = size / (abs(size) + body.force)
     if base.contact_mode(kind) != base.SEPARATE and kind != base.PROPPED:
-        found[base.LIFTS] = now.lift * body.mass / body.force
+        found[base.SEPARATION_CHANGES] = now.lift * body.mass / body.force
     if kind < base.CLEAR and body.weight > 0.0:
         size = now.speed + abs(now.spin)
-        found[base.STOPS] = size / body.speed - STOPPED
+        found[base.SLIDER_STOPS] = size / body.speed - STOPPED
         if mode.hinged:
-            found[base.HINGE_YIELDS] = now.hold
+            found[base.PIVOT_YIELDS] = now.hold
         elif kind != base.STICK:
             _, ratio = _slowest(system, base.pose(system, state), now.v_x, now.v_y, now.spin)
             left = LEFT if mode.foot >= 0 else ARRIVED
-            found[base.ARRIVES] = min(ratio, 1.0) - left if size > STOPPED * body.speed else nan
+            found[base.CENTER_AT_POINT] = (
+                min(ratio, 1.0) - left if size > STOPPED * body.speed else nan
+            )

@@ -201,10 +201,10 @@ def guard_contact(system, mode, state, now, found):
     if steady(system.shape, mode.during):
         return
     if kind == base.HELD:
-        found[base.TURNS] = 1.0 if speed > 0.0 else -1.0
+        found[base.NORMAL_REVERSES] = 1.0 if speed > 0.0 else -1.0
     elif kind != base.CLEAR:
-        found[base.TURNS] = now.fence_y / speed if speed > 0.0 else 0.0
-        found[base.TURNS_ALONG] = now.fence_x / speed if speed > 0.0 else 0.0
+        found[base.NORMAL_REVERSES] = now.fence_y / speed if speed > 0.0 else 0.0
+        found[base.TANGENTIAL_REVERSES] = now.fence_x / speed if speed > 0.0 else 0.0
 
 
 @compiled

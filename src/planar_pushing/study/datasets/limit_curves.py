@@ -26,9 +26,9 @@ def build(part: Part) -> xr.Dataset:
         curve = limit_curve(scene, phi)
         return xr.Dataset(
             {
-                "force": curve.force_size,
-                "force_x": curve.force_size * heading[:, 0],
-                "force_y": curve.force_size * heading[:, 1],
+                "force": curve.magnitude,
+                "force_x": curve.magnitude * heading[:, 0],
+                "force_y": curve.magnitude * heading[:, 1],
                 "spin_ratio": curve.spin_ratio,
                 "motion_angle": np.rad2deg(curve.motion_angle),
             }

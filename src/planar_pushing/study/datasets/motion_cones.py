@@ -36,8 +36,8 @@ def build(part: Part) -> xr.Dataset:
                 "friction_cone_left": np.rad2deg(left) + whole,
                 "motion_cone_right": np.rad2deg(cone.right),
                 "motion_cone_left": np.rad2deg(cone.left),
-                "limit_force_right": limit_curve(scene, right).force_size,
-                "limit_force_left": limit_curve(scene, left).force_size,
+                "limit_force_right": limit_curve(scene, right).magnitude,
+                "limit_force_left": limit_curve(scene, left).magnitude,
                 "pulls": leaves_the_fence(cone),
                 "slips_while_pushing": scene.law.slips & omits_pushes(cone),
             }

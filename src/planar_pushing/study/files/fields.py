@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from enum import StrEnum
 from typing import Annotated, Any, Literal
 
@@ -32,6 +32,7 @@ from planar_pushing.terms.options import (
     PusherFrame,
     Shape,
 )
+from planar_pushing.terms.renamed import EVENTS, renamed_value
 
 
 def refuse(allowed: str) -> PydanticCustomError:
@@ -149,11 +150,15 @@ def spelled(options: type[StrEnum]) -> Any:
     return named(tuple(map(str, options)))
 
 
-def named(names: tuple[str, ...]) -> Any:
-    """Type of a text that must be one of these names; the error for an unknown name suggests one."""
+def named(names: tuple[str, ...], former: Mapping[str, str] = {}) -> Any:
+    """Type of a text that must be one of these names; the error for an unknown name suggests one.
+
+    `former` maps former names to present ones.
+    """
     context = {"allowed": " or ".join(map(repr, names)), "names": names}
 
     def known(given: object) -> object:
+        given = renamed_value(given, former)
         if given not in names:
             raise PydanticCustomError("unknown_option", "{allowed}", context)
         return given
@@ -294,7 +299,7 @@ PolicyName = choice(Policy)
 MethodName = choice(Method)
 ShapeName = spelled(Shape)
 FrameName = spelled(PusherFrame)
-EventName = named(tuple(event.name for event in Event if event is not Event.NONE))
+EventName = named(tuple(event.name for event in Event if event is not Event.NONE), EVENTS)
 ModeName = named(tuple(mode.name for mode in ContactMode))
 AtZeroNormalName = choice(AtZeroNormal)
 EffectsName = choice(EffectSet)

@@ -127,7 +127,10 @@ class PerfectlyRoughEntry(FileModel):
 
 
 class RingFrictionEntry(FileModel):
-    """Support friction of the ring; `weight` is W, the weight times the support friction coefficient."""
+    """Support friction of the ring.
+
+    `weight` is W = mu_s m g, the weight times the coefficient of support friction.
+    """
 
     type: Literal["ring_friction"]
     weight: Positive = 1.0
@@ -137,7 +140,10 @@ class RingFrictionEntry(FileModel):
 
 
 class SupportFrictionEntry(FileModel):
-    """Friction of any support; `weight` is W, the weight times the support friction coefficient."""
+    """Friction of any support.
+
+    `weight` is W = mu_s m g, the weight times the coefficient of support friction.
+    """
 
     type: Literal["support_friction"]
     weight: Positive = 1.0

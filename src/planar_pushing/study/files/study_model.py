@@ -59,7 +59,7 @@ class SliderEntry(FileModel):
 
 
 class FrictionParameters(FileModel):
-    """Parameters of the support friction."""
+    """Support friction; `weight` is W = mu_s m g, the weight times the coefficient of support friction."""
 
     weight: Positive
 

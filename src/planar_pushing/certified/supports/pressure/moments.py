@@ -46,7 +46,7 @@ class Moments(NamedTuple):
     yy: arb
 
     def torque(self, c: Vector, about: tuple[arb | fmpq, arb | fmpq]) -> arb:
-        """Torque about a place, for counter-clockwise rotation: ``D + (c - place) . G``."""
+        """Torque about a place, for counterclockwise rotation: ``D + (c - place) . G``."""
         return self.distance + (c[0] - about[0]) * self.x + (c[1] - about[1]) * self.y
 
 
