@@ -132,7 +132,7 @@ def test_a_log_names_pivots_and_events():
     assert set(log.pivot.values) == {-1, 0}
     flags = dict(zip(log.event.flag_meanings.split(), log.event.flag_values, strict=True))
     happened = log.event.values[log.event.values != flags["NONE"]]
-    assert {flags["ARRIVES"], flags["STOPS"]} <= set(happened.tolist())
+    assert {flags["MOTION_CENTER_AT_POINT"], flags["SLIDER_STOPS"]} <= set(happened.tolist())
 
 
 def test_all_of_it_without_the_compiler():

@@ -81,7 +81,7 @@ DATASET: Quantities = {
     ),
     "motion_cone_left": ("degree", "left edge of the motion cone"),
     "motion_cone_right": ("degree", "right edge of the motion cone"),
-    "operation": ("1", "computed function"),
+    "operation": ("1", "operation that is counted or timed"),
     "outcome": ("1", "whether no, one or several solutions are consistent"),
     "pivot": (
         "1",
@@ -98,7 +98,7 @@ DATASET: Quantities = {
     "pusher_angle": ("degree", "angle of the pusher motion"),
     "pusher_magnitude": ("motion", "magnitude of the pusher motion"),
     "pusher_motion": ("motion", "motion of the pusher"),
-    "quantity": ("1", "quantity that the number measures"),
+    "quantity": ("1", "computed quantity"),
     "quantity_unit": ("1", "unit of the number"),
     "radius": ("length", "radius of the ring"),
     "reference": ("1", "certified value in 40 digits, in the case's unit"),
