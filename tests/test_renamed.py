@@ -7,7 +7,8 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.study.files.simulate_model import SimulateEntry
-from planar_pushing.terms.renamed import EVENTS, renamed_keywords
+from planar_pushing.terms.options import FORMER_EVENTS as EVENTS
+from planar_pushing.terms.renamed import renamed_keywords
 from pushes.written import TRIANGLE, feet
 
 SLIDER = pp.Slider(rod_length=2.0, rod_angle=np.deg2rad(40))

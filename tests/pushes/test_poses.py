@@ -115,7 +115,7 @@ def test_a_finger_that_overlaps_the_object_at_its_start():
 
 
 @pytest.mark.parametrize(("changes", "said"), [
-    ({"poses_after": AFTER * 2}, "poses_after: '2 poses' given; allowed: 1 poses, as in poses_before"),
+    ({"poses_after": AFTER * 2}, "poses_after: '2 poses' given; allowed: 1 pose, as in poses_before"),
     ({"poses_before": [(5, 1)]}, "poses_before: 'shape (1, 2)' given; allowed: shape (n, 3)"),
     ({"poses_after": [(5, np.nan, 0)]}, "poses_after: '[ 5. nan  0.] of push 0' given; allowed: finite"),
     ({"poses_after": [(5, 9, 0)]},

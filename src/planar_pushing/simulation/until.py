@@ -14,8 +14,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.log.variables import arrays
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
-from planar_pushing.terms.options import Event, Method
-from planar_pushing.terms.renamed import EVENTS as FORMER
+from planar_pushing.terms.options import FORMER_EVENTS, Event, Method
 from planar_pushing.terms.renamed import renamed_value
 
 #: Events and contact modes by the names that are flag meanings in a log.
@@ -75,7 +74,7 @@ def required_condition(given: Any, problem: Problem, method: str) -> Condition:
     """Validate `until` and convert it to a condition."""
     if isinstance(given, Until):
         return Condition(lambda now: _reached(given, now, problem), _goal(given))
-    given = renamed_value(given, FORMER)
+    given = renamed_value(given, FORMER_EVENTS)
     named = {**EVENTS, **MODES}.get(given) if isinstance(given, str) else given
     if isinstance(named, Event) and named is not Event.NONE:
         if method == Method.TIME_STEPPING:

@@ -5,26 +5,14 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Callable, Mapping
-from enum import EnumType
 from functools import wraps
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 Kind = TypeVar("Kind", bound=type)
 
 #: Packages of a call from the user's line to a former name; pydantic calls the validators of files.
 INSIDE = ("planar_pushing", "pydantic")
-#: Members of `Event` by their former names.
-EVENTS = {
-    "STARTS": "PUSH_STARTS",
-    "LIFTS": "SEPARATION_CHANGES",
-    "HINGE_YIELDS": "PIVOT_YIELDS",
-    "LIES": "SLIDER_CENTER_REACHES_FENCE",
-    "STOPS": "SLIDER_STOPS",
-    "ARRIVES": "MOTION_CENTER_AT_POINT",
-    "TURNS": "NORMAL_VELOCITY_REVERSES",
-    "TURNS_ALONG": "TANGENTIAL_VELOCITY_REVERSES",
-}
 
 
 def warn(former: str, name: str) -> None:
@@ -82,19 +70,3 @@ def renamed_attributes(**names: str) -> Callable[[Kind], Kind]:
         return kind
 
     return decorate
-
-
-class EventType(EnumType):
-    """Metaclass of an enumeration whose members can be read by their former names in `EVENTS`."""
-
-    if not TYPE_CHECKING:
-
-        def __getitem__(cls, name):
-            return super().__getitem__(renamed_value(name, EVENTS))
-
-        def __getattr__(cls, name):
-            if name in EVENTS:
-                return cls[name]
-            # Python 3.11 reads the members here.
-            missing = getattr(EnumType, "__getattr__", object.__getattribute__)
-            return missing(cls, name)

@@ -114,7 +114,7 @@ REFUSED = {
     ),
     MAP.replace("PRESSURE", "[[1, 2, 3]]"): (
         ".pressure",
-        "((1.0, 2.0, 3.0),) given; allowed: 1 rows of 2 numbers, to fit y and x",
+        "((1.0, 2.0, 3.0),) given; allowed: 1 row of 2 numbers, to fit y and x",
     ),
     "{shape: points, positions: [[0.1, 0.2], [0.1, 0.2], [0.1, 0.2]], weights: [0.3, 0.3, 0.1]}": (
         "",

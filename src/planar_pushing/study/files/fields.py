@@ -22,6 +22,7 @@ from pydantic_core import PydanticCustomError
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.terms.domain import SIDE
 from planar_pushing.terms.options import (
+    FORMER_EVENTS,
     SAMPLES,
     TOLERANCE,
     AtZeroNormal,
@@ -32,7 +33,7 @@ from planar_pushing.terms.options import (
     PusherFrame,
     Shape,
 )
-from planar_pushing.terms.renamed import EVENTS, renamed_value
+from planar_pushing.terms.renamed import renamed_value
 
 
 def refuse(allowed: str) -> PydanticCustomError:
@@ -299,7 +300,7 @@ PolicyName = choice(Policy)
 MethodName = choice(Method)
 ShapeName = spelled(Shape)
 FrameName = spelled(PusherFrame)
-EventName = named(tuple(event.name for event in Event if event is not Event.NONE), EVENTS)
+EventName = named(tuple(event.name for event in Event if event is not Event.NONE), FORMER_EVENTS)
 ModeName = named(tuple(mode.name for mode in ContactMode))
 AtZeroNormalName = choice(AtZeroNormal)
 EffectsName = choice(EffectSet)
