@@ -101,7 +101,7 @@ def test_the_names_of_events_are_read_by_index():
     with pytest.warns(DeprecationWarning, match="^STARTS is now PUSH_STARTS"):
         assert pp.Event["STARTS"] is pp.Event.PUSH_STARTS
     assert not EVENTS.keys() & pp.Event.__members__.keys()
-    assert EVENTS.values() <= pp.Event.__members__.keys()
+    assert set(EVENTS.values()) <= pp.Event.__members__.keys()
     with pytest.raises(AttributeError, match="NEVER"):
         _ = pp.Event.NEVER
     with pytest.raises(KeyError, match="NEVER"):

@@ -40,7 +40,7 @@ def files(pushes, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def supports(files):
-    """Scene files: with forces, on any points, and without, on an even pressure and corners."""
+    """Scene files: with forces, on any points, and without, on a uniform pressure and corners."""
     options = {"forces": ("--seed", "3"), "poses": ("--family", "uniform_and_corners")}
     found = {name: files / f"{name}.yaml" for name in options}
     for name, given in options.items():

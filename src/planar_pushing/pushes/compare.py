@@ -12,7 +12,7 @@ import xarray as xr
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
 from planar_pushing.mechanics.supports.base import Support
-from planar_pushing.pushes.candidates import FORMER as FAMILIES
+from planar_pushing.pushes.candidates import FORMER as FORMER_FAMILIES
 from planar_pushing.pushes.combine import of_object
 from planar_pushing.pushes.contacts import Model, final_poses
 from planar_pushing.pushes.ellipsoid import Ellipsoid
@@ -143,7 +143,7 @@ def compare(
     checked = required_pushes(pushes)
     draws, seed = whole("resamples", resamples, 1), whole("seed", seed, 0)
     fits = _required_models(models)
-    family = renamed_value(family, FAMILIES)
+    family = renamed_value(family, FORMER_FAMILIES)
     options = {"spacing": spacing, "family": family, "progress": progress}
     count, lengths = checked.sizes["push"], []
     errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
