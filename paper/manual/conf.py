@@ -37,6 +37,7 @@ extensions = [
     "sphinx-mathjax-offline",
     "command_reference",
     "docstrings",
+    "figure_gallery",
     "results_in_text",
 ]
 source_suffix = {".md": "myst-nb"}

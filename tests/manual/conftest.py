@@ -81,6 +81,7 @@ def pages_as_html(root):
     set_up(root)
     _link(root, *BESIDE)
     shutil.copy("results/README.md", root / "results")
+    (root / "results/paper.pdf").touch()
     for page in PAGES:
         for name in re.findall(
             r"results/([\w/]+\.(?:svg|png|txt))", page.read_text(encoding="utf-8")
