@@ -16,3 +16,6 @@ def paper_style() -> Iterator[None]:
     """Draw and save inside with matplotlib's defaults and the style sheet, and nothing else."""
     with matplotlib.style.context(["default", str(STYLE_SHEET)]):
         yield
+        interactive = matplotlib.is_interactive()
+    # The first figure of a notebook loads its backend, which turns this on for all later figures.
+    matplotlib.interactive(interactive)
