@@ -33,7 +33,7 @@ MODULES = "src/planar_pushing/figures"
 
 @dataclass(frozen=True, kw_only=True)
 class Shown:
-    """A figure of the gallery: its picture is `file`.svg in the results, its `code` a path in the project."""
+    """A figure of the gallery. `file` is its picture in the results, and `code` a path in the project."""
 
     group: str
     name: str
