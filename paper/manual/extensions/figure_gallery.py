@@ -133,6 +133,6 @@ class FigureGallery(SphinxDirective):
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Make the directive known."""
+    """Register the directive."""
     app.add_directive("figure-gallery", FigureGallery)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
