@@ -6,7 +6,7 @@ import numpy as np
 import planar_pushing as pp
 
 LENGTH, SPEED, ANGLES = 3.0, 0.03, (-5, -10, -15, -20, -25)
-#: Times at which the fence direction begins to change from 45 degrees, reaches its final angle, and at the end.
+#: Times at which the fence direction leaves 45 degrees, reaches its final angle, and of the end.
 BEGIN, TURNED, END = 0.1 / SPEED, 0.3 / SPEED, 0.8 / SPEED
 
 
